@@ -44,9 +44,7 @@ Figures judge_at_rate(const RecordSource& source, AreasFrom from, bool with_faul
         return figures;
     const TestedMachine new_machine(source, from, seed);
     TestedMachine known = new_machine;
-    std::uint64_t number = 0;
-    while (number < LinkJudge::movements_of_baseline)
-        known.move(no_fault(), 1, number++);
+    std::uint64_t number = make_known(known);
     for (const TestedFault& fault : tested_faults(from)) {
         const Outcome outcome = watch(fault.from_first_day ? new_machine : known, fault, faulty_movements, ++number);
         figures.push_back(outcome.found_after > 0);

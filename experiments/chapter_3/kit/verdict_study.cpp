@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,6 +64,21 @@ LinkJudge judge_of(const TestedMachine& machine) {
     return LinkJudge(machine.diagnosis().state().watches.begin()->second.judges.back());
 }
 
+} // namespace
+
+std::uint64_t make_known(TestedMachine& machine) {
+    constexpr std::uint64_t most = 50;
+    std::uint64_t number = 0;
+    do
+        machine.move(no_fault(), 1, number++);
+    while (!judge_of(machine).baseline() && number < most);
+    if (!judge_of(machine).baseline())
+        throw std::runtime_error(fmt::format("{} movements do not tell how a sound machine is", most));
+    return number;
+}
+
+namespace {
+
 /// Of each way: the mean of the logarithm of the likelihood that a unit of it would have over none after the movements
 /// within which it is to be found, were they as the first ones and the two other ways known to be sound. By the
 /// standard errors as they are stated.
@@ -81,9 +97,7 @@ Figures judge_machine(const RecordSource& source, AreasFrom from, std::uint64_t 
     const TestedMachine new_machine(source, from, seed);
     const TestedFault sound{no_fault(), 1, {}};
     TestedMachine known = new_machine;
-    for (std::size_t number = 0; number < LinkJudge::movements_of_baseline; ++number)
-        known.move(no_fault(), 1, number);
-    const std::size_t next = LinkJudge::movements_of_baseline;
+    const std::uint64_t next = make_known(known);
     Figures figures{static_cast<double>(watch(known, sound, sound_movements, next).found_after)};
     for (double each : evidence(judge_of(known)))
         figures.push_back(each);

@@ -35,6 +35,10 @@ struct Outcome {
     bool called = false;         ///< by its name, when it was found
 };
 
+/// Lets a sound machine make movements until its state of health is known: three that tell it, of as many as it takes.
+/// Returns their number. Throws std::runtime_error where fifty do not do it.
+std::uint64_t make_known(TestedMachine& machine);
+
 /// Lets the machine make movements with this fault until there is an alarm, `first_number` the one before the first.
 Outcome watch(TestedMachine machine, const TestedFault& fault, std::size_t movements, std::uint64_t first_number);
 
