@@ -54,7 +54,7 @@ void require_given_neighbour(const Neighbours& neighbours, std::size_t island, s
         throw UserError(fmt::format("island {} has island {} as neighbour twice, expected once", island, other));
 }
 
-/// Of each island, whose neighbour it is.
+/// Returns for each island the islands whose neighbour it is.
 Neighbours reversed(const Neighbours& neighbours) {
     Neighbours back(neighbours.size());
     for (std::size_t i = 0; i < neighbours.size(); ++i)

@@ -26,7 +26,7 @@ namespace placedpar {
 
 namespace {
 
-/// Of each schedule, how many immigrate at once to each island at the most.
+/// This maps a schedule to how many immigrate to each island at once, at the most.
 using SendersBySchedule = std::map<std::string, std::vector<std::size_t>>;
 
 /// Collects what is to be said about one island.

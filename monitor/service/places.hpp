@@ -16,9 +16,9 @@ namespace placedpar::monitor {
 
 /// A machine or a connection, of which there may be only so many.
 struct Place {
-    std::string peer;                            ///< whose it is, as Caller::peer; "": nobody knows
+    std::string peer;                            ///< whose it is, as Caller::peer; "": unknown
     bool kept = false;                           ///< no newcomer takes it: a known machine's
-    bool idle = false;                           ///< nobody uses it, so that its own peer may have it for another
+    bool idle = false;                           ///< not in use, so that its own peer may have it for another
     std::uint64_t samples = 0;                   ///< that were accepted
     std::chrono::steady_clock::time_point heard; ///< last
 };
@@ -50,7 +50,7 @@ public:
 
     bool known(const std::string& machine) const { return machines_.contains(machine) && machines_.at(machine).kept; }
     std::size_t introduced_by(const std::string& peer) const;
-    /// Those without a sample that were not heard of since then.
+    /// Returns those that have sent no sample and have been silent since then.
     std::vector<std::string> unused_since(Clock::time_point then) const;
     /// The machine to be forgotten for a new one of this peer; `only_own`: of those that it has introduced.
     std::optional<std::string> gives_way(const std::string& peer, bool only_own,

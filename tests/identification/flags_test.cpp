@@ -150,7 +150,7 @@ TEST_CASE("an answer is confirmed where it and two standard errors lie within a 
         CHECK(!confirmed(0.0086, least, error));
 }
 
-TEST_CASE("no flag prints what is no number") {
+TEST_CASE("the text of a flag never has nan or inf in it") {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     for (double error : {infinite, none}) {

@@ -39,7 +39,7 @@ std::set<std::string> dashes_in(const std::string& svg) {
     return found;
 }
 
-/// Of the symbols in a plot of one panel without a legend: how many pixels the nearest is from its frame.
+/// Returns how many pixels lie between the frame and the nearest symbol, in a plot of one panel without a legend.
 double nearest_to_frame(const std::string& svg) {
     const double left = 104, right = 930, top = 84, bottom = 368;
     double nearest = std::numeric_limits<double>::max();

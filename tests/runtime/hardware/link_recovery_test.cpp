@@ -110,7 +110,7 @@ TEST_CASE("without a time-out a lost byte is a deadlock, in which the two are na
     CHECK(result.ending == Ending::stuck);
     REQUIRE(result.deadlock);
     CHECK(result.deadlock->processes.size() == 2);
-    CHECK(result.deadlock->held_up.empty()); // nobody gave anything up
+    CHECK(result.deadlock->held_up.empty()); // no message was given up
 }
 
 TEST_CASE("a lost message is a partial deadlock when a time limit ends the run") {
