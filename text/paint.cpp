@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstddef>
+#include <random>
 
 namespace placedpar {
 
@@ -29,21 +29,35 @@ const char* rendition(Paint paint) {
     return "";
 }
 
-constexpr std::string_view paint_begins = "\033[", paint_ends = "\033[0m";
+/// Stands in painted() for the begin of a colour's sequence, until it is printed. It is drawn anew in each run, so that
+/// no text from outside can have it: not even one that was made to look like paint.
+const std::string& mark() {
+    static const std::string drawn = [] {
+        std::random_device device;
+        return fmt::format("\033{:08x}{:08x}{:08x}[", device(), device(), device());
+    }();
+    return drawn;
+}
 
-/// How many bytes of paint the text begins with, where any may be there.
-std::size_t paint_at(std::string_view text) {
-    if (!(errors_painted || output_painted) || !text.starts_with(paint_begins))
-        return 0;
-    if (text.starts_with(paint_ends))
-        return paint_ends.size();
-    for (int paint = 0; paint <= static_cast<int>(Paint::failure); ++paint) {
-        const std::string_view known = rendition(static_cast<Paint>(paint));
-        if (text.substr(paint_begins.size()).starts_with(known) &&
-            text.substr(paint_begins.size() + known.size()).starts_with('m'))
-            return paint_begins.size() + known.size() + 1;
+/// Calls `take` with each stretch of the text between marks, and `at_mark` between them. The latter are not looked for
+/// where nothing is painted.
+template <class Take, class AtMark>
+void between_marks(std::string_view text, Take take, AtMark at_mark) {
+    std::size_t next = std::string_view::npos;
+    while ((errors_painted || output_painted) && (next = text.find(mark())) != std::string_view::npos) {
+        take(text.substr(0, next));
+        at_mark();
+        text.remove_prefix(next + mark().size());
     }
-    return 0;
+    take(text);
+}
+
+/// escaped(), but for ends of lines.
+std::string escaped_lines(std::string_view text) {
+    std::string result;
+    for (std::size_t end; (end = text.find('\n')) != std::string_view::npos; text.remove_prefix(end + 1))
+        result += escaped(text.substr(0, end)) + "\n";
+    return result + escaped(text);
 }
 
 bool goes_to_output(Paint paint) {
@@ -60,18 +74,22 @@ std::string painted(Paint paint, std::string_view text) {
     std::size_t first = text.find_first_not_of(" \t\n"), last = text.find_last_not_of('\n');
     if (!(goes_to_output(paint) ? output_painted : errors_painted) || first == std::string_view::npos)
         return std::string(text);
-    return fmt::format("{}{}{}m{}{}{}", text.substr(0, first), paint_begins, rendition(paint),
-                       text.substr(first, last + 1 - first), paint_ends, text.substr(last + 1));
+    return fmt::format("{}{}{}m{}{}0m{}", text.substr(0, first), mark(), rendition(paint),
+                       text.substr(first, last + 1 - first), mark(), text.substr(last + 1));
 }
 
 std::string escaped_but_paint(std::string_view text) {
     std::string result;
-    while (!text.empty()) {
-        const std::size_t kept = text.front() == '\n' ? 1 : paint_at(text);
-        const std::size_t end = kept > 0 ? kept : std::min(text.find_first_of("\n\033", 1), text.size());
-        result += kept > 0 ? std::string(text.substr(0, kept)) : escaped(text.substr(0, end));
-        text.remove_prefix(end);
-    }
+    between_marks(
+        text, [&](std::string_view part) { result += escaped_lines(part); }, [&] { result += "\033["; });
+    return result;
+}
+
+std::string unpainted(std::string_view text) {
+    std::string result;
+    bool painted = false; // what follows a mark begins with a rendition's parameters and an m
+    auto take = [&](std::string_view part) { result += part.substr(painted ? part.find('m') + 1 : 0); };
+    between_marks(text, take, [&] { painted = true; });
     return result;
 }
 

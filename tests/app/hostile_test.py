@@ -3,6 +3,8 @@
 import json
 import os
 import pathlib
+import pty
+import re
 import shutil
 import subprocess
 import tempfile
@@ -12,7 +14,7 @@ import xml.dom.minidom
 from program import EXAMPLES, PROGRAM
 from results_file import opened, renew_checksums
 
-EVIL = b"evil\x1b[31m\xff\xc2\x9b\x7f"  # an escape sequence, a byte that is no UTF-8, a control character of two bytes
+EVIL = b"evil\x1b[1;31m\xff\xc2\x9b\x7f"  # the sequence of a colour of ours, a byte that is no UTF-8, a control character of two bytes
 COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
 NETLIST = EVIL + b".cfs"
 REFUSED = EVIL + b" refused.cfs"
@@ -27,6 +29,9 @@ COMMANDS = [
     ["identify", EVIL], ["record", EVIL], ["generate", EVIL, "--size", "4"], ["generation", EVIL], ["replay", EVIL],
     ["replay", "table-e1", "--json", "-"], ["parameters", EVIL], ["tell", EVIL, "ping"], [EVIL], ["run", b"--" + EVIL],
 ]
+
+
+OURS = re.compile(rb"\x1b\[(1|1;31|1;32|1;33|1;36|32)m(.*?)\x1b\[0m", re.DOTALL)
 
 
 def clean(data):
@@ -70,6 +75,41 @@ class Hostile(unittest.TestCase):
                 if "svg" in command:
                     xml.dom.minidom.parseString(text)
 
+    def on_terminal(self, *arguments):
+        """All that the program writes to a terminal, by either stream, and its exit code."""
+        terminal, end = pty.openpty()
+        parts = []
+        environment = {name: value for name, value in os.environ.items() if name != "NO_COLOR"}
+        with subprocess.Popen([PROGRAM, *arguments], cwd=self.path, stdin=subprocess.DEVNULL, stdout=end, stderr=end,
+                              env={**environment, "TERM": "xterm"}) as process:
+            os.close(end)
+            try:
+                while part := os.read(terminal, 65536):
+                    parts.append(part)
+            except OSError:  # how Linux says that the other end is closed
+                pass
+        os.close(terminal)
+        return b"".join(parts).replace(b"\r\n", b"\n"), process.returncode
+
+    def test_a_terminal_gets_no_colours_but_our_own(self):
+        painted = 0
+        for command in COMMANDS:
+            with self.subTest(command=command):
+                shown, code = self.on_terminal(*command)
+                self.assertIn(code, (0, 1, 2, 3), shown)
+                shown = re.sub(rb"\r(\x1b\[\d+A)?\x1b\[[KJ]", b"", shown)  # how a line of progress is removed
+                plain = OURS.sub(rb"\2", shown)
+                painted += plain != shown
+                clean(plain)
+        self.assertGreater(painted, 10)
+
+    def test_what_is_kept_has_no_colours(self):
+        shown, _ = self.on_terminal("sweep", NETLIST, "count=2,-1", "--results", "c.sqlite")
+        self.assertIn(b"refused", shown)
+        with opened(self.folder / "c.sqlite") as database:
+            refused = [text for (text,) in database.execute("SELECT refused FROM runs WHERE ended = 'refused'")]
+        self.assertEqual([("error: " in text, "\x1b[1" in text, "m\x1b" in text) for text in refused], [(True, False, False)])
+
     def test_files_for_others_are_what_they_say(self):
         self.assertEqual(self.done("run", NETLIST, "--json", "r.json", "--page", "r.html", "--trace", "t.json").returncode, 0)
         self.assertEqual(self.done("sweep", NETLIST, "count=2,3", "--results", "r.sqlite").returncode, 0)
@@ -88,7 +128,7 @@ class Hostile(unittest.TestCase):
                 if name.endswith(".svg"):
                     xml.dom.minidom.parseString(text)
         self.assertEqual(json.loads((self.folder / "r.json").read_text(encoding="utf-8"))["manifest"]["netlist"],
-                         "evil\x1b[31m\xff\x9b\x7f.cfs")
+                         "evil\x1b[1;31m\xff\x9b\x7f.cfs")
 
     def test_values_that_are_no_utf8_are_kept_as_they_are(self):
         sweep = ["sweep", NETLIST, b'count=2,"\xff\x1b"', "--results", "v.sqlite"]

@@ -1,5 +1,6 @@
 #include "workbench/explain/what_if.hpp"
 
+#include "text/paint.hpp"
 #include "text/user_error.hpp"
 #include "workbench/problems.hpp"
 #include "workbench/runs_at_once.hpp"
@@ -50,7 +51,7 @@ void try_out(Answer& answer, const std::vector<PathPart>& path, const WhatIfs& w
         if (!changed.too_long())
             answer.why = greatest_increase(path, changed.parts());
     } catch (const UserError& refused) {
-        answer.refused = first_line(refused.what());
+        answer.refused = first_line(unpainted(refused.what()));
     }
 }
 

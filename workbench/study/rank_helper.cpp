@@ -1,5 +1,6 @@
 #include "workbench/study/rank_helper.hpp"
 
+#include "text/paint.hpp"
 #include "text/user_error.hpp"
 #include "workbench/workers.hpp"
 
@@ -33,7 +34,7 @@ void RankHelper::help(const std::function<Study()>& study, const Interruption& i
         if (first.kind == RankMessage::Kind::begin)
             make_runs(study(), interruption);
     } catch (const std::exception& wrong) {
-        tell({RankMessage::Kind::failed, wrong.what()});
+        tell({RankMessage::Kind::failed, unpainted(wrong.what())});
         while (wait_for_message().kind != RankMessage::Kind::stop) {
         }
     }

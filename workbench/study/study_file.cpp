@@ -5,6 +5,7 @@
 
 #include "text/load_source.hpp"
 #include "text/nearest.hpp"
+#include "text/paint.hpp"
 #include "text/reporter.hpp"
 #include "text/user_error.hpp"
 #include "workbench/study/measure.hpp"
@@ -310,7 +311,7 @@ private:
         try {
             work();
         } catch (const RefusedInput& refused) {
-            std::string said = refused.what();
+            std::string said = unpainted(refused.what());
             report(node.source().begin, "it cannot be understood: " + said.substr(0, said.find('\n')));
         } catch (const UserError& refused) {
             report(node.source().begin, refused.what());

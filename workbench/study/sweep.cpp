@@ -1,5 +1,6 @@
 #include "workbench/study/sweep.hpp"
 
+#include "text/paint.hpp"
 #include "text/user_error.hpp"
 #include "workbench/load.hpp"
 #include "workbench/problems.hpp"
@@ -186,7 +187,7 @@ std::optional<StudyOutcome> StudyWorker::outcome_of(const StudyRun& run, Interru
                             .netlist_hash = network_.hash,
                             .figures = figures_of(report, network_)};
     } catch (const UserError& refused) {
-        return StudyOutcome{.ended = "refused", .refused = refused.what()};
+        return StudyOutcome{.ended = "refused", .refused = unpainted(refused.what())};
     }
 }
 
