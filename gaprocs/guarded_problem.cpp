@@ -1,7 +1,6 @@
 #include "gaprocs/guarded_problem.hpp"
 
-#include "runtime/user_code.hpp"
-#include "text/user_error.hpp"
+#include "gaprocs/policies/tried.hpp"
 
 #include <fmt/format.h>
 
@@ -11,50 +10,45 @@ namespace placedpar {
 
 namespace {
 
-template <class Work>
-auto tried(const std::string& name, Work work) {
-    try {
-        return work();
-    } catch (...) {
-        throw UserError(fmt::format("the search problem \"{}\": {}", name, what_was_thrown()));
-    }
-}
+std::string called_problem(const std::string& name) { return fmt::format("the search problem \"{}\"", name); }
 
 class GuardedProblem final : public SearchProblem {
 public:
     GuardedProblem(std::string name, std::shared_ptr<const SearchProblem> problem)
         : name_(std::move(name)), problem_(std::move(problem)) {}
 
-    std::size_t bits() const override { return problem_->bits(); }
-    Representation representation() const override { return problem_->representation(); }
-    std::size_t channels() const override { return problem_->channels(); }
-    std::optional<Objective> objective() const override { return problem_->objective(); }
-    bool depends_on_window() const override { return problem_->depends_on_window(); }
+    std::size_t bits() const override { return ask(&SearchProblem::bits); }
+    Representation representation() const override { return ask(&SearchProblem::representation); }
+    std::size_t channels() const override { return ask(&SearchProblem::channels); }
+    std::optional<Objective> objective() const override { return ask(&SearchProblem::objective); }
+    bool depends_on_window() const override { return ask(&SearchProblem::depends_on_window); }
     std::vector<double> errors(const Genome& genome, std::span<const Sample> window) const override {
-        return tried(name_, [&] { return problem_->errors(genome, window); });
+        return ask(&SearchProblem::errors, genome, window);
     }
     double error(const Genome& genome, std::span<const double> sample) const override {
-        return tried(name_, [&] { return problem_->error(genome, sample); });
+        return ask(&SearchProblem::error, genome, sample);
     }
     double fitness(const Genome& genome, std::span<const Sample> samples, double bias) const override {
-        return tried(name_, [&] { return problem_->fitness(genome, samples, bias); });
+        return ask(&SearchProblem::fitness, genome, samples, bias);
     }
     void fitness_of(std::span<const Genome> population, std::span<const Sample> samples, double bias,
                     std::span<double> out) const override {
-        tried(name_, [&] { problem_->fitness_of(population, samples, bias, out); });
+        ask(&SearchProblem::fitness_of, population, samples, bias, out);
     }
-    std::vector<double> decode(const Genome& genome) const override {
-        return tried(name_, [&] { return problem_->decode(genome); });
-    }
-    std::vector<std::string> parameter_names() const override { return problem_->parameter_names(); }
-    std::vector<std::string> parameter_units() const override { return problem_->parameter_units(); }
-    std::vector<double> true_parameters() const override { return problem_->true_parameters(); }
-    std::vector<std::size_t> fields() const override { return problem_->fields(); }
-    Coding coding() const override { return problem_->coding(); }
+    std::vector<double> decode(const Genome& genome) const override { return ask(&SearchProblem::decode, genome); }
+    std::vector<std::string> parameter_names() const override { return ask(&SearchProblem::parameter_names); }
+    std::vector<std::string> parameter_units() const override { return ask(&SearchProblem::parameter_units); }
+    std::vector<double> true_parameters() const override { return ask(&SearchProblem::true_parameters); }
+    std::vector<std::size_t> fields() const override { return ask(&SearchProblem::fields); }
+    Coding coding() const override { return ask(&SearchProblem::coding); }
 
 private:
     std::shared_ptr<const SearchProblem> coded_plainly(Coding coding) const override {
-        return std::make_shared<GuardedProblem>(name_, problem_->coded(coding));
+        return std::make_shared<GuardedProblem>(name_, ask(&SearchProblem::coded, coding));
+    }
+    template <class Answer, class... Asked>
+    Answer ask(Answer (SearchProblem::*question)(Asked...) const, const auto&... asked) const {
+        return tried([&] { return called_problem(name_); }, [&] { return (*problem_.*question)(asked...); });
     }
 
     std::string name_;
@@ -65,11 +59,19 @@ private:
 
 ProblemFamily guarded(const ProblemFamily& family) {
     ProblemFamily result = family;
-    result.make = [family](const std::vector<double>& numbers) {
-        std::string name = family.description.text(numbers);
-        auto problem = tried(name, [&] { return family.make(numbers); });
-        return std::make_shared<GuardedProblem>(std::move(name), std::move(problem));
+    auto name = [described = family.description](const auto& numbers) { return described.text(numbers); };
+    result.make = [make = family.make, name](const std::vector<double>& numbers) {
+        auto problem = tried([&] { return called_problem(name(numbers)); }, [&] { return make(numbers); });
+        return std::make_shared<GuardedProblem>(name(numbers), std::move(problem));
     };
+    if (family.record)
+        result.record = [record = family.record, name](const std::vector<double>& numbers) {
+            auto whose = [named = called_problem(name(numbers))] { return named; };
+            RecordToMake made = tried(whose, [&] { return record(numbers); });
+            if (made.make)
+                made.make = [whose, make = made.make] { return tried(whose, make); };
+            return made;
+        };
     return result;
 }
 

@@ -4,9 +4,8 @@
 
 namespace placedpar {
 
-/// Guards the problems of a program that is built on PlacedPar: what they throw while one is made, its fitness is
-/// evaluated or a string is decoded becomes a UserError that names the problem. Other questions, such as bits(), are
-/// not guarded.
+/// Guards the problems of a program that is built on PlacedPar: what they throw while one or its record is made,
+/// or it is asked anything, becomes a UserError that names the problem.
 ProblemFamily guarded(const ProblemFamily&);
 
 } // namespace placedpar

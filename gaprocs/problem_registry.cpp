@@ -21,7 +21,12 @@ RecordedProblem::RecordedProblem(std::shared_ptr<const SearchProblem> problem, s
 
 const std::vector<Sample>& RecordedProblem::record() const {
     if (make_) {
-        take(make_());
+        std::vector<Sample> made = make_();
+        if (made.size() != samples_)
+            throw UserError(fmt::format("the record of the search problem was said to have {} samples, and {} were "
+                                        "made: RecordToMake::samples is how many make() gives",
+                                        samples_, made.size()));
+        take(std::move(made));
         make_ = nullptr;
     }
     return record_;
@@ -31,8 +36,6 @@ void RecordedProblem::take(std::vector<Sample> record) const {
     if (problem_->objective() && !record.empty())
         throw std::invalid_argument("an objective problem has no record");
     require_channels(*problem_, record);
-    if (record.size() != samples_)
-        throw std::logic_error(fmt::format("{} samples were made, {} were promised", record.size(), samples_));
     record_ = std::move(record);
 }
 

@@ -29,7 +29,7 @@ public:
     std::size_t samples() const { return samples_; }
     const RecordAdvice& advice() const { return advice_; }
     /// In order of time. The first call makes the record if it was added by add_to_make(); it then throws
-    /// std::invalid_argument as the constructor, or std::logic_error when there are not as many samples as promised.
+    /// std::invalid_argument as the constructor, or UserError when there are not as many samples as promised.
     const std::vector<Sample>& record() const;
 
 private:

@@ -1,5 +1,7 @@
 #include "netlist/repeated_run.hpp"
 
+#include "netlist/kinds/own_code.hpp"
+
 #include <algorithm>
 #include <map>
 #include <new>
@@ -15,9 +17,13 @@ bool is_determinate(const Network& network, const Catalogue& catalogue) {
     auto is_broadcast = [](const NetworkChannel& channel) { return channel.placement.broadcast_on != nowhere; };
     if (std::ranges::any_of(network.channels, is_broadcast) || !network.faults.empty())
         return false;
-    for (std::size_t i = 0; i < network.processes.size(); ++i)
-        if (const auto& says = catalogue.find(network.processes[i].kind)->is_determinate; !says || !says(network, i))
+    for (std::size_t i = 0; i < network.processes.size(); ++i) {
+        const ProcessInstance& process = network.processes[i];
+        const ProcessKind& kind = *catalogue.find(process.kind);
+        auto says = [&] { return kind.is_determinate && kind.is_determinate(network, i); };
+        if (!ask_kind(kind, process, "whether it is determinate", says))
             return false;
+    }
     return true;
 }
 

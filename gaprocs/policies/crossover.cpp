@@ -108,14 +108,6 @@ void OrderCrossover::operator()(Genome& a, Genome& b, const Permutation& permuta
     b = permutation.encode(ordered_offspring(order_b, order_a, first, end));
 }
 
-void OwnCrossover::operator()(std::span<Genome> population, double probability, const Representation& representation,
-                              RandomStream& random) const {
-    tried([&] {
-        cross_(population, probability, representation, random);
-        require(representation.holds(population), "it made an offspring that is not a string of the problem");
-    });
-}
-
 void Crossover::operator()(std::span<Genome> population, double probability, const Representation& representation,
                            RandomStream& random) const {
     if (population.empty() || representation.bits() < 2 * representation.unit())

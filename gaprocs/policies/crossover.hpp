@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gaprocs/policies/own_variation.hpp"
 #include "gaprocs/policies/policy.hpp"
 #include "gaprocs/representation/genome.hpp"
 #include "gaprocs/representation/representation.hpp"
@@ -7,7 +8,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <set>
 #include <span>
 #include <string_view>
@@ -92,25 +92,16 @@ struct OrderCrossover {
 /// A struct of a program's own that has fits() as those above, and
 ///
 ///     void operator()(Genome& a, Genome& b, const Representation& representation, RandomStream& random) const;
-class OwnCrossover : public OwnPolicy {
+class OwnCrossover : public OwnVariation {
 public:
     template <class Policy>
-    explicit OwnCrossover(Policy policy)
-        : OwnPolicy(policy), fits_(Policy::fits),
-          cross_([policy = std::move(policy)](std::span<Genome> population, double probability,
-                                              const Representation& representation, RandomStream& random) {
+    explicit OwnCrossover(const Policy& policy)
+        : OwnVariation(policy, [policy](std::span<Genome> population, double probability,
+                                        const Representation& representation, RandomStream& random) {
               for (std::size_t i = 0; i + 1 < population.size(); i += 2)
                   if (random.chance(probability))
                       policy(population[i], population[i + 1], representation, random);
           }) {}
-    bool fits(StringKind kind) const { return fits_(kind); }
-    /// As Crossover's. Throws UserError where an offspring is no string of the representation.
-    void operator()(std::span<Genome> population, double probability, const Representation& representation,
-                    RandomStream& random) const;
-
-private:
-    bool (*fits_)(StringKind);
-    std::function<void(std::span<Genome>, double, const Representation&, RandomStream&)> cross_;
 };
 
 /// How two parents make two offspring. Neighbours 0 and 1, 2 and 3, ... are mates: after reproduction they are mates at

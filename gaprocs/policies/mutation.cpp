@@ -119,22 +119,16 @@ void InversionMutation::operator()(Genome& genome, std::size_t place, const Repr
         swap_places(genome, (place + i) % places, (last + places - i) % places);
 }
 
-void OwnMutation::operator()(std::span<Genome> population, double probability, const Representation& representation,
-                             RandomStream& random) const {
-    tried([&] {
-        mutate_(population, probability, representation, random);
-        require(representation.holds(population), "it made an individual that is not a string of the problem");
-    });
-}
-
 void Mutation::operator()(std::span<Genome> population, double probability, const Representation& representation,
                           RandomStream& random) const {
+    if (representation.kind() == StringKind::permutation && representation.permutation().places() == 1)
+        return;
     auto mutate_all = [&]<class Way>(const Way& mutate) {
         if constexpr (std::is_same_v<Way, BitMutation> || std::is_same_v<Way, DistanceMutation>)
             Way{probability}(population, random);
         else if constexpr (std::is_same_v<Way, OwnMutation>)
             mutate(population, probability, representation, random);
-        else if (representation.kind() == StringKind::real || representation.bits() > representation.unit())
+        else
             mutate_places(mutate, population, probability, representation, random);
     };
     std::visit(mutate_all, policy());

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "gaprocs/policies/own_variation.hpp"
 #include "gaprocs/policies/policy.hpp"
 #include "gaprocs/representation/genome.hpp"
 #include "gaprocs/representation/representation.hpp"
 #include "runtime/random.hpp"
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <string_view>
 #include <tuple>
@@ -116,23 +116,14 @@ struct InversionMutation {
 ///
 ///     void operator()(Genome& genome, std::size_t place, const Representation& representation,
 ///                     RandomStream& random) const;
-class OwnMutation : public OwnPolicy {
+class OwnMutation : public OwnVariation {
 public:
     template <class Policy>
-    explicit OwnMutation(Policy policy)
-        : OwnPolicy(policy), fits_(Policy::fits),
-          mutate_([policy = std::move(policy)](std::span<Genome> population, double probability,
-                                               const Representation& representation, RandomStream& random) {
+    explicit OwnMutation(const Policy& policy)
+        : OwnVariation(policy, [policy](std::span<Genome> population, double probability,
+                                        const Representation& representation, RandomStream& random) {
               mutate_places(policy, population, probability, representation, random);
           }) {}
-    bool fits(StringKind kind) const { return fits_(kind); }
-    /// As Mutation's. Throws UserError where one becomes no string of the representation.
-    void operator()(std::span<Genome> population, double probability, const Representation& representation,
-                    RandomStream& random) const;
-
-private:
-    bool (*fits_)(StringKind);
-    std::function<void(std::span<Genome>, double, const Representation&, RandomStream&)> mutate_;
 };
 
 /// How a string is changed by chance alone.

@@ -124,9 +124,7 @@ std::string PolicyDescription::text(const std::vector<double>& values) const {
     return fmt::format("{}({})", name, fmt::join(printed, ", "));
 }
 
-void OwnPolicy::refuse(const std::string& why) const {
-    throw UserError(fmt::format("the policy \"{}\": {}", description_.text(numbers_), why));
-}
+std::string OwnPolicy::named() const { return fmt::format("the policy \"{}\"", description_.text(numbers_)); }
 
 void OwnPolicy::require(bool right, const char* otherwise) {
     if (!right)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "runtime/user_code.hpp"
+#include "gaprocs/policies/tried.hpp"
 
 #include <concepts>
 #include <cstddef>
@@ -136,17 +136,13 @@ protected:
     /// What `work` gives. Throws UserError, which names the policy, for whatever it throws.
     template <class Work>
     auto tried(Work work) const {
-        try {
-            return work();
-        } catch (...) {
-            refuse(what_was_thrown());
-        }
+        return placedpar::tried([&] { return named(); }, work);
     }
     /// Within tried(), of what the policy gave. Throws UserError.
     static void require(bool right, const char* otherwise);
 
 private:
-    [[noreturn]] void refuse(const std::string& why) const;
+    std::string named() const;
 
     PolicyDescription description_;
     std::vector<double> numbers_;
@@ -173,14 +169,17 @@ public:
         NamedPolicy named = read_policy(text, descriptions());
         return known()[named.index].make(named.numbers);
     }
-    /// From now on a text can name this policy. Throws as require_policy_fits(). REQUIRES: called by one thread, before
-    /// a search begins.
+    /// From now on a text can name this policy. Throws as require_policy_fits(), and UserError for whatever its
+    /// constructor throws, then or when it is named. REQUIRES: called by one thread, before a search begins.
     template <class Policy>
     static void add() requires std::derived_from<Own, OwnPolicy> {
-        PolicyDescription added = describe_policy<Policy>();
+        auto whose = [] { return "the policy \"" + std::string(Policy::name) + "\" for " + std::string(Step::noun); };
+        PolicyDescription added = placedpar::tried(whose, describe_policy<Policy>);
         require_policy_fits(added, Step::noun, descriptions());
-        known().push_back({std::move(added),
-                           [](const std::vector<double>& numbers) { return Step(Own(make_policy<Policy>(numbers))); }});
+        known().push_back({std::move(added), [whose](const std::vector<double>& numbers) {
+                               auto policy = placedpar::tried(whose, [&] { return make_policy<Policy>(numbers); });
+                               return Step(Own(std::move(policy)));
+                           }});
     }
 
     /// As named() takes it.

@@ -1,6 +1,7 @@
 #include "netlist/complete/complete.hpp"
 #include "netlist/kinds/computer.hpp"
 #include "netlist/kinds/device_kind.hpp"
+#include "netlist/kinds/own_code.hpp"
 #include "netlist/network/names.hpp"
 #include "runtime/hardware/router.hpp"
 
@@ -53,6 +54,16 @@ void report(Completion& c, const Complaint& complaint) {
         c.reporter.warning(place_of(c, complaint), complaint.message, complaint.hint);
     else
         c.reporter.error(place_of(c, complaint), complaint.message, complaint.hint);
+}
+
+/// What a check throws is said of the process that it looks at.
+std::vector<Complaint> complaints_of(const Completion& c, std::size_t process) {
+    const ProcessKind& kind = *c.kinds[process];
+    try {
+        return ask_kind(kind, [&] { return kind.check(c.network, process); });
+    } catch (const UserError& thrown) {
+        return {{process, "", fmt::format("the kind \"{}\" cannot check it: {}", kind.name, thrown.what()), ""}};
+    }
 }
 
 void check_nodes(Completion& c) {
@@ -153,7 +164,7 @@ void complete_checks(Completion& c) {
         return;
     for (std::size_t i = 0; i < processes.size(); ++i)
         if (c.kinds[i] != nullptr && c.kinds[i]->check)
-            for (const auto& complaint : c.kinds[i]->check(c.network, i))
+            for (const Complaint& complaint : complaints_of(c, i))
                 report(c, complaint);
     if (c.reporter.failed())
         return;

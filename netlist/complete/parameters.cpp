@@ -1,6 +1,7 @@
 #include "netlist/complete/complete.hpp"
 #include "netlist/complete/declared_type.hpp"
 #include "netlist/elaborate/attributes.hpp"
+#include "netlist/kinds/own_code.hpp"
 #include "netlist/network/names.hpp"
 #include "text/counted.hpp"
 #include "text/nearest.hpp"
@@ -116,7 +117,7 @@ private:
 
     void check_text(const Setting& setting, const ParameterDescription& known, const std::string& text) {
         try {
-            known.check(text);
+            ask_kind(*kind_, [&] { known.check(text); });
         } catch (const UserError& error) {
             auto what = fmt::format("illegal value of the parameter \"{}\": \"{}\"", known.name, text);
             c_.reporter.error(setting.at, what, error.what());

@@ -63,8 +63,8 @@ struct ProcessKind {
     std::function<bool(const Network&, std::size_t process)> is_determinate = {};
     /// What a process of the kind communicates, for Spin. May be empty: such networks have no model.
     PromelaStatements promela = {};
-    /// Whether a program that is built on PlacedPar adds it: what its processes throw is then that program's, not a
-    /// defect of PlacedPar.
+    /// Whether a program that is built on PlacedPar adds it: what its processes throw, or it where it is asked, is
+    /// then that program's, not a defect of PlacedPar.
     bool is_own = false;
 
     /// Null where there is none.

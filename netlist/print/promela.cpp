@@ -1,5 +1,6 @@
 #include "netlist/print/promela.hpp"
 
+#include "netlist/kinds/own_code.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -24,13 +25,13 @@ std::vector<std::string> kinds_in_promela(const Catalogue& catalogue) {
     return names;
 }
 
-const PromelaStatements& statements_of(const ProcessInstance& process, const Catalogue& catalogue) {
+const ProcessKind& kind_with_statements(const ProcessInstance& process, const Catalogue& catalogue) {
     const ProcessKind* kind = catalogue.find(process.kind);
     if (!kind || !kind->promela)
         throw UserError(fmt::format("\"{}\" is a {}, which does not say in Promela what it communicates; these do: {}",
                                     process.name, process.kind.empty() ? "process of no kind" : process.kind,
                                     fmt::join(kinds_in_promela(catalogue), ", ")));
-    return kind->promela;
+    return *kind;
 }
 
 /// "fork[1]" as fork_1_, with its number before it, which keeps it apart from others and from Promela's words.
@@ -58,9 +59,11 @@ std::string indented(const std::string& statements) {
 
 std::string proctype(const Network& network, std::size_t process, const Catalogue& catalogue) {
     const ProcessInstance& self = network.processes[process];
-    const PromelaStatements& statements = statements_of(self, catalogue);
+    const ProcessKind& kind = kind_with_statements(self, catalogue);
+    std::string statements = ask_kind(kind, self, "for its statements in Promela",
+                                      [&] { return kind.promela(PromelaProcess(network, process)); });
     return fmt::format("\n/* {}, a {} */\nproctype {}() {{\n    int i;\n    byte m;\n{}}}\n", self.name, self.kind,
-                       identifier(network, process), indented(statements(PromelaProcess(network, process))));
+                       identifier(network, process), indented(statements));
 }
 
 std::string legend(const Network& network) {

@@ -2,15 +2,20 @@
 // said. What a process of PlacedPar throws stays a defect.
 
 #include "gaprocs/objective_problem.hpp"
+#include "gaprocs/policies/initial_population.hpp"
+#include "gaprocs/policies/mutation.hpp"
 #include "netlist/kinds/description.hpp"
 #include "netlist/kinds/environment.hpp"
 #include "netlist/kinds/packet.hpp"
+#include "netlist/print/promela.hpp"
 #include "netlist/read.hpp"
+#include "netlist/repeated_run.hpp"
 #include "runtime/executive.hpp"
 #include "runtime/parallel.hpp"
 #include "runtime/timer.hpp"
 #include "text/user_error.hpp"
 #include "workbench/netlist_run.hpp"
+#include "workbench/policies_report.hpp"
 #include "workbench/problems.hpp"
 
 #include <doctest/doctest.h>
@@ -64,6 +69,92 @@ struct Failing {
     }
 };
 
+/// Throws while it is made, or when it is asked one question or another.
+class Unwilling final : public SearchProblem {
+public:
+    Unwilling(std::size_t what, std::size_t question) : what_(what), question_(question) { refuse(0); }
+    std::size_t bits() const override { return refuse(1), 8; }
+    Representation representation() const override { return refuse(2), BitString(8); }
+    std::size_t channels() const override { return refuse(3), 1; }
+    std::optional<Objective> objective() const override { return refuse(4), std::nullopt; }
+    bool depends_on_window() const override { return refuse(5), false; }
+    double error(const Genome&, std::span<const double>) const override { return refuse(6), 0; }
+    double fitness(const Genome&, std::span<const Sample>, double) const override { return refuse(7), 1; }
+    void fitness_of(std::span<const Genome>, std::span<const Sample>, double, std::span<double>) const override {
+        refuse(8);
+    }
+    std::vector<double> decode(const Genome&) const override { return refuse(9), std::vector<double>{0}; }
+    std::vector<std::string> parameter_names() const override { return refuse(10), std::vector<std::string>{"x"}; }
+    std::vector<std::string> parameter_units() const override { return refuse(11), std::vector<std::string>{""}; }
+    std::vector<double> true_parameters() const override { return refuse(12), std::vector<double>{}; }
+    std::vector<std::size_t> fields() const override { return refuse(13), std::vector<std::size_t>{8}; }
+    Coding coding() const override { return refuse(14), Coding::natural; }
+
+private:
+    std::shared_ptr<const SearchProblem> coded_plainly(Coding) const override { return refuse(15), nullptr; }
+    void refuse(std::size_t asked) const {
+        if (asked == question_)
+            throw_something(static_cast<std::int64_t>(what_));
+    }
+    std::size_t what_, question_;
+};
+
+/// Number 16 is its record, 17 the samples of that, 18 nothing.
+ProblemFamily unwilling() {
+    auto refuse = [](const std::vector<double>& numbers, int asked) {
+        if (numbers[1] == asked)
+            throw_something(static_cast<std::int64_t>(numbers[0]));
+    };
+    return {{"own.unwilling", "throws where it is asked", {{"what", 0, 0, 5, true}, {"question", 0, 0, 18, true}}},
+            [](const std::vector<double>& numbers) {
+                return std::make_shared<Unwilling>(static_cast<std::size_t>(numbers[0]),
+                                                   static_cast<std::size_t>(numbers[1]));
+            },
+            [refuse](const std::vector<double>& numbers) {
+                refuse(numbers, 16);
+                return RecordToMake{10, [refuse, numbers] {
+                                        refuse(numbers, 17);
+                                        return std::vector<Sample>(10, {0});
+                                    }};
+            }};
+}
+
+/// Throws while it is made, but not for the first time: it would not be added then.
+struct FailingStart {
+    static constexpr std::string_view name = "own.failing-start", about = "throws when it is named";
+    static inline bool fails = false;
+    FailingStart() {
+        if (fails)
+            throw_something(5);
+    }
+    std::vector<Genome> operator()(std::size_t, const Representation&, RandomStream&) const { return {}; }
+};
+
+struct FailingMutation {
+    static constexpr std::string_view name = "own.failing", about = "throws when it is asked what it fits";
+    static inline bool fails = false;
+    static bool fits(StringKind) {
+        if (fails)
+            throw_something(5);
+        return false;
+    }
+    void operator()(Genome&, std::size_t, const Representation&, RandomStream&) const {}
+};
+
+/// Throws while it is added.
+struct NeverMade {
+    static constexpr std::string_view name = "own.never", about = "throws when it is added";
+    static constexpr bool needs_positive_fitness = false;
+    NeverMade() { throw_something(5); }
+    Parents operator()(std::span<const double>, std::size_t, RandomStream&) const { return {}; }
+};
+
+void throw_in(const char* where, const Network& network, std::size_t process) {
+    const auto& parameters = network.processes[process].parameters;
+    if (std::get<std::string>(parameters.at("where")) == where)
+        throw_something(std::get<std::int64_t>(parameters.at("what")));
+}
+
 struct FailingSelection {
     static constexpr std::string_view name = "own.failing", about = "throws when it is asked";
     static constexpr bool needs_positive_fitness = false;
@@ -82,30 +173,70 @@ void add_failing() {
                         .about = "Throws.",
                         .parameters = {integer("what", {.by_default = 0, .least = 0, .most = 5}, "it throws"),
                                        text("where", {.by_default = "body"}, "it throws")},
-                        .body = fail}});
-        add_own_problems({minimised<Failing>()});
+                        .body = fail},
+                       {.name = "own.asked",
+                        .about = "Throws where it is asked.",
+                        .parameters = {integer("what", {.by_default = 0, .least = 0, .most = 5}, "it throws"),
+                                       text("where", {.by_default = ""}, "it throws"),
+                                       text("word",
+                                            {.by_default = "x",
+                                             .check = [](const std::string& word) { throw_something(word[0] - '0'); }},
+                                            "it throws")},
+                        .body = [](ProcessEnvironment&) {},
+                        .check =
+                            [](const Network& network, std::size_t process) {
+                                throw_in("check", network, process);
+                                return std::vector<Complaint>{};
+                            },
+                        .is_determinate =
+                            [](const Network& network, std::size_t process) {
+                                throw_in("determinate", network, process);
+                                return true;
+                            },
+                        .promela =
+                            [](const PromelaProcess& process) {
+                                throw_something(process.integer("what"));
+                                return std::string();
+                            }}});
+        add_own_problems({minimised<Failing>(), unwilling()});
+        InitialPopulation::add<FailingStart>();
+        Mutation::add<FailingMutation>();
         Reproduction::add<FailingSelection>();
         return true;
     }();
     REQUIRE(added);
 }
 
-/// What is thrown by a run.
-std::string thrown_by(const std::string& text) {
-    add_failing();
-    ProblemRegistry problems = known_problems(1);
-    Catalogue kinds = known_kinds(problems);
-    ReadResult read = read_netlist_text(text, kinds, {}, "test.cfs");
-    INFO(render(read));
-    REQUIRE(read.network);
+/// What is thrown by the work.
+template <class Work>
+std::string thrown_in(Work work) {
     try {
-        run_netlist(*read.network, kinds, {});
+        work();
     } catch (const UserError& refused) {
         return std::string("refused: ") + refused.what();
     } catch (const std::exception& defect) {
         return std::string("defect: ") + defect.what();
     }
     return "nothing";
+}
+
+/// What is thrown by a run, or what its netlist is refused for.
+std::string thrown_by(const std::string& text) {
+    add_failing();
+    ProblemRegistry problems = known_problems(1);
+    Catalogue kinds = known_kinds(problems);
+    return thrown_in([&] {
+        ReadResult read = read_netlist_text(text, kinds, {}, "test.cfs");
+        if (!read.network)
+            throw RefusedInput(render(read));
+        run_netlist(*read.network, kinds, {});
+        is_determinate(*read.network, kinds);
+        print_promela(*read.network, kinds);
+    });
+}
+
+std::string asked_kind(const std::string& parameters) {
+    return thrown_by("T800 t; process p; use \"own.asked\" for p; place p on t;\np (" + parameters + ");\n");
 }
 
 std::string farm_with(const std::string& problem, const std::string& reproduction) {
@@ -157,6 +288,69 @@ TEST_CASE("what an own problem or policy throws names it, and the process that a
         CHECK(policy.find("process master (ga.master) at ") != std::string::npos);
         CHECK(policy.ends_with("the policy \"" + named + "\": " + said(what)));
     }
+}
+
+TEST_CASE("what an own kind throws where it is asked names the process, its kind, and its place in the netlist") {
+    for (int what = 0; what <= 5; ++what) {
+        const std::string number = std::to_string(what), why = said(what);
+        CHECK(asked_kind("what = " + number + ", where = \"check\"")
+                  .starts_with("refused: test.cfs:1:17: error: the kind \"own.asked\" cannot check it: " + why + "\n"));
+        std::string refused = asked_kind("word = \"" + number + "\"");
+        CHECK(refused.starts_with("refused: test.cfs:2:4: error: illegal value of the parameter \"word\": \"" + number +
+                                  "\"\n"));
+        CHECK(refused.ends_with("hint: " + why + "\n"));
+        CHECK(asked_kind("what = " + number + ", where = \"determinate\"") ==
+              "refused: test.cfs:1:17: process p (own.asked), asked whether it is determinate: " + why);
+        CHECK(asked_kind("what = " + number) ==
+              "refused: test.cfs:1:17: process p (own.asked), asked for its statements in Promela: " + why);
+    }
+}
+
+TEST_CASE("what an own problem throws names it, whatever it is asked") {
+    add_failing();
+    for (int what = 0; what <= 5; ++what)
+        for (int question = 0; question <= 17; ++question) {
+            ProblemRegistry problems = known_problems(1);
+            std::string named =
+                "own.unwilling(what = " + std::to_string(what) + ", question = " + std::to_string(question) + ")";
+            CAPTURE(named);
+            const Genome genome(8);
+            std::vector<double> worth(1);
+            std::string thrown = thrown_in([&] {
+                const RecordedProblem& recorded = problems.find(named);
+                const SearchProblem& problem = *recorded.problem();
+                problem.bits(), problem.representation(), problem.channels(), problem.objective();
+                problem.depends_on_window(), problem.error(genome, {}), problem.fitness(genome, {}, 1);
+                problem.fitness_of(std::span(&genome, 1), {}, 1, worth);
+                problem.decode(genome), problem.parameter_names(), problem.parameter_units();
+                problem.true_parameters(), problem.fields(), problem.coding(), recorded.record();
+                problem.coded(Coding::gray);
+            });
+            CHECK(thrown == "refused: the search problem \"" + named + "\": " + said(what));
+        }
+}
+
+TEST_CASE("a netlist with an own problem that throws is refused at the process") {
+    std::string thrown = thrown_by(farm_with("own.unwilling(what = 5, question = 4)", "usual"));
+    CAPTURE(thrown);
+    CHECK(thrown.starts_with("refused: test.cfs:2:"));
+    CHECK(thrown.find("the search problem \"own.unwilling(what = 5, question = 4)\": an exception") != thrown.npos);
+}
+
+TEST_CASE("what an own policy throws while it is added, named or described names it") {
+    add_failing();
+    const std::string why = said(5);
+    CHECK(thrown_in([] { Reproduction::add<NeverMade>(); }) ==
+          "refused: the policy \"own.never\" for selection: " + why);
+    FailingStart::fails = FailingMutation::fails = true;
+    CHECK(thrown_in([] { InitialPopulation::named("own.failing-start"); }) ==
+          "refused: the policy \"own.failing-start\" for initial-population: " + why);
+    CHECK(thrown_in([] { Mutation::fitting(StringKind::real); }) == "refused: the policy \"own.failing\": " + why);
+    CHECK(thrown_in([] {
+              ProblemRegistry problems = known_problems(1);
+              print_policy(known_kinds(problems), "mutation");
+          }) == "refused: the policy \"own.failing\": " + why);
+    FailingStart::fails = FailingMutation::fails = false;
 }
 
 TEST_CASE("what a process of PlacedPar's own throws is a defect") {

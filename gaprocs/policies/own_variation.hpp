@@ -1,0 +1,40 @@
+#pragma once
+
+#include "gaprocs/policies/policy.hpp"
+#include "gaprocs/representation/genome.hpp"
+#include "gaprocs/representation/representation.hpp"
+#include "runtime/random.hpp"
+
+#include <functional>
+#include <span>
+#include <utility>
+
+namespace placedpar {
+
+/// A crossover or a mutation that a program adds: works on a whole population, and on strings that it fits().
+class OwnVariation : public OwnPolicy {
+public:
+    bool fits(StringKind kind) const {
+        return tried([&] { return fits_(kind); });
+    }
+    /// As Crossover's and Mutation's. Throws UserError where an individual becomes no string of the representation.
+    void operator()(std::span<Genome> population, double probability, const Representation& representation,
+                    RandomStream& random) const {
+        tried([&] {
+            vary_(population, probability, representation, random);
+            require(representation.holds(population), "it made an individual that is not a string of the problem");
+        });
+    }
+
+protected:
+    using Vary = std::function<void(std::span<Genome>, double, const Representation&, RandomStream&)>;
+
+    template <class Policy>
+    OwnVariation(const Policy& policy, Vary vary) : OwnPolicy(policy), fits_(Policy::fits), vary_(std::move(vary)) {}
+
+private:
+    bool (*fits_)(StringKind);
+    Vary vary_;
+};
+
+} // namespace placedpar
