@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace placedpar::identification {
@@ -29,21 +30,24 @@ std::span<const CircuitSample> last_window(std::span<const CircuitSample> sample
     return samples.subspan(first, size - first);
 }
 
-void compare_with_least_squares(Identified& result, std::span<const CircuitSample> window, const FlowConstants& flow) {
-    std::vector<double> answer;
+/// The least squares over these samples, begun at what the search found.
+std::optional<ComplianceFit> fit_beside(const Identified& result, std::span<const CircuitSample> samples,
+                                        const FlowConstants& flow) {
+    std::vector<double> found;
     for (const LinkIdentified& link : result.links)
-        answer.push_back(link.compliance_in3_per_psi);
-    auto fit = fit_compliances(result.circuit, window, flow, answer);
+        found.push_back(link.compliance_in3_per_psi);
+    return fit_compliances(result.circuit, samples, flow, found);
+}
+
+void compare_with_least_squares(Identified& result, std::span<const CircuitSample> window, const FlowConstants& flow) {
+    auto fit = fit_beside(result, window, flow);
     for (std::size_t j = 0; j < result.links.size(); ++j)
         result.links[j].standard_error = fit ? fit->standard_error[j] : std::numeric_limits<double>::infinity();
 }
 
 /// A search for several compliances at once can settle on a wrong string, which a short window does not show.
 void compare_with_all_samples(Identified& result, std::span<const CircuitSample> samples, const FlowConstants& flow) {
-    std::vector<double> answer;
-    for (const LinkIdentified& link : result.links)
-        answer.push_back(link.compliance_in3_per_psi);
-    auto fit = fit_compliances(result.circuit, samples, flow, answer);
+    auto fit = fit_beside(result, samples, flow);
     for (std::size_t j = 0; j < result.links.size(); ++j)
         result.links[j].of_all_samples =
             fit ? LeastSquares{fit->compliance_in3_per_psi[j], fit->standard_error[j]} : LeastSquares{};

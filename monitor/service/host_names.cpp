@@ -66,9 +66,10 @@ HostNames::HostNames(const std::string& address, const std::vector<std::string>&
         if (!name)
             name = host_in(fmt::format("[{}]", each));
         if (!name)
-            throw UserError(fmt::format("--host-name {}: it is no name, expected one such as digger.example, or an "
-                                        "address",
-                                        each));
+            throw UserError(
+                fmt::format("--host-name {}: this is not the name of a computer, such as digger.example, or an "
+                            "address",
+                            each));
         names_.insert(*name);
     }
 }

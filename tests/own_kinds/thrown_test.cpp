@@ -145,6 +145,8 @@ struct FailingMutation {
 struct NeverMade {
     static constexpr std::string_view name = "own.never", about = "throws when it is added";
     static constexpr bool needs_positive_fitness = false;
+    std::size_t what = 0;
+    static constexpr auto numbers() { return std::tuple(PolicyNumber{"what", &NeverMade::what, 0, 5}); }
     NeverMade() { throw_something(5); }
     Parents operator()(std::span<const double>, std::size_t, RandomStream&) const { return {}; }
 };

@@ -153,7 +153,7 @@ class Hosts(ServiceTest):
         self.assertEqual(ask_page(port, b"Host: localhost\r\nhost: evil.example\r\n"), 400)
         self.assertEqual(ask_page(port, b"", version=b"1.0"), 200)
         self.assertEqual(ask_page(port, b"Host: evil.example\r\n", version=b"1.0"), 421)
-        self.assertIn("it is no name", self.refusal("--host-name", "a b"))
+        self.assertIn("--host-name a b: this is not the name of a computer, such as digger.example", self.refusal("--host-name", "a b"))
 
 
 class Files(ServiceTest):
