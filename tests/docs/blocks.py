@@ -3,7 +3,7 @@
 
 usage: blocks.py TREE PROGRAMS COMPILER
 
-    ```cpp              compiled, all in one go: the blocks of a page in one namespace, in their order
+    ```cpp              compiled, all in one go: the blocks of a page in one namespace, in their order; with a FILE, too
     ```netlist          `placedpar check` accepts it; or, in an example's page, its lines stand in a netlist beside the page
     ```toml FILE        and every other block with the name of a file: a command of the page uses the file
     ```sh, ```python    the shell, or Python, can parse it
@@ -128,9 +128,9 @@ def wrong_blocks(tree, programs, compiler):
     for page in pages(tree):
         cpp = []
         for first, words, text in blocks(tree, page):
-            if words == ["cpp"]:
+            if words[:1] == ["cpp"]:
                 cpp.append((first, text))
-            elif said := wrong_block(tree, programs, page, words, text):
+            if words != ["cpp"] and (said := wrong_block(tree, programs, page, words, text)):
                 wrong.append(f"{page}:{first}: {said}")
         if cpp:
             of_pages.append((page, cpp))

@@ -8,7 +8,7 @@ import unittest
 import blocks
 
 
-def wrong(page, name="docs/page.md", **files):
+def wrong(page, name="docs/page.md", compiler="true", **files):
     """What is said of a tree with one page; without a compiler, C++ blocks are only taken out."""
     with tempfile.TemporaryDirectory() as folder:
         tree = pathlib.Path(folder)
@@ -16,7 +16,7 @@ def wrong(page, name="docs/page.md", **files):
         (tree / name).write_text(page)
         for other, text in files.items():
             (tree / name).parent.joinpath(other.replace("_", ".")).write_text(text)
-        return blocks.wrong_blocks(tree, folder, shutil.which("true"))
+        return blocks.wrong_blocks(tree, folder, shutil.which(compiler))
 
 
 def fenced(info, text):
@@ -33,6 +33,11 @@ class Blocks(unittest.TestCase):
     def test_a_file_must_be_used_by_a_command(self):
         self.assertIn("no command of the page uses a.toml", wrong(fenced("toml a.toml", "x = 1"))[0])
         self.assertEqual(wrong(fenced("toml a.toml", "x = 1") + fenced("console", "$ placedpar sweep a.toml")), [])
+
+    def test_cpp_with_the_name_of_a_file_is_compiled_too(self):
+        page = fenced("cpp a.cpp", "int x;") + fenced("console", "$ placedpar check a.cpp")
+        self.assertEqual(wrong(page), [])
+        self.assertEqual(len(wrong(page, compiler="false")), 1)
 
     def test_shell_and_python_are_parsed(self):
         self.assertEqual(wrong(fenced("sh", "for i in 1 2; do echo $i; done") + fenced("python", "x = [1]")), [])
