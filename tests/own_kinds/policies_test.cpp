@@ -262,6 +262,13 @@ TEST_CASE("what a policy throws, or gives that cannot be used, is refused by its
     }
 }
 
+TEST_CASE("a permutation of one place stays, and an own mutation is not asked") {
+    RandomStream random(1, "one place"), untouched(1, "one place");
+    std::vector<Genome> population{Permutation(1).encode(std::vector<std::size_t>{0})};
+    Mutation(OwnMutation(Wrong{.way = 1}))(population, 1, Permutation(1), random);
+    CHECK(random.uniform() == untouched.uniform());
+}
+
 TEST_CASE("an offspring that is not a string of the problem is refused") {
     const Permutation order(3);
     const std::vector<std::size_t> twice{0, 1, 1};
