@@ -263,15 +263,15 @@ std::string farm_with(const std::string& problem, const std::string& reproductio
 
 TEST_CASE("what a process of an own kind throws names it, and when, from its body and from components of PARs") {
     for (std::int64_t what = 0; what <= 5; ++what)
-        for (auto [where, path] : {std::pair("body", "p"), std::pair("component", "p/0"), std::pair("deep", "p/0/0")}) {
+        for (const auto& at : {std::pair("body", "p"), std::pair("component", "p/0"), std::pair("deep", "p/0/0")}) {
             CAPTURE(what);
-            CAPTURE(where);
+            CAPTURE(at.first);
             std::string thrown = thrown_by("T800 t; process p; use \"own.failing\" for p; place p on t;\n"
                                            "p (what = " +
-                                           std::to_string(what) + ", where = \"" + where + "\");\n");
+                                           std::to_string(what) + ", where = \"" + at.first + "\");\n");
             CAPTURE(thrown);
             CHECK(thrown.starts_with("refused: "));
-            CHECK(thrown.find("process " + std::string(path) + " (own.failing) at ") != std::string::npos);
+            CHECK(thrown.find("process " + std::string(at.second) + " (own.failing) at ") != std::string::npos);
             CHECK(thrown.ends_with(std::string(": ") + said(what)));
         }
 }
