@@ -9,11 +9,17 @@
 
 namespace placedpar {
 
+namespace {
+
+constexpr std::size_t most_hubs = 64; ///< ours: each takes 32 bytes for each node
+
+} // namespace
+
 RouteSearch::RouteSearch(const std::vector<Node>& nodes, const std::vector<LinkConnection>& connections,
                          const std::vector<std::size_t>& load)
     : nodes_(nodes), connections_(connections), load_(load), leaving_(nodes.size()),
       beyond_quota_(2 * connections.size(), false), leads_through_(nodes.size()), routecost_(nodes.size()),
-      distances_(nodes.size()) {
+      distances_(nodes.size()), spent_(nodes.size()), within_(nodes.size()) {
     for (std::size_t i = 0; i < connections.size(); ++i)
         for (RouteHop hop : {RouteHop{i, true}, RouteHop{i, false}})
             if (!connections[i].at_run_time)
@@ -28,7 +34,7 @@ RouteSearch::RouteSearch(const std::vector<Node>& nodes, const std::vector<LinkC
             leads_through_[node] = quota >= 2;
             routecost_[node] = nodes[node].integer("routecost");
             for (std::size_t i = quota; i < leaving_[node].size(); ++i)
-                beyond_quota_[2 * leaving_[node][i].connection + (leaving_[node][i].from_a_to_b ? 1 : 0)] = true;
+                has_quotas_ = beyond_quota_[2 * leaving_[node][i].connection + (leaving_[node][i].from_a_to_b ? 1 : 0)] = true;
         }
 }
 
@@ -52,8 +58,70 @@ void RouteSearch::forget_distances() {
     reached_.clear();
 }
 
+/// E. Dijkstra, over all wires. REQUIRES: no quota keeps a channel from a link.
+void RouteSearch::make_hub(std::size_t hub) {
+    using Reached = std::pair<RouteCost, std::size_t>;
+    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
+    Least& least = hubs_.emplace(hub, Least(nodes_.size())).first->second;
+    least[hub] = RouteCost{};
+    for (open.emplace(RouteCost{}, hub); !open.empty();) {
+        auto [cost, node] = open.top();
+        open.pop();
+        if (least[node] != cost || (node != hub && !leads_through(node)))
+            continue;
+        RouteCost further = cost + RouteCost{node == hub ? 0 : routecost_[node], 1, 0};
+        for (const RouteHop& hop : leaving_[node])
+            if (std::size_t next = end_of(hop, connections_).node; !least[next] || further < *least[next]) {
+                least[next] = further;
+                open.emplace(further, next);
+            }
+    }
+}
+
+void RouteSearch::count_as_spent(std::size_t from, std::size_t to) {
+    for (std::size_t node : {from, to})
+        if ((spent_[node] += reached_.size()) > nodes_.size() && hubs_.size() < most_hubs && !has_quotas_)
+            make_hub(node);
+}
+
+void RouteSearch::mark_between(const Least& least, std::size_t other) {
+    within_[other] = ++searches_;
+    for (std::vector<std::size_t> left{other}; !left.empty();) {
+        std::size_t node = left.back();
+        left.pop_back();
+        for (const RouteHop& hop : leaving_[node]) {
+            std::size_t next = end_of(hop, connections_).node;
+            if (within_[next] == searches_ || !least[next])
+                continue;
+            bool is_hub = least[next]->hops == 0;
+            if (!(is_hub || leads_through(next)) ||
+                *least[next] + RouteCost{is_hub ? 0 : routecost_[next], 1, 0} != *least[node])
+                continue;
+            within_[next] = searches_;
+            left.push_back(next);
+        }
+    }
+}
+
+bool RouteSearch::search_between(std::size_t to, std::size_t from) {
+    for (auto [hub, other] : {std::pair(from, to), std::pair(to, from)})
+        if (auto found = hubs_.find(hub); found != hubs_.end()) {
+            if (found->second[other]) {
+                mark_between(found->second, other);
+                search(to, from, [&](std::size_t node) { return within_[node] == searches_; });
+            }
+            return true;
+        }
+    return false;
+}
+
+void RouteSearch::search_around(std::size_t to, std::size_t from, const std::set<std::size_t>& around) {
+    search(to, from, [&](std::size_t node) { return !around.contains(node); });
+}
+
 /// E. Dijkstra, from the end of the route. REQUIRES: `from` is not `to`.
-void RouteSearch::search(std::size_t to, std::size_t from, const std::set<std::size_t>& around) {
+template <class MayPass>
+void RouteSearch::search(std::size_t to, std::size_t from, MayPass may_pass) {
     using Reached = std::pair<RouteCost, std::size_t>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
     auto reach = [&](std::size_t node, const RouteCost& cost) {
@@ -70,7 +138,7 @@ void RouteSearch::search(std::size_t to, std::size_t from, const std::set<std::s
         for (const RouteHop& leaving : leaving_[node]) {
             RouteHop hop{leaving.connection, !leaving.from_a_to_b}; // the same wire, towards the end
             std::size_t before = begin_of(hop, connections_).node;
-            if (before != from && (!leads_through(before) || around.contains(before) || !may_leave(hop)))
+            if (before != from && (!leads_through(before) || !may_pass(before) || !may_leave(hop)))
                 continue;
             if (node != to && !may_come_in(hop))
                 continue;
@@ -84,8 +152,13 @@ void RouteSearch::search(std::size_t to, std::size_t from, const std::set<std::s
 std::optional<std::vector<RouteHop>> RouteSearch::best(std::size_t from, std::size_t to,
                                                        const std::set<std::size_t>& around) {
     forget_distances();
-    search(to, from, around);
-    if (from == to || !distances_[from])
+    if (from == to)
+        return std::nullopt;
+    if (!around.empty() || !search_between(to, from)) {
+        search_around(to, from, around);
+        count_as_spent(from, to);
+    }
+    if (!distances_[from])
         return std::nullopt;
     std::vector<RouteHop> route;
     for (std::size_t node = from; node != to; node = end_of(route.back(), connections_).node) {

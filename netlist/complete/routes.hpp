@@ -4,6 +4,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <vector>
@@ -41,9 +42,23 @@ public:
     bool is_kept_by_quota(std::size_t node) const;
 
 private:
-    /// Sets distances_ of the nodes that a best route may lead through.
-    void search(std::size_t to, std::size_t from, const std::set<std::size_t>& around);
+    /// What the routes between a node and each other cost at least, whatever wires carry; the same in both directions.
+    /// Nothing for those between which there are none.
+    using Least = std::vector<std::optional<RouteCost>>;
+
+    /// Sets distances_ of the nodes that a best route may lead through. Looks at all but those `around`.
+    void search_around(std::size_t to, std::size_t from, const std::set<std::size_t>& around);
+    template <class MayPass>
+    void search(std::size_t to, std::size_t from, MayPass may_pass);
     void forget_distances();
+    /// The same where one of them is a hub: looks only at nodes on routes that cost least but for the loads. False if
+    /// none is.
+    bool search_between(std::size_t to, std::size_t from);
+    /// Makes hubs of nodes whose searches have looked at more nodes than there are: each pays for itself.
+    void count_as_spent(std::size_t from, std::size_t to);
+    void make_hub(std::size_t node);
+    /// Marks those nodes in within_.
+    void mark_between(const Least& least, std::size_t other);
     /// The hop, on a route that passes through the node where it begins, or ends.
     bool may_leave(const RouteHop&) const;
     bool may_come_in(const RouteHop& hop) const { return may_leave({hop.connection, !hop.from_a_to_b}); }
@@ -54,10 +69,15 @@ private:
     const std::vector<std::size_t>& load_;
     std::vector<std::vector<RouteHop>> leaving_; ///< each node, the lowest link first
     std::vector<bool> beyond_quota_;             ///< a hop that leaves a node: 2 * connection + whether from a to b
+    bool has_quotas_ = false;                    ///< any is: what a route costs may then depend on its direction
     std::vector<bool> leads_through_;            ///< each node
     std::vector<std::int64_t> routecost_;        ///< of each node that leads channels through
     std::vector<std::optional<RouteCost>> distances_; ///< of each node from the end of the route that is searched
     std::vector<std::size_t> reached_;                ///< nodes of which there is one
+    std::map<std::size_t, Least> hubs_;
+    std::vector<std::size_t> spent_;  ///< of each node: at so many nodes its searches have looked before it was a hub
+    std::vector<std::uint64_t> within_; ///< of each node: the last search that was to look at it
+    std::uint64_t searches_ = 0;        ///< that were kept within some nodes
 };
 
 } // namespace placedpar
