@@ -23,7 +23,7 @@ using std::chrono::microseconds;
 constexpr std::int64_t hertz = 20'000'000;
 constexpr Time cycle = duration_of(1, hertz);
 
-struct Block {
+struct MovedBlock {
     std::uint32_t bytes;
     WireForm wire_form() const { return WireForm(bytes); }
 };
@@ -38,7 +38,7 @@ public:
         constexpr std::uint32_t bytes = 1'000'000;
         Simulation simulation;
         Processor& t800 = simulation.add<Processor>("t800", hertz, Cycles{0}, Memory{.access = access});
-        Channel<Block> soft("soft");
+        Channel<MovedBlock> soft("soft");
         simulation.process(
             "outputs", [&] { soft.out().output({bytes}); }, &t800);
         simulation.process(

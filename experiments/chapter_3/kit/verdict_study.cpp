@@ -82,7 +82,7 @@ namespace {
 /// Of each way: the mean of the logarithm of the likelihood that a unit of it would have over none after the movements
 /// within which it is to be found, were they as the first ones and the two other ways known to be sound. By the
 /// standard errors as they are stated.
-Eigen::Vector3d evidence(const LinkJudge& judge) {
+Eigen::Vector3d evidence_of(const LinkJudge& judge) {
     Eigen::Vector3d known = Eigen::Vector3d::Zero();
     for (const Deviation& each : judge.state().first)
         known += each.information().diagonal();
@@ -99,7 +99,7 @@ Figures judge_machine(const RecordSource& source, AreasFrom from, std::uint64_t 
     TestedMachine known = new_machine;
     const std::uint64_t next = make_known(known);
     Figures figures{static_cast<double>(watch(known, sound, sound_movements, next).found_after)};
-    for (double each : evidence(judge_of(known)))
+    for (double each : evidence_of(judge_of(known)))
         figures.push_back(each);
     std::uint64_t number = next + sound_movements; // no two faults have the same movements
     for (const TestedFault& fault : tested_faults(from)) {
