@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace placedpar::fuzz {
 
@@ -38,6 +39,27 @@ void read_netlist(const std::string& text) {
     ReadResult again = read_netlist_text(print_cfs(*result.network), kinds());
     require(again.network.has_value(), "what show prints can be read");
     require(again.network->hash == result.network->hash, "what show prints is the same network");
+}
+
+/// The input's lines are a setting, NAME=VALUE, a fault, and a program with its kind, PROGRAM=KIND.
+void read_options(const std::string& text) {
+    static const std::string netlist = R"(val n 2; T800 (memory = 1M) t[n]; connect t[0].link[1] to t[1].link[0];
+process a, b; use "csp.sink" for a; place a on t[0]; place b on t[1];)";
+    std::vector<std::string> lines(3);
+    for (std::size_t line = 0; char c : text)
+        if (c == '\n' && line < 2)
+            ++line;
+        else
+            lines[line] += c;
+    auto pair = [](const std::string& line) {
+        const std::size_t equals = std::min(line.find('='), line.size());
+        return std::map<std::string, std::string>{
+            {line.substr(0, equals), line.substr(std::min(equals + 1, line.size()))}};
+    };
+    ReadOptions options{.faults = {lines[1]}, .programs = pair(lines[2])};
+    ReadResult result = read_netlist_text(netlist, kinds(), pair(lines[0]), "netlist", options);
+    render(result);
+    require(result.network.has_value() != has_errors(result.diagnostics), "what is refused is refused with an error");
 }
 
 void read_record(const std::string& text) {
@@ -78,8 +100,11 @@ void show_texts(const std::string& text) {
 } // namespace
 
 std::span<const Reader> readers() {
-    static const Reader all[] = {
-        {"netlist", read_netlist}, {"record", read_record}, {"machine", read_machine}, {"texts", show_texts}};
+    static const Reader all[] = {{"netlist", read_netlist},
+                                 {"options", read_options},
+                                 {"record", read_record},
+                                 {"machine", read_machine},
+                                 {"texts", show_texts}};
     return all;
 }
 

@@ -1,13 +1,25 @@
 // The readers of the monitor, of studies and of experiments. Fuzzing them is a study: all rooms have to be compiled.
 
 #include "experiments/kit/kept_runs.hpp"
+#include "gaprocs/initial_population.hpp"
 #include "gaprocs/policies/nouns.hpp"
 #include "gaprocs/representation/representation.hpp"
+#include "hydraulics/data/parameters.hpp"
+#include "identification/on_line/diagnosis.hpp"
+#include "monitor/memory/diagnosis_json.hpp"
 #include "monitor/memory/state_file.hpp"
 #include "monitor/protocol/bad_message.hpp"
 #include "monitor/protocol/message.hpp"
+#include "monitor/service/host_names.hpp"
+#include "monitor/service/token.hpp"
+#include "monitor/service/web.hpp"
+#include "netlist/read.hpp"
 #include "tests/fuzz/reader.hpp"
+#include "text/number.hpp"
 #include "text/user_error.hpp"
+#include "workbench/generate/generate.hpp"
+#include "workbench/problems.hpp"
+#include "workbench/scenario_record.hpp"
 #include "workbench/study/measure.hpp"
 #include "workbench/study/results.hpp"
 #include "workbench/study/setting_value.hpp"
@@ -15,9 +27,11 @@
 #include "workbench/study/summary.hpp"
 #include "workbench/time_text.hpp"
 
+#include <boost/json.hpp>
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -96,6 +110,24 @@ void read_state(const std::string& patches) {
     monitor::StateFile file(file_of(patched(good, patches), "state"), "settings", 10, content);
 }
 
+std::string text_of(const identification::Diagnosis::State& state) {
+    return boost::json::serialize(monitor::state_json(state));
+}
+
+std::string made_diagnosis() {
+    const auto machine = hydraulics::Parameters::excavator();
+    return text_of(identification::Diagnosis("m", identification::excavator_parameters(machine), {}, 1).state());
+}
+
+/// A machine's state, which lies within the state file: of damage to that, checksums would let none through.
+void read_diagnosis(const std::string& patches) {
+    static const std::string good = made_diagnosis();
+    try {
+        text_of(monitor::state_from(boost::json::parse(patched(good, patches)), {}));
+    } catch (const std::runtime_error&) { // it is refused so
+    }
+}
+
 template <class Read>
 void attempt_to(Read read) {
     try {
@@ -125,6 +157,66 @@ void read_strings(const std::string& text) {
         });
 }
 
+void read_population(const std::string& text) {
+    const Representation representations[] = {BitString(5), RealVector({{-2, 2}, {0, 1e300}}), Permutation(4)};
+    for (const Representation& each : representations)
+        attempt_to([&] { load_population(file_of(text, "population"), each); });
+}
+
+/// Hosts and passwords as browsers send them, what the service may be called, and its token.
+void read_names(const std::string& text) {
+    monitor::host_in(text);
+    monitor::from_base64(text);
+    attempt_to([&] { monitor::HostNames("127.0.0.1", {text}); });
+    attempt_to([&] {
+        const std::string path = file_of(text, "token");
+        std::filesystem::permissions(path, std::filesystem::perms::owner_read);
+        require(monitor::Token(path).wanted(), "a token that is taken is wanted");
+    });
+}
+
+/// A netlist of searches is checked by their processes, too.
+void read_searches(const std::string& text) {
+    static const ProblemRegistry problems = known_problems(1);
+    static const Catalogue kinds = known_kinds(problems);
+    ReadResult result = read_netlist_text(text, kinds);
+    render(result);
+    require(result.network.has_value() != has_errors(result.diagnostics), "what is refused is refused with an error");
+}
+
+/// The input's lines are a topology, a size and numbers, each of which may be missing.
+void read_wish(const std::string& text) {
+    static const ProblemRegistry problems = known_problems(1);
+    static const Catalogue kinds = known_kinds(problems);
+    std::vector<std::string> lines(5);
+    for (std::size_t line = 0; char c : text)
+        if (c == '\n' && line + 1 < lines.size())
+            ++line;
+        else
+            lines[line] += c;
+    if (lines[1].size() > 2 && lines[1].find('x') == lines[1].npos)
+        return; // large machines take their time
+    generate::Wish wish;
+    wish.topology = lines[0];
+    wish.size = lines[1];
+    wish.branches = parse_number<std::size_t>(lines[2]);
+    wish.chord = parse_number<std::size_t>(lines[3]);
+    wish.job = lines[4];
+    generate::generate(wish, kinds);
+}
+
+void read_scenario_settings(const std::string& text) {
+    const std::size_t equals = std::min(text.find('='), text.size());
+    for (const hydraulics::RecordScenario& scenario : hydraulics::record_scenarios())
+        attempt_to([&] {
+            const auto machine = hydraulics::Parameters::excavator();
+            const Overrides set{{text.substr(0, equals), text.substr(std::min(equals + 1, text.size()))}};
+            const auto parameters = scenario_parameters(scenario, machine, "", set);
+            for (const hydraulics::Parameter& each : parameters.all())
+                require(std::isfinite(each.value), "parameters are finite");
+        });
+}
+
 void read_command_line(const std::string& text) {
     attempt_to([&] { parse_time(text); });
     attempt_to([&] { StudyMeasure{text}; });
@@ -150,10 +242,13 @@ void read_command_line(const std::string& text) {
 } // namespace
 
 std::span<const Reader> readers() {
-    static const Reader all[] = {{"study", read_study_text},  {"results", read_results},
-                                 {"kept", read_kept_runs},    {"message", read_message},
-                                 {"state", read_state},       {"arguments", read_command_line},
-                                 {"policies", read_policies}, {"strings", read_strings}};
+    static const Reader all[] = {{"study", read_study_text},    {"results", read_results},
+                                 {"kept", read_kept_runs},      {"message", read_message},
+                                 {"state", read_state},         {"arguments", read_command_line},
+                                 {"policies", read_policies},   {"strings", read_strings},
+                                 {"diagnosis", read_diagnosis}, {"population", read_population},
+                                 {"names", read_names},         {"searches", read_searches},
+                                 {"wish", read_wish},           {"scenario", read_scenario_settings}};
     return all;
 }
 
