@@ -434,7 +434,9 @@ json::object state_json(const Diagnosis::State& state) {
             {"alarms", alarms_json(state.alarms)}};
 }
 
-Diagnosis::State state_from(const json::value& value, const DiagnosisSettings& settings) {
+namespace {
+
+Diagnosis::State whole_state_from(const json::value& value, const DiagnosisSettings& settings) {
     Diagnosis::State state;
     state.name = text(value.at("machine"));
     state.parameters = parameters_from(value.at("parameters"));
@@ -466,6 +468,16 @@ Diagnosis::State state_from(const json::value& value, const DiagnosisSettings& s
     for (const json::value& alarm : value.at("alarms").as_array())
         state.alarms.push_back(alarm_from(alarm));
     return state;
+}
+
+} // namespace
+
+Diagnosis::State state_from(const json::value& value, const DiagnosisSettings& settings) {
+    try {
+        return whole_state_from(value, settings);
+    } catch (const std::logic_error& error) { // of a JSON value's at(), and of what is made of the values
+        throw std::runtime_error(fmt::format("it is not whole: {}", error.what()));
+    }
 }
 
 } // namespace placedpar::monitor

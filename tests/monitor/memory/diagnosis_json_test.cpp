@@ -4,6 +4,7 @@
 #include <boost/json.hpp>
 #include <doctest/doctest.h>
 
+#include <stdexcept>
 #include <string>
 
 using namespace placedpar;
@@ -61,4 +62,17 @@ TEST_CASE("what has been judged goes through JSON, too") {
         CHECK(diagnosis.alarms().size() == 1);
         CHECK(text_of(restored) == text_of(diagnosis));
     }
+}
+
+TEST_CASE("a state that lacks a field, or has a list that is too short, is refused") {
+    const Diagnosis diagnosis("digger", excavator_parameters(Parameters::excavator()), {}, 1);
+    const boost::json::object good = state_json(diagnosis.state());
+    for (const char* name : {"machine", "parameters", "samples", "tracks", "sets", "health", "watches", "alarms"}) {
+        boost::json::object bad = good;
+        bad.erase(name);
+        CHECK_THROWS_AS(state_from(bad, {}), std::runtime_error);
+    }
+    boost::json::object bad = good;
+    bad["tracks"].as_array().pop_back();
+    CHECK_THROWS_WITH_AS(state_from(bad, {}), "it is not whole: out of range", std::runtime_error);
 }
