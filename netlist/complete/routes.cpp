@@ -23,18 +23,20 @@ RouteSearch::RouteSearch(const std::vector<Node>& nodes, const std::vector<LinkC
     for (std::size_t i = 0; i < connections.size(); ++i)
         for (RouteHop hop : {RouteHop{i, true}, RouteHop{i, false}})
             if (!connections[i].at_run_time)
-                leaving_[begin_of(hop, connections).node].push_back(hop);
-    for (auto& hops : leaving_)
-        std::stable_sort(hops.begin(), hops.end(), [&](const RouteHop& x, const RouteHop& y) {
-            return begin_of(x, connections).link < begin_of(y, connections).link;
+                leaving_[begin_of(hop, connections).node].push_back({hop, end_of(hop, connections).node});
+    for (auto& steps : leaving_)
+        std::stable_sort(steps.begin(), steps.end(), [&](const Step& x, const Step& y) {
+            return begin_of(x.hop, connections).link < begin_of(y.hop, connections).link;
         });
     for (std::size_t node = 0; node < nodes.size(); ++node)
         if (nodes[node].kind->passes_channels_on) {
             auto quota = static_cast<std::size_t>(nodes[node].integer("linkquota"));
             leads_through_[node] = quota >= 2;
             routecost_[node] = nodes[node].integer("routecost");
-            for (std::size_t i = quota; i < leaving_[node].size(); ++i)
-                has_quotas_ = beyond_quota_[2 * leaving_[node][i].connection + (leaving_[node][i].from_a_to_b ? 1 : 0)] = true;
+            for (std::size_t i = quota; i < leaving_[node].size(); ++i) {
+                const RouteHop& hop = leaving_[node][i].hop;
+                has_quotas_ = beyond_quota_[2 * hop.connection + (hop.from_a_to_b ? 1 : 0)] = true;
+            }
         }
 }
 
@@ -47,9 +49,9 @@ bool RouteSearch::may_leave(const RouteHop& hop) const {
     return !beyond_quota_[2 * hop.connection + (hop.from_a_to_b ? 1 : 0)];
 }
 
-RouteCost RouteSearch::cost_of(const RouteHop& hop, std::size_t to) const {
-    std::size_t next = end_of(hop, connections_).node;
-    return {next == to ? 0 : routecost_[next], 1, load_[hop.connection * 2 + (hop.from_a_to_b ? 1 : 0)]};
+RouteCost RouteSearch::cost_of(const Step& step, std::size_t to) const {
+    return {step.node == to ? 0 : routecost_[step.node], 1,
+            load_[step.hop.connection * 2 + (step.hop.from_a_to_b ? 1 : 0)]};
 }
 
 void RouteSearch::forget_distances() {
@@ -70,8 +72,8 @@ void RouteSearch::make_hub(std::size_t hub) {
         if (least[node] != cost || (node != hub && !leads_through(node)))
             continue;
         RouteCost further = cost + RouteCost{node == hub ? 0 : routecost_[node], 1, 0};
-        for (const RouteHop& hop : leaving_[node])
-            if (std::size_t next = end_of(hop, connections_).node; !least[next] || further < *least[next]) {
+        for (const auto& [hop, next] : leaving_[node])
+            if (!least[next] || further < *least[next]) {
                 least[next] = further;
                 open.emplace(further, next);
             }
@@ -84,92 +86,101 @@ void RouteSearch::count_as_spent(std::size_t from, std::size_t to) {
             make_hub(node);
 }
 
-void RouteSearch::mark_between(const Least& least, std::size_t other) {
+std::vector<std::size_t> RouteSearch::nodes_between(const Least& least, std::size_t other) {
     within_[other] = ++searches_;
-    for (std::vector<std::size_t> left{other}; !left.empty();) {
-        std::size_t node = left.back();
-        left.pop_back();
-        for (const RouteHop& hop : leaving_[node]) {
-            std::size_t next = end_of(hop, connections_).node;
+    std::vector<std::size_t> nodes{other};
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (const auto& [hop, next] : leaving_[nodes[i]]) {
             if (within_[next] == searches_ || !least[next])
                 continue;
             bool is_hub = least[next]->hops == 0;
             if (!(is_hub || leads_through(next)) ||
-                *least[next] + RouteCost{is_hub ? 0 : routecost_[next], 1, 0} != *least[node])
+                *least[next] + RouteCost{is_hub ? 0 : routecost_[next], 1, 0} != *least[nodes[i]])
                 continue;
             within_[next] = searches_;
-            left.push_back(next);
+            nodes.push_back(next);
         }
+    auto is_farther = [&](std::size_t x, std::size_t y) { return *least[x] > *least[y]; };
+    if (!std::ranges::is_sorted(nodes, is_farther)) // it is where all ask for the same routecost
+        std::ranges::sort(nodes, is_farther);
+    return nodes;
+}
+
+template <class MayPass, class Reach>
+void RouteSearch::reach_before(std::size_t node, const Ends& ends, MayPass may_pass, Reach reach) {
+    const RouteCost cost = *distances_[node];
+    for (const auto& [leaving, before] : leaving_[node]) {
+        RouteHop hop{leaving.connection, !leaving.from_a_to_b}; // the same wire, towards the end
+        if (before != ends.from && (!leads_through(before) || !may_pass(before) || !may_leave(hop)))
+            continue;
+        if (node != ends.to && !may_come_in(hop))
+            continue;
+        auto better = cost + cost_of({hop, node}, ends.to);
+        if (!distances_[before])
+            reached_.push_back(before);
+        else if (better >= *distances_[before])
+            continue;
+        distances_[before] = better;
+        reach(better, before);
     }
 }
 
-bool RouteSearch::search_between(std::size_t to, std::size_t from) {
-    for (auto [hub, other] : {std::pair(from, to), std::pair(to, from)})
+/// E. Dijkstra, from the end of the route.
+void RouteSearch::search_around(const Ends& ends, const std::set<std::size_t>& around) {
+    using Reached = std::pair<RouteCost, std::size_t>;
+    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
+    for (open.emplace(RouteCost{}, ends.to); !open.empty() && open.top().second != ends.from;) {
+        auto [cost, node] = open.top();
+        open.pop();
+        if (distances_[node] == cost) // else it was reached at less since
+            reach_before(
+                node, ends, [&](std::size_t before) { return !around.contains(before); },
+                [&](const RouteCost& better, std::size_t before) { open.emplace(better, before); });
+    }
+}
+
+void RouteSearch::search_among(const std::vector<std::size_t>& nodes, const Ends& ends) {
+    for (std::size_t node : nodes)
+        reach_before(
+            node, ends, [&](std::size_t before) { return within_[before] == searches_; },
+            [](const RouteCost&, std::size_t) {});
+}
+
+bool RouteSearch::search_between(const Ends& ends) {
+    for (auto [hub, other] : {std::pair(ends.from, ends.to), std::pair(ends.to, ends.from)})
         if (auto found = hubs_.find(hub); found != hubs_.end()) {
-            if (found->second[other]) {
-                mark_between(found->second, other);
-                search(to, from, [&](std::size_t node) { return within_[node] == searches_; });
-            }
+            if (!found->second[other])
+                return true;
+            auto nodes = nodes_between(found->second, other);
+            if (hub == ends.to)
+                std::ranges::reverse(nodes);
+            search_among(nodes, ends);
             return true;
         }
     return false;
 }
 
-void RouteSearch::search_around(std::size_t to, std::size_t from, const std::set<std::size_t>& around) {
-    search(to, from, [&](std::size_t node) { return !around.contains(node); });
-}
-
-/// E. Dijkstra, from the end of the route. REQUIRES: `from` is not `to`.
-template <class MayPass>
-void RouteSearch::search(std::size_t to, std::size_t from, MayPass may_pass) {
-    using Reached = std::pair<RouteCost, std::size_t>;
-    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
-    auto reach = [&](std::size_t node, const RouteCost& cost) {
-        if (!distances_[node])
-            reached_.push_back(node);
-        distances_[node] = cost;
-        open.emplace(cost, node);
-    };
-    for (reach(to, {}); !open.empty() && open.top().second != from;) {
-        auto [cost, node] = open.top();
-        open.pop();
-        if (distances_[node] != cost)
-            continue; // it was reached at less since
-        for (const RouteHop& leaving : leaving_[node]) {
-            RouteHop hop{leaving.connection, !leaving.from_a_to_b}; // the same wire, towards the end
-            std::size_t before = begin_of(hop, connections_).node;
-            if (before != from && (!leads_through(before) || !may_pass(before) || !may_leave(hop)))
-                continue;
-            if (node != to && !may_come_in(hop))
-                continue;
-            auto better = cost + cost_of(hop, to);
-            if (!distances_[before] || better < *distances_[before])
-                reach(before, better);
-        }
-    }
-}
-
 std::optional<std::vector<RouteHop>> RouteSearch::best(std::size_t from, std::size_t to,
                                                        const std::set<std::size_t>& around) {
-    forget_distances();
     if (from == to)
         return std::nullopt;
-    if (!around.empty() || !search_between(to, from)) {
-        search_around(to, from, around);
+    forget_distances();
+    reached_.push_back(to);
+    distances_[to] = RouteCost{};
+    if (!around.empty() || !search_between({from, to})) {
+        search_around({from, to}, around);
         count_as_spent(from, to);
     }
     if (!distances_[from])
         return std::nullopt;
     std::vector<RouteHop> route;
     for (std::size_t node = from; node != to; node = end_of(route.back(), connections_).node) {
-        auto leads_on = [&](const RouteHop& hop) {
-            const auto& rest = distances_[end_of(hop, connections_).node];
-            bool allowed =
-                (node == from || may_leave(hop)) && (end_of(hop, connections_).node == to || may_come_in(hop));
-            return rest && allowed && end_of(hop, connections_).node != from &&
-                   cost_of(hop, to) + *rest == *distances_[node];
+        auto leads_on = [&](const Step& step) {
+            const auto& rest = distances_[step.node];
+            bool allowed = (node == from || may_leave(step.hop)) && (step.node == to || may_come_in(step.hop));
+            return rest && allowed && step.node != from && cost_of(step, to) + *rest == *distances_[node];
         };
-        route.push_back(*std::find_if(leaving_[node].begin(), leaving_[node].end(), leads_on));
+        route.push_back(std::find_if(leaving_[node].begin(), leaving_[node].end(), leads_on)->hop);
     }
     return route;
 }

@@ -46,28 +46,39 @@ private:
     /// Nothing for those between which there are none.
     using Least = std::vector<std::optional<RouteCost>>;
 
+    struct Ends {
+        std::size_t from, to; ///< nodes; not the same
+    };
+    /// Over a wire to the node behind it.
+    struct Step {
+        RouteHop hop;
+        std::size_t node;
+    };
+
     /// Sets distances_ of the nodes that a best route may lead through. Looks at all but those `around`.
-    void search_around(std::size_t to, std::size_t from, const std::set<std::size_t>& around);
-    template <class MayPass>
-    void search(std::size_t to, std::size_t from, MayPass may_pass);
-    void forget_distances();
+    void search_around(const Ends&, const std::set<std::size_t>& around);
     /// The same where one of them is a hub: looks only at nodes on routes that cost least but for the loads. False if
     /// none is.
-    bool search_between(std::size_t to, std::size_t from);
+    bool search_between(const Ends&);
+    void search_among(const std::vector<std::size_t>& nodes, const Ends&);
+    /// Sets those of the nodes before one where it is at less over that one, and calls reach(cost, node) for each.
+    template <class MayPass, class Reach>
+    void reach_before(std::size_t node, const Ends&, MayPass may_pass, Reach reach);
+    void forget_distances();
     /// Makes hubs of nodes whose searches have looked at more nodes than there are: each pays for itself.
     void count_as_spent(std::size_t from, std::size_t to);
     void make_hub(std::size_t node);
-    /// Marks those nodes in within_.
-    void mark_between(const Least& least, std::size_t other);
+    /// Those nodes, the farthest from the hub first; within_ has them, too.
+    std::vector<std::size_t> nodes_between(const Least& least, std::size_t other);
     /// The hop, on a route that passes through the node where it begins, or ends.
     bool may_leave(const RouteHop&) const;
     bool may_come_in(const RouteHop& hop) const { return may_leave({hop.connection, !hop.from_a_to_b}); }
-    RouteCost cost_of(const RouteHop& hop, std::size_t to) const;
+    RouteCost cost_of(const Step&, std::size_t to) const;
 
     const std::vector<Node>& nodes_;
     const std::vector<LinkConnection>& connections_;
     const std::vector<std::size_t>& load_;
-    std::vector<std::vector<RouteHop>> leaving_; ///< each node, the lowest link first
+    std::vector<std::vector<Step>> leaving_; ///< each node, the lowest link first
     std::vector<bool> beyond_quota_;             ///< a hop that leaves a node: 2 * connection + whether from a to b
     bool has_quotas_ = false;                    ///< any is: what a route costs may then depend on its direction
     std::vector<bool> leads_through_;            ///< each node
@@ -75,7 +86,7 @@ private:
     std::vector<std::optional<RouteCost>> distances_; ///< of each node from the end of the route that is searched
     std::vector<std::size_t> reached_;                ///< nodes of which there is one
     std::map<std::size_t, Least> hubs_;
-    std::vector<std::size_t> spent_;  ///< of each node: at so many nodes its searches have looked before it was a hub
+    std::vector<std::size_t> spent_;    ///< of each node: at so many nodes its searches have looked before it was a hub
     std::vector<std::uint64_t> within_; ///< of each node: the last search that was to look at it
     std::uint64_t searches_ = 0;        ///< that were kept within some nodes
 };
