@@ -79,10 +79,10 @@ private:
     const std::vector<LinkConnection>& connections_;
     const std::vector<std::size_t>& load_;
     std::vector<std::vector<Step>> leaving_; ///< each node, the lowest link first
-    std::vector<bool> beyond_quota_;             ///< a hop that leaves a node: 2 * connection + whether from a to b
-    bool has_quotas_ = false;                    ///< any is: what a route costs may then depend on its direction
-    std::vector<bool> leads_through_;            ///< each node
-    std::vector<std::int64_t> routecost_;        ///< of each node that leads channels through
+    std::vector<bool> beyond_quota_;         ///< a hop that leaves a node: 2 * connection + whether from a to b
+    bool has_quotas_ = false;                ///< any is: what a route costs may then depend on its direction
+    std::vector<bool> leads_through_;        ///< each node
+    std::vector<std::int64_t> routecost_;    ///< of each node that leads channels through
     std::vector<std::optional<RouteCost>> distances_; ///< of each node from the end of the route that is searched
     std::vector<std::size_t> reached_;                ///< nodes of which there is one
     std::map<std::size_t, Least> hubs_;

@@ -2,6 +2,7 @@
 
 import os
 import re
+import resource
 import tempfile
 import unittest
 
@@ -61,6 +62,21 @@ class Generate(unittest.TestCase):
                 self.assertEqual((run.returncode, run.stdout), (1, ""), words)
                 self.assertTrue(run.stderr.startswith("placedpar: ") or run.stderr.startswith("--"), run.stderr)
                 self.assertFalse(os.path.exists(path), words)
+
+    def test_the_time_for_a_check_grows_with_the_ways_to_the_host(self):
+        """Four times the islands have four times the ways, each twice as long: they take some seven times as long. Were all
+        processors asked for each way, it would be twelve times."""
+        with tempfile.TemporaryDirectory() as folder:
+            def seconds(path):
+                before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+                self.assertEqual(placedpar("check", path).returncode, 0)
+                return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+            def least(size, tries):
+                path = self.generated(folder, f"torus --size {size}x{size} --host node")
+                return min(seconds(path) for _ in range(tries))
+            small, middle, large = least(16, 5), least(32, 4), least(64, 3)
+        self.assertLess(middle, 9 * max(small, 0.01))
+        self.assertLess(large, 10 * middle)
 
 
 if __name__ == "__main__":
