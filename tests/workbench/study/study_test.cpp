@@ -1,11 +1,14 @@
 #include "text/user_error.hpp"
 #include "workbench/study/measure.hpp"
 #include "workbench/study/study.hpp"
+#include "workbench/study/study_file.hpp"
 #include "workbench/study/summary.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -222,4 +225,14 @@ TEST_CASE("an interval is Student's") {
     single.add(1);
     single.close();
     CHECK(single.half_width == 0);
+}
+
+TEST_CASE("a study whose headers break what the TOML parser asserts is refused, in builds with assertions, too") {
+    const auto path = std::filesystem::temp_directory_path() / "placedpar_study_test.toml";
+    for (const char* text : {"[(set]\n", "[[(]]\n", "[set\n", "(a = 1\n", "a = (1\n", "x.( = 1\n", "a = {( = 1}\n"}) {
+        INFO(text);
+        std::ofstream(path) << text;
+        CHECK_THROWS_AS(read_study(path.string()), RefusedInput);
+    }
+    std::filesystem::remove(path);
 }
