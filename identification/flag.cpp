@@ -10,9 +10,10 @@
 namespace placedpar::identification {
 
 std::string_view name_of(FlagKind kind) {
-    constexpr std::array<std::string_view, 15> names{
-        "lower_bound", "upper_bound", "no_excitation", "misfit", "still_valve", "unsettled",   "inconsistent", "halves",
-        "uncertain",   "offset",      "vacuum",        "frozen", "falls",       "unconfirmed", "impossible"};
+    constexpr std::array<std::string_view, 16> names{"lower_bound", "upper_bound", "no_excitation", "misfit",
+                                                     "still_valve", "unsettled",   "inconsistent",  "halves",
+                                                     "uncertain",   "offset",      "vacuum",        "frozen",
+                                                     "falls",       "unconfirmed", "impossible",    "leak_or_offset"};
     return names[static_cast<std::size_t>(kind)];
 }
 

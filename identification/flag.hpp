@@ -23,7 +23,8 @@ enum class FlagKind : unsigned char {
     frozen,        ///< the pressure's sensor freezes
     falls,         ///< the piston goes back while oil flows in
     unconfirmed,   ///< least squares finds another compliance, or cannot tell it well enough
-    impossible     ///< readings that no machine gives, such as single ones that stand out
+    impossible,    ///< readings that no machine gives, such as single ones that stand out
+    leak_or_offset ///< one of the two; the record does not tell which
 };
 
 /// As results for machines name it: "lower_bound".

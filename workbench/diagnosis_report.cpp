@@ -32,8 +32,7 @@ bool knows_offset(const Deviation& deviation) { return deviation.by[static_cast<
 std::string with_error(const Deviation& deviation, Way way, double unit) {
     if (!std::isfinite(deviation.standard_error(way)))
         return "-";
-    return fmt::format("{:+.4f} +- {:.4f}", unit * deviation.by[static_cast<Eigen::Index>(way)],
-                       unit * deviation.standard_error(way));
+    return fmt::format("{:+.4f} +- {:.4f}", unit * deviation.by[index_of(way)], unit * deviation.standard_error(way));
 }
 
 std::string print_offset(const WholeMovement& whole) {

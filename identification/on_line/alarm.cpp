@@ -17,28 +17,32 @@ constexpr std::array<LinkSet, 2> branches{LinkSet{Link::bucket, Link::boom}, Lin
 
 /// What is off by how much, and where to look.
 std::string what_is_off(const LinkVerdict& link) {
-    auto by = [&](Way way) { return link.verdict.deviation.by[static_cast<Eigen::Index>(way)]; };
-    auto error = [&](Way way) { return link.verdict.deviation.standard_error(way); };
+    const Deviation& mean = link.verdict.deviation;
+    const WayUnits& units = link.units;
+    auto leak = [&] {
+        const FaultSize alone = size_alone(Way::leak, mean);
+        return fmt::format("a leak of {:.4f} in^3/(s psi) (standard error {:.4f})", units.leak_in3_per_s_psi * alone.by,
+                           units.leak_in3_per_s_psi * alone.standard_error);
+    };
+    auto offset = [&](double sign) {
+        const FaultSize alone = size_alone(Way::offset, mean);
+        return fmt::format("off by {:+.4f} in (standard error {:.4f})", sign * units.offset_in * alone.by,
+                           units.offset_in * alone.standard_error);
+    };
     switch (link.verdict.kind) {
     case VerdictKind::compliance: {
         constexpr double percent = 100 * WayUnits::compliance_share;
-        return fmt::format("the compliance is off by {:+.0f} % (standard error {:.0f} %): {}",
-                           percent * by(Way::compliance), percent * error(Way::compliance),
-                           by(Way::compliance) > 0 ? "air in the oil, or a hose that gives"
-                                                   : "a stiffer hose, or a line that is partly shut");
+        const double by = mean.by[index_of(Way::compliance)];
+        return fmt::format("the compliance is off by {:+.0f} % (standard error {:.0f} %): {}", percent * by,
+                           percent * mean.standard_error(Way::compliance),
+                           by > 0 ? "air in the oil, or a hose that gives"
+                                  : "a stiffer hose, or a line that is partly shut");
     }
-    case VerdictKind::leak:
-        return fmt::format("a leak of {:.4f} in^3/(s psi) (standard error {:.4f}): look at hose, cylinder and seals",
-                           link.units.leak_in3_per_s_psi * by(Way::leak),
-                           link.units.leak_in3_per_s_psi * error(Way::leak));
-    case VerdictKind::offset:
-        return fmt::format("the spool's reading is off by {:+.4f} in (standard error {:.4f}): look at its sensor",
-                           link.units.offset_in * by(Way::offset), link.units.offset_in * error(Way::offset));
+    case VerdictKind::leak: return leak() + ": look at hose, cylinder and seals";
+    case VerdictKind::offset: return fmt::format("the spool's reading is {}: look at its sensor", offset(1));
     case VerdictKind::drift:
-        return fmt::format(
-            "the spool is off by {:+.4f} in (standard error {:.4f}) from what the voltage asks for: look "
-            "at the servo-valve",
-            -link.units.offset_in * by(Way::offset), link.units.offset_in * error(Way::offset));
+        return fmt::format("the spool is {} from what the voltage asks for: look at the servo-valve", offset(-1));
+    case VerdictKind::leak_or_offset: return print_leak_or_offset(mean, units);
     default:
         return "the readings are impossible: below vacuum, frozen, single ones far off, of a wrong sign or unit, or of "
                "a valve that is shut "
@@ -79,6 +83,7 @@ std::optional<AlarmKind> alarm_of(VerdictKind kind) {
     case VerdictKind::leak: return AlarmKind::leak;
     case VerdictKind::offset: return AlarmKind::offset;
     case VerdictKind::drift: return AlarmKind::drift;
+    case VerdictKind::leak_or_offset: return AlarmKind::leak_or_offset;
     case VerdictKind::sensor: return AlarmKind::sensor;
     case VerdictKind::sound:
     case VerdictKind::not_enough_evidence:
@@ -88,7 +93,8 @@ std::optional<AlarmKind> alarm_of(VerdictKind kind) {
 }
 
 std::string_view name_of(AlarmKind kind) {
-    constexpr std::array<std::string_view, 6> names{"compliance", "leak", "offset", "drift", "sensor", "branch"};
+    constexpr std::array<std::string_view, 7> names{"compliance",     "leak",   "offset", "drift",
+                                                    "leak or offset", "sensor", "branch"};
     return names[static_cast<std::size_t>(kind)];
 }
 

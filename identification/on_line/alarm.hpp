@@ -12,16 +12,18 @@
 namespace placedpar::identification {
 
 enum class AlarmKind : unsigned char {
-    compliance, ///< air in the oil, a hose that gives
-    leak,       ///< of a hose or past a piston
-    offset,     ///< the spool is not where its sensor says
-    drift,      ///< the spool is not where the servo-valve's voltage says
-    sensor,     ///< readings that no machine gives
-    branch      ///< all links of a branch are off in the same way: what they share
+    compliance,     ///< air in the oil, a hose that gives
+    leak,           ///< of a hose or past a piston
+    offset,         ///< the spool is not where its sensor says
+    drift,          ///< the spool is not where the servo-valve's voltage says
+    leak_or_offset, ///< one of the two, or a leak or a drift
+    sensor,         ///< readings that no machine gives
+    branch          ///< all links of a branch are off in the same way: what they share
 };
 
-inline constexpr std::array<AlarmKind, 6> all_alarm_kinds{AlarmKind::compliance, AlarmKind::leak,   AlarmKind::offset,
-                                                          AlarmKind::drift,      AlarmKind::sensor, AlarmKind::branch};
+inline constexpr std::array<AlarmKind, 7> all_alarm_kinds{
+    AlarmKind::compliance,     AlarmKind::leak,   AlarmKind::offset, AlarmKind::drift,
+    AlarmKind::leak_or_offset, AlarmKind::sensor, AlarmKind::branch};
 
 /// None of sound, and where nothing can be told.
 std::optional<AlarmKind> alarm_of(VerdictKind kind);

@@ -40,6 +40,18 @@ void confirm(LinkFinding& link) {
         link.flags.push_back(*flag);
 }
 
+/// Of links whose areas are read no offset is known.
+void note_leak_or_offset(LinkFinding& link) {
+    constexpr double errors = 3;
+    if (!link.whole || link.whole->deviation.by[index_of(Way::offset)] == 0)
+        return;
+    const Deviation& deviation = link.whole->deviation;
+    const FaultSize leak = size_alone(Way::leak, deviation);
+    if (leak.by > errors * leak.standard_error &&
+        verdict_of(deviation, true, AreasFrom::spool).kind == VerdictKind::leak_or_offset)
+        link.flags.push_back({FlagKind::leak_or_offset, print_leak_or_offset(deviation, link.whole->units)});
+}
+
 } // namespace
 
 std::vector<MovementFinding> RecordDiagnosis::take(const Record& piece) {
@@ -86,6 +98,7 @@ MovementFinding RecordDiagnosis::finding(LinkSet set, const Progress& progress, 
     for (LinkFinding& link : finding.links) {
         if (finding.links.size() > 1)
             confirm(link);
+        note_leak_or_offset(link);
         if (diagnosis_.verdict(link.link).verdict.kind == VerdictKind::sensor)
             link.flags.push_back({FlagKind::impossible,
                                   "impossible: readings that no machine gives, so that this movement says nothing: "

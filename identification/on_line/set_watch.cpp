@@ -21,7 +21,8 @@ constexpr double longest_swing_s = 0.5;
 bool tells(const Deviation& deviation, Way way) { return deviation.standard_error(way) <= LinkJudge::most_uncertain; }
 
 /// What no machine gives: a compliance below 0, a spool off by more than .05 in; either by two standard errors more.
-bool impossible(const Deviation& deviation, AreasFrom valve) {
+bool impossible(const Deviation& found, AreasFrom valve) {
+    const Deviation deviation = found.with_steady_leak();
     constexpr double no_compliance = -1 / WayUnits::compliance_share, furthest_offset = 10, errors = 2;
     const double compliance = deviation.by[static_cast<Eigen::Index>(Way::compliance)];
     const double offset = std::abs(deviation.by[static_cast<Eigen::Index>(Way::offset)]);
@@ -58,7 +59,7 @@ SetWatch::Judged SetWatch::take(const SetProblem& problem, const SetSample& samp
     Movement movement(sampling_, std::move(state_.movement));
     const bool over = movement.take(problem.circuit(), problem.flow(), problem.by_junction(sample));
     state_.movement = movement.state();
-    return over ? end_movement(problem, health_in3_per_psi) : std::nullopt;
+    return over ? judge_movement(problem, health_in3_per_psi) : std::nullopt;
 }
 
 bool SetWatch::note_moving_shut(const SetSample& sample, std::span<const double> health_in3_per_psi) {
@@ -79,6 +80,10 @@ bool SetWatch::note_moving_shut(const SetSample& sample, std::span<const double>
 
 SetWatch::Judged SetWatch::end_movement(const SetProblem& problem, std::span<const double> health_in3_per_psi) {
     std::ranges::fill(state_.moving_shut, 0);
+    return judge_movement(problem, health_in3_per_psi);
+}
+
+SetWatch::Judged SetWatch::judge_movement(const SetProblem& problem, std::span<const double> health_in3_per_psi) {
     Movement movement(sampling_, std::move(state_.movement));
     const MovementSamples samples = movement.finish();
     state_.movement = movement.state();

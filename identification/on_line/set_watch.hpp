@@ -44,6 +44,7 @@ public:
     void note_impossible(std::size_t position);
 
 private:
+    Judged judge_movement(const SetProblem& problem, std::span<const double> health_in3_per_psi);
     void note_senseless(const SetProblem& problem, const MovementSamples& movement,
                         std::span<const Deviation> deviations);
 

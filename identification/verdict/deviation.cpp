@@ -24,6 +24,14 @@ constexpr std::size_t fewest_at_rest = 4;
 constexpr double least_variance_moving = 0.001, least_variance_at_rest = 0.05;
 /// The share of the slopes' noise by which it may be known wrongly: 50 readings and a median.
 constexpr double noise_known_within = 0.3;
+/// The compliance at rest may differ from that of the movement by so many units (5 %).
+constexpr double compliance_at_rest_within = 0.25;
+/// A leak at rest after a movement is less than during it by up to this share, since the pressure behind the piston,
+/// which is not read, holds against it (ours).
+constexpr double leak_after_within = 0.25;
+/// By so many units the equations' own errors mislead a leak that is told from an offset by flow alone: sound machines
+/// without noise and at 5 kHz show a leak of -.4 to -2.8 so.
+constexpr double leak_by_flow_within = 1.25;
 /// Before a movement is seen, a link may be off by ten units in any way.
 constexpr double prior_units = 10;
 
@@ -203,19 +211,23 @@ MovingRows moving_rows(const Balance& balance, const MovementSamples& movement,
     return moving;
 }
 
-/// At rest the inlet is shut: A v + C dP/dt + k_l P = 0, whatever the spool reads.
-NoisyRows rows_at_rest(const Balance& balance, const MovementSamples& movement, std::size_t junction,
-                       const ReadingNoise& noise) {
-    const auto count = static_cast<Eigen::Index>(movement.at_rest.size());
+/// At rest the inlet is shut: A v + C dP/dt + k_l P = 0, whatever the spool reads. The rest alone would tell the leak
+/// as a share of the compliance only, so that the compliance is that of the movement, but for
+/// compliance_at_rest_within.
+NoisyRows rows_at_rest(const Balance& balance, const std::vector<JunctionSamples>& samples, std::size_t junction,
+                       Way leak, const ReadingNoise& noise) {
+    const Eigen::Index column = row_of(junction);
+    const auto count = static_cast<Eigen::Index>(samples.size());
     const WayUnits& unit = balance.unit(junction);
     const double compliance = balance.compliance(junction);
     NoisyRows rows(count, balance.unknowns(), least_variance_at_rest);
     for (Eigen::Index i = 0; i < count; ++i) {
-        const LinkSample& link = movement.at_rest[static_cast<std::size_t>(i)][junction];
-        rows.slopes(i, row_of(junction)) = -link.inlet_slope_psi_per_s * unit.compliance_in3_per_psi;
-        rows.slopes(i, row_of(junction) + 1) = -link.inlet_psi * unit.leak_in3_per_s_psi;
+        const LinkSample& link = samples[static_cast<std::size_t>(i)][junction];
+        rows.slopes(i, column) = -link.inlet_slope_psi_per_s * unit.compliance_in3_per_psi;
+        rows.slopes(i, column + index_of(leak)) = -link.inlet_psi * unit.leak_in3_per_s_psi;
         rows.missed[i] = -cylinder_flow(link.piston_flow_in3_per_s, link.inlet_slope_psi_per_s, compliance);
     }
+    rows.add_noise(MatrixXd(compliance_at_rest_within * rows.slopes.col(column)).sparseView());
     const MatrixXd same = MatrixXd::Constant(1, count, 1);
     rows.add_noise(slope_noise(compliance * noise.slope_psi_per_s * same));
     rows.add_noise(slope_noise(noise.flow_in3_per_s * same));
@@ -228,11 +240,6 @@ struct Equations {
     VectorXd pull;
     VectorXd noise;     ///< what is noise of each unknown's information
     VectorXd in_health; ///< of each unknown, what it is in health, in its unit: the noise spoils all of it
-
-    void add(const MatrixXd& more, const VectorXd& pulls) {
-        information += more;
-        pull += pulls;
-    }
 };
 
 /// Nothing is known but that a link is hardly off by more than prior_units.
@@ -255,19 +262,38 @@ void add_moving(Equations& equations, const MovingRows& moving) {
     without_noise.diagonal() -= noise;
     const VectorXd by = without_noise.ldlt().solve(weights.pull() + noise.cwiseProduct(equations.in_health));
     const double scale = weights.scale(by, without_noise.rows());
-    equations.add(information / scale, weights.pull() / scale);
+    equations.information += information / scale;
+    equations.pull += weights.pull() / scale;
     equations.noise = noise / scale;
 }
 
-void add_rest(Equations& equations, const NoisyRows& rest, std::size_t junction) {
+/// The movement's equations know a leak no better than leak_by_flow_within, where an offset may be there as well.
+void limit_leak(Equations& equations, Eigen::Index leak) {
+    MatrixXd information = equations.information;
+    information.diagonal() -= equations.noise;
+    const MatrixXd covariance = information.inverse();
+    const VectorXd by = covariance * (equations.pull + equations.noise.cwiseProduct(equations.in_health));
+    const double known = 1 / covariance(leak, leak);
+    if (!(known > 0)) // slopes that are hardly more than noise, which solve() finds
+        return;
+    const double too_much = known * known / (known + 1 / (leak_by_flow_within * leak_by_flow_within));
+    equations.information(leak, leak) -= too_much;
+    equations.pull[leak] -= too_much * by[leak];
+}
+
+/// Adds what a rest tells: the leak, were the compliance known, and nothing of the compliance itself, whose slopes are
+/// little but noise there.
+void add_rest(Equations& equations, const NoisyRows& rest, Eigen::Index leak) {
     const Weights weights(rest);
-    const Eigen::Index leak = row_of(junction) + 1; // nothing else is told apart there
-    if (weights.information()(leak, leak) == 0)     // nor a leak, without pressure
+    const double known = weights.information()(leak, leak);
+    if (known == 0) // without pressure nothing is told
         return;
     VectorXd by = VectorXd::Zero(equations.pull.size());
-    by[leak] = weights.pull()[leak] / weights.information()(leak, leak);
+    by[leak] = weights.pull()[leak] / known;
     const double scale = weights.scale(by, 1);
-    equations.add(weights.information() / scale, weights.pull() / scale);
+    const VectorXd told = weights.information().col(leak) / known;
+    equations.information += known / scale * told * told.transpose();
+    equations.pull += weights.pull()[leak] / scale * told;
 }
 
 std::vector<Deviation> parts(const VectorXd& by, const MatrixXd& covariance) {
@@ -290,17 +316,36 @@ std::optional<std::vector<Deviation>> solve(const Equations& equations) {
     return parts(by, inverse * pulls * inverse);
 }
 
-} // namespace
-
-double Deviation::standard_error(Way way) const {
-    auto i = static_cast<Eigen::Index>(way);
-    return std::sqrt(covariance(i, i));
+/// A leak that is known from the rest after the movement is not known better than leak_after_within; with it all that
+/// depends on it.
+void add_unread_pressure(Deviation& deviation) {
+    const Eigen::Index leak = index_of(Way::leak);
+    const OfWays with_leak = deviation.covariance.col(leak) / deviation.covariance(leak, leak);
+    const double error = leak_after_within * deviation.by[leak];
+    deviation.covariance += error * error * with_leak * with_leak.transpose();
 }
 
-Eigen::Matrix3d Deviation::information() const {
-    Eigen::Matrix3d with_scatter = covariance;
+} // namespace
+
+double Deviation::standard_error(Way way) const { return std::sqrt(covariance(index_of(way), index_of(way))); }
+
+OfTwoWays Deviation::information() const {
+    OfTwoWays with_scatter = covariance;
     with_scatter.diagonal().array() += repeats_within * repeats_within;
+    with_scatter(index_of(Way::offset), index_of(Way::offset)) +=
+        offset_repeats_within * offset_repeats_within - repeats_within * repeats_within;
     return with_scatter.inverse();
+}
+
+Deviation Deviation::with_steady_leak() const {
+    OfWays difference = OfWays::Zero();
+    difference[index_of(Way::leak)] = 1;
+    difference[index_of(Way::leak_before)] = -1;
+    const OfWays shared = covariance * difference;
+    const double variance = difference.dot(shared);
+    if (variance <= 0)
+        return *this;
+    return {by - shared * difference.dot(by) / variance, covariance - shared * shared.transpose() / variance};
 }
 
 std::optional<std::vector<Deviation>> deviations(const Circuit& circuit, const FlowConstants& flow,
@@ -313,10 +358,23 @@ std::optional<std::vector<Deviation>> deviations(const Circuit& circuit, const F
         noises.push_back(reading_noise(movement, j));
     Equations equations = before_movement(balance.unknowns());
     add_moving(equations, moving_rows(balance, movement, noises));
-    if (movement.at_rest.size() >= fewest_at_rest)
+    for (std::size_t j = 0; j < circuit.size(); ++j)
+        if (!balance.reads_areas(j))
+            limit_leak(equations, row_of(j) + index_of(Way::leak));
+    auto add_rests = [&](const std::vector<JunctionSamples>& samples, Way leak) {
         for (std::size_t j = 0; j < circuit.size(); ++j)
-            add_rest(equations, rows_at_rest(balance, movement, j, noises[j]), j);
-    return solve(equations);
+            add_rest(equations, rows_at_rest(balance, samples, j, leak, noises[j]), row_of(j) + index_of(leak));
+    };
+    const bool rest_before = movement.at_rest.size() >= fewest_at_rest,
+               rest_after = rest_before && movement.rest_after.size() >= fewest_at_rest;
+    if (rest_before)
+        add_rests(movement.at_rest, Way::leak_before);
+    if (rest_after)
+        add_rests(movement.rest_after, Way::leak);
+    auto found = solve(equations);
+    if (found && rest_after)
+        std::ranges::for_each(*found, add_unread_pressure);
+    return found;
 }
 
 } // namespace placedpar::identification

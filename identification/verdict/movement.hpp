@@ -13,10 +13,10 @@ namespace placedpar::identification {
 /// One LinkSample for each link, in the order of the circuit's junctions.
 using JunctionSamples = std::vector<hydraulics::LinkSample>;
 
-/// What is kept of one movement of an operator: the samples at rest before the valves open, and those that follow
-/// while all of them are open. All that a restart needs.
+/// What is kept of one movement of an operator: the samples at rest before the valves open, those that follow while all
+/// of them are open, and those at rest after they have shut. All that a restart needs.
 struct MovementSamples {
-    std::vector<JunctionSamples> at_rest, moving; ///< oldest first
+    std::vector<JunctionSamples> at_rest, moving, rest_after; ///< oldest first
 
     friend bool operator==(const MovementSamples&, const MovementSamples&) = default;
 };
@@ -28,7 +28,7 @@ public:
         MovementSamples samples;
         std::vector<JunctionSamples> shut; ///< the newest: of the rest, if the valves stay shut for two samples more
         std::size_t opened = 0;            ///< samples since the valves opened
-        std::size_t closed = 0;            ///< samples since they shut, after a movement
+        std::size_t closed = 0;            ///< samples since not all of them were open, after a movement
 
         friend bool operator==(const State&, const State&) = default;
     };
@@ -36,11 +36,12 @@ public:
     /// Samples whose slopes, of five points, reach into another state of the valve are left out, and one more, since
     /// the path to a cylinder opens between samples and is judged by readings.
     static constexpr std::size_t slope_reach = 3;
-    static constexpr std::size_t slope_ahead = 2;     ///< so far they reach when the valves shut, which ends a movement
-    static constexpr double rest_s = 1;               ///< so much of it is kept
-    static constexpr double piece_s = 4;              ///< a longer movement is judged in pieces
-    static constexpr double shut_for_s = 0.06;        ///< after which a movement is over
-    static constexpr double open_by_psi = 25;         ///< as UsableSamples
+    static constexpr std::size_t slope_ahead = 2; ///< so far they reach when the valves shut, which ends a movement
+    static constexpr double rest_s = 1;           ///< so much of it is kept
+    static constexpr double piece_s = 4;          ///< a longer movement is judged in pieces
+    static constexpr double shut_for_s = 0.06;    ///< after which a movement does not go on
+    static constexpr double rest_after_s = 0.4;   ///< for which it then waits, for valves to shut and rest to follow
+    static constexpr double open_by_psi = 25;     ///< as UsableSamples
     static constexpr double least_inlet_in2 = 0.0125; ///< .01 in of spool beyond the dead band
 
     Movement() = default;
@@ -54,8 +55,11 @@ public:
     MovementSamples finish();
 
 private:
-    void rest(JunctionSamples sample);
+    void rest(JunctionSamples sample, std::vector<JunctionSamples>& kept, std::size_t most);
     bool move(JunctionSamples sample);
+    bool close(JunctionSamples sample);
+    /// Would a movement under way go on if the valves opened now?
+    bool goes_on() const { return state_.closed < sampling_.samples_in(shut_for_s); }
 
     hydraulics::Sampling sampling_;
     State state_;

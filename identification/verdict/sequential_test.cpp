@@ -4,56 +4,61 @@
 
 namespace placedpar::identification {
 
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
-
 namespace {
 
-Vector3d suspected(const Suspicion& suspicion, const Vector3d& scale) {
-    const auto i = static_cast<Eigen::Index>(suspicion.way);
-    Vector3d deviation = Vector3d::Zero();
-    deviation[i] = scale[i] * suspicion.units;
-    return deviation;
+OfWays suspected(const Suspicion& suspicion, const OfWays& scale) {
+    return suspicion.units * unit_of(suspicion.fault).cwiseProduct(scale);
 }
 
 /// The logarithm of the likelihood of `suspected` over that of none.
-double likelihood_ratio(const Vector3d& seen, const Matrix3d& information, const Vector3d& suspected) {
+double likelihood_ratio(const OfWays& seen, const OfTwoWays& information, const OfWays& suspected) {
     return suspected.dot(information * (seen - suspected / 2));
 }
 
-/// The variance of one way, were the others known; none of what is known exactly.
-double unknown_of(const Matrix3d& covariance, Way way) {
-    const auto i = static_cast<Eigen::Index>(way);
-    return covariance.isZero(0) ? 0 : 1 / covariance.inverse()(i, i);
+/// The variance of the share of `by`, were it all; none of what is known exactly.
+double unknown_of(const OfTwoWays& covariance, const OfWays& by) {
+    return covariance.isZero(0) ? 0 : 1 / by.dot(covariance.inverse() * by);
 }
 
 } // namespace
 
-double SequentialTest::add(std::size_t suspicion, const Vector3d& seen, const Matrix3d& information,
-                           const Matrix3d& from_covariance, const Vector3d& scale) {
+OfWays unit_of(LinkFault fault) {
+    OfWays unit = OfWays::Zero();
+    auto set = [&](Way way) { unit[index_of(way)] = 1; };
+    switch (fault) {
+    case LinkFault::compliance: set(Way::compliance); break;
+    case LinkFault::leak: set(Way::leak_before); [[fallthrough]];
+    case LinkFault::new_leak: set(Way::leak); break;
+    case LinkFault::offset: set(Way::offset); break;
+    }
+    return unit;
+}
+
+double SequentialTest::add(std::size_t suspicion, const OfWays& seen, const OfTwoWays& information,
+                           const OfTwoWays& from_covariance, const OfWays& scale) {
     double& sum = state_.sums[suspicion];
     double& known = state_.informations[suspicion];
     if (sum == 0)
         known = 0;
-    const Vector3d by = suspected(suspicions[suspicion], scale);
+    const OfWays by = suspected(suspicions[suspicion], scale);
     const double full = likelihood_ratio(seen, information, by);
     const double ratio = std::clamp(full, -most_of_one, most_of_one);
     known += by.dot(information * by) * (full == ratio ? 1 : ratio / full);
-    const double worth = 1 + known * unknown_of(from_covariance, suspicions[suspicion].way) / by.squaredNorm();
+    const double worth = 1 + known * unknown_of(from_covariance, by);
     sum = std::clamp(sum + ratio, 0.0, most * worth);
     return sum / worth;
 }
 
-void SequentialTest::take(const Deviation& movement, const Deviation& from, const Vector3d& scale) {
-    const Matrix3d information = movement.information();
-    const Vector3d seen = movement.by - from.by;
+void SequentialTest::take(const Deviation& movement, const Deviation& from, const OfWays& scale) {
+    const OfTwoWays information = movement.information();
+    const OfWays seen = movement.by - from.by;
     if (std::ranges::all_of(state_.sums, [](double sum) { return sum == 0; }))
-        state_.total = {}, state_.movements = 0;
+        state_.pull.setZero(), state_.information.setZero(), state_.movements = 0;
     double greatest = 0;
     for (std::size_t i = 0; i < suspicions.size(); ++i)
         greatest = std::max(greatest, add(i, seen, information, from.covariance, scale));
-    state_.total.by += seen;
-    state_.total.covariance += movement.covariance;
+    state_.pull += information * seen;
+    state_.information += information;
     ++state_.movements;
     state_.raised = greatest >= raised_at || (state_.raised && greatest > 0);
 }
@@ -61,8 +66,8 @@ void SequentialTest::take(const Deviation& movement, const Deviation& from, cons
 std::optional<Deviation> SequentialTest::mean() const {
     if (state_.movements == 0)
         return std::nullopt;
-    const auto count = static_cast<double>(state_.movements);
-    return Deviation{state_.total.by / count, state_.total.covariance / (count * count)};
+    const OfTwoWays covariance = state_.information.inverse();
+    return Deviation{covariance * state_.pull, covariance};
 }
 
 } // namespace placedpar::identification

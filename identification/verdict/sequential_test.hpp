@@ -8,9 +8,18 @@
 
 namespace placedpar::identification {
 
-/// What is suspected: a link is off in one way, in one sense. A leak takes only.
+/// What can be wrong with a link: a way that it is off in, or a leak that begins when the valve opens.
+enum class LinkFault : unsigned char { compliance, leak, new_leak, offset };
+
+inline constexpr std::array<LinkFault, 4> all_faults{LinkFault::compliance, LinkFault::leak, LinkFault::new_leak,
+                                                     LinkFault::offset};
+
+/// The size of each way that one unit of a fault has.
+OfWays unit_of(LinkFault fault);
+
+/// What is suspected: a link has one fault, in one sense. A leak takes only.
 struct Suspicion {
-    Way way;
+    LinkFault fault;
     double units;
 };
 
@@ -22,8 +31,12 @@ struct Suspicion {
 /// s / (1 + I b), b the variance of what it is compared with.
 class SequentialTest {
 public:
-    static constexpr std::array<Suspicion, 5> suspicions{
-        {{Way::compliance, 1}, {Way::compliance, -1}, {Way::leak, 1}, {Way::offset, 1}, {Way::offset, -1}}};
+    static constexpr std::array<Suspicion, 6> suspicions{{{LinkFault::compliance, 1},
+                                                          {LinkFault::compliance, -1},
+                                                          {LinkFault::leak, 1},
+                                                          {LinkFault::new_leak, 1},
+                                                          {LinkFault::offset, 1},
+                                                          {LinkFault::offset, -1}}};
     static constexpr double most_of_one = 6;
     /// Nothing that is suspected is raised wrongly more often than once in e^7 = 1100 movements (G. Lorden, Annals of
     /// Mathematical Statistics 42, 1971); the rates of machines: examples/14-faults.
@@ -36,8 +49,9 @@ public:
         std::array<double, suspicions.size()> sums{};
         std::array<double, suspicions.size()> informations{}; ///< of the movements since the sum was 0
         bool raised = false;
-        Deviation total;           ///< of the movements since all sums were 0
-        std::size_t movements = 0; ///< so many
+        OfWays pull = OfWays::Zero(); ///< information times deviation, of the movements since all sums were 0
+        OfTwoWays information = OfTwoWays::Zero(); ///< of them
+        std::size_t movements = 0;                 ///< so many
 
         friend bool operator==(const State&, const State&) = default;
     };
@@ -48,15 +62,15 @@ public:
     friend bool operator==(const SequentialTest&, const SequentialTest&) = default;
 
     /// One more movement: how far off the link was, beyond `from`, in units; `scale` of them are suspected of each way.
-    void take(const Deviation& movement, const Deviation& from, const Eigen::Vector3d& scale = Eigen::Vector3d::Ones());
+    void take(const Deviation& movement, const Deviation& from, const OfWays& scale = OfWays::Ones());
     bool raised() const { return state_.raised; }
-    /// The mean of the movements that count; none before one does.
+    /// The mean of the movements that count, each weighted by its information; none before one does.
     std::optional<Deviation> mean() const;
 
 private:
     /// One suspicion's share of take(); what its sum is worth then.
-    double add(std::size_t suspicion, const Eigen::Vector3d& seen, const Eigen::Matrix3d& information,
-               const Eigen::Matrix3d& from_covariance, const Eigen::Vector3d& scale);
+    double add(std::size_t suspicion, const OfWays& seen, const OfTwoWays& information,
+               const OfTwoWays& from_covariance, const OfWays& scale);
 
     State state_;
 };

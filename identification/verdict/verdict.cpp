@@ -8,14 +8,12 @@
 
 namespace placedpar::identification {
 
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
 using hydraulics::AreasFrom;
 
 namespace {
 
-constexpr std::array<std::string_view, 8> verdict_names{
-    "sound", "compliance", "leak", "offset", "drift", "sensor", "not enough evidence", "cannot tell"};
+constexpr std::array<std::string_view, 9> verdict_names{
+    "sound", "compliance", "leak", "offset", "drift", "leak or offset", "sensor", "not enough evidence", "cannot tell"};
 
 /// What a mean of many movements may still be off by, in units; ours.
 constexpr double mean_repeats_within = 0.05;
@@ -24,46 +22,75 @@ constexpr double mean_repeats_within = 0.05;
 /// evenly.
 constexpr double kind_within = 0.3;
 
-Deviation kind_in_health() { return {Vector3d::Zero(), Matrix3d::Identity() * kind_within * kind_within}; }
-
-VerdictKind kind_of(Way way, AreasFrom valve) {
-    switch (way) {
-    case Way::compliance: return VerdictKind::compliance;
-    case Way::leak: return VerdictKind::leak;
-    case Way::offset: break;
-    }
-    return valve == AreasFrom::servo ? VerdictKind::drift : VerdictKind::offset;
+/// The leak of a healthy link, small as it is, hardly changes when the valve opens.
+Deviation kind_in_health() {
+    constexpr double leak_in_common = 0.9;
+    Deviation kind{OfWays::Zero(), OfTwoWays::Identity() * kind_within * kind_within};
+    const Eigen::Index before = index_of(Way::leak_before), during = index_of(Way::leak);
+    kind.covariance(before, during) = kind.covariance(during, before) = leak_in_common * kind_within * kind_within;
+    return kind;
 }
 
-/// The greatest logarithm of likelihood, above that of sound, which a deviation in this way alone can give.
-double explained_by(Way way, const Deviation& mean, const Matrix3d& information) {
-    const auto i = static_cast<Eigen::Index>(way);
-    const double pull = information.row(i) * mean.by;
-    if (way == Way::leak && pull < 0)
-        return 0; // a leak takes only
-    return pull * pull / (2 * information(i, i));
+/// What the information of a mean is worth, which does not grow with the number of movements for ever.
+OfTwoWays information_of_mean(const Deviation& mean) {
+    OfTwoWays covariance = mean.covariance;
+    covariance.diagonal().array() += mean_repeats_within * mean_repeats_within;
+    return covariance.inverse();
+}
+
+/// A fault alone explains a mean deviation best by this size.
+struct Explanation {
+    FaultSize size;
+    double likelihood; ///< its logarithm above that of sound
+};
+
+Explanation explanation_by(LinkFault fault, const Deviation& mean, const OfTwoWays& information) {
+    const OfWays unit = unit_of(fault), weights = information * unit;
+    const double known = weights.dot(unit), pull = weights.dot(mean.by);
+    const bool takes_only = fault == LinkFault::leak || fault == LinkFault::new_leak;
+    return {{pull / known, 1 / std::sqrt(known)}, takes_only && pull < 0 ? 0 : pull * pull / (2 * known)};
+}
+
+/// The likelihoods of sound and of what can be wrong, as shares of 1. The two leaks are one kind of fault.
+struct Shares {
+    double sound, compliance, leak, offset;
+};
+
+Shares shares_of(const Deviation& mean, const OfTwoWays& information) {
+    auto of = [&](LinkFault fault) { return explanation_by(fault, mean, information).likelihood; };
+    const double compliance = of(LinkFault::compliance), leak = std::max(of(LinkFault::leak), of(LinkFault::new_leak)),
+                 offset = of(LinkFault::offset), reach = std::max({compliance, leak, offset});
+    Shares shares{std::exp(-reach), std::exp(compliance - reach), std::exp(leak - reach), std::exp(offset - reach)};
+    const double all = shares.sound + shares.compliance + shares.leak + shares.offset;
+    return {shares.sound / all, shares.compliance / all, shares.leak / all, shares.offset / all};
 }
 
 /// Of sound and a link that is off by what is suspected, all equally likely before, the share of sound. Nobody suspects
 /// an offset of areas that are read themselves.
-double probability_sound(const Deviation& mean, const Matrix3d& information, AreasFrom valve) {
+double probability_sound(const Deviation& mean, const OfTwoWays& information, AreasFrom valve) {
     double all = 1;
     for (const Suspicion& suspicion : SequentialTest::suspicions) {
-        if (suspicion.way == Way::offset && valve == AreasFrom::areas)
+        if (suspicion.fault == LinkFault::offset && valve == AreasFrom::areas)
             continue;
-        Vector3d suspected = Vector3d::Zero();
-        suspected[static_cast<Eigen::Index>(suspicion.way)] = suspicion.units;
+        const OfWays suspected = suspicion.units * unit_of(suspicion.fault);
         all += std::exp(suspected.dot(information * (mean.by - suspected / 2)));
     }
     return 1 / all;
 }
 
 /// Is it off in the way that is said by more than its standard error?
-bool beyond_error(VerdictKind kind, const Deviation& mean, AreasFrom valve) {
-    return std::ranges::any_of(all_ways, [&](Way way) {
-        return kind_of(way, valve) == kind &&
-               std::abs(mean.by[static_cast<Eigen::Index>(way)]) > mean.standard_error(way);
-    });
+bool beyond_error(VerdictKind kind, const Deviation& mean) {
+    auto alone = [&](Way way) {
+        const FaultSize size = size_alone(way, mean);
+        return std::abs(size.by) > size.standard_error;
+    };
+    switch (kind) {
+    case VerdictKind::compliance:
+        return std::abs(mean.by[index_of(Way::compliance)]) > mean.standard_error(Way::compliance);
+    case VerdictKind::leak: return alone(Way::leak);
+    case VerdictKind::leak_or_offset: return alone(Way::leak) && alone(Way::offset);
+    default: return alone(Way::offset);
+    }
 }
 
 } // namespace
@@ -81,40 +108,59 @@ std::optional<VerdictKind> verdict_named(std::string_view name) {
     return static_cast<VerdictKind>(found - verdict_names.begin());
 }
 
+FaultSize size_alone(Way way, const Deviation& mean) {
+    const OfTwoWays information = information_of_mean(mean);
+    if (way == Way::offset)
+        return explanation_by(LinkFault::offset, mean, information).size;
+    const Explanation steady = explanation_by(LinkFault::leak, mean, information),
+                      begun = explanation_by(LinkFault::new_leak, mean, information);
+    return steady.likelihood >= begun.likelihood ? steady.size : begun.size;
+}
+
+std::string print_leak_or_offset(const Deviation& mean, const WayUnits& units) {
+    const FaultSize leak = size_alone(Way::leak, mean), offset = size_alone(Way::offset, mean);
+    return fmt::format(
+        "either a leak of {:.4f} in^3/(s psi) (standard error {:.4f}), or a spool that stands lower than it is "
+        "said to by {:+.4f} in (standard error {:.4f}): readings at rest before the movement and for .4 s "
+        "after it, under pressure, would tell which",
+        units.leak_in3_per_s_psi * leak.by, units.leak_in3_per_s_psi * leak.standard_error, units.offset_in * offset.by,
+        units.offset_in * offset.standard_error);
+}
+
 Verdict verdict_of(const Deviation& mean, bool raised, AreasFrom valve) {
-    Matrix3d covariance = mean.covariance;
-    covariance.diagonal().array() += mean_repeats_within * mean_repeats_within;
-    const Matrix3d information = covariance.inverse();
+    constexpr double told_apart = 0.9;
+    const OfTwoWays information = information_of_mean(mean);
     if (!raised)
         return {VerdictKind::sound, probability_sound(mean, information, valve), mean, 0};
-    std::array<double, all_ways.size()> explained{};
-    std::ranges::transform(all_ways, explained.begin(), [&](Way way) { return explained_by(way, mean, information); });
-    const auto best = std::ranges::max_element(explained);
-    const double reach = *best;
-    double all = std::exp(-reach); // sound
-    for (double each : explained)
-        all += std::exp(each - reach);
-    return {kind_of(all_ways[static_cast<std::size_t>(best - explained.begin())], valve), 1 / all, mean, 0};
+    const Shares shares = shares_of(mean, information);
+    const double either = shares.leak + shares.offset, likelier = std::max(shares.leak, shares.offset);
+    if (shares.compliance >= likelier)
+        return {VerdictKind::compliance, shares.compliance, mean, 0};
+    if (likelier < told_apart * either && valve != AreasFrom::areas && size_alone(Way::leak, mean).by > 0)
+        return {VerdictKind::leak_or_offset, either, mean, 0};
+    if (shares.leak >= shares.offset)
+        return {VerdictKind::leak, shares.leak, mean, 0};
+    return {valve == AreasFrom::servo ? VerdictKind::drift : VerdictKind::offset, shares.offset, mean, 0};
 }
 
 std::optional<Deviation> LinkJudge::baseline() const {
     if (state_.first.size() < movements_of_baseline)
         return std::nullopt;
-    Matrix3d information = Matrix3d::Zero();
-    Vector3d pull = Vector3d::Zero();
+    OfTwoWays information = OfTwoWays::Zero();
+    OfWays pull = OfWays::Zero();
     for (const Deviation& each : state_.first) {
-        const Matrix3d of_each = each.information();
+        const OfTwoWays of_each = each.information();
         information += of_each;
         pull += of_each * each.by;
     }
-    const Matrix3d covariance = information.inverse();
+    const OfTwoWays covariance = information.inverse();
     return Deviation{covariance * pull, covariance};
 }
 
 bool LinkJudge::is_evidence(const Deviation& movement, AreasFrom valve) {
-    return std::ranges::all_of(all_ways, [&](Way way) {
-        return (way == Way::offset && valve == AreasFrom::areas) || movement.standard_error(way) <= most_uncertain;
-    });
+    const Deviation steady = movement.with_steady_leak();
+    auto told = [&](Way way) { return steady.standard_error(way) <= most_uncertain; };
+    return told(Way::compliance) && told(Way::leak) && (valve == AreasFrom::areas || told(Way::offset));
 }
 
 void LinkJudge::take(const Deviation& movement, AreasFrom valve) {
@@ -129,7 +175,7 @@ void LinkJudge::take(const Deviation& movement, AreasFrom valve) {
     SequentialTest from_kind(state_.from_kind);
     from_kind.take(movement, kind_in_health(),
                    {valve == AreasFrom::servo ? servo_units_beyond_kind : units_beyond_kind, units_beyond_kind,
-                    units_beyond_kind});
+                    units_beyond_kind, units_beyond_kind});
     state_.from_kind = from_kind.state();
     const auto healthy = baseline();
     if (!healthy) {
@@ -153,7 +199,7 @@ Verdict LinkJudge::verdict() const {
     if (by_itself)
         mean->covariance += baseline()->covariance;
     Verdict verdict = verdict_of(*mean, test.raised(), state_.valve);
-    if (test.raised() && !beyond_error(verdict.kind, *mean, state_.valve))
+    if (test.raised() && !beyond_error(verdict.kind, *mean))
         verdict = {VerdictKind::cannot_tell, verdict_of(*mean, false, state_.valve).probability, *mean};
     if (verdict.kind == VerdictKind::sound && verdict.probability < least_sure_sound)
         verdict.kind = VerdictKind::cannot_tell;

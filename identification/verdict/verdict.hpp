@@ -20,6 +20,7 @@ enum class VerdictKind : unsigned char {
     leak,                ///< past the piston, or out of the line
     offset,              ///< the spool is not where its sensor says
     drift,               ///< the spool is not where the servo-valve's voltage says
+    leak_or_offset,      ///< one of the two, or a leak or a drift: the records do not tell which
     sensor,              ///< readings that no machine gives
     not_enough_evidence, ///< movements too few, too short or too noisy
     cannot_tell          ///< enough of them, which neither show that it is sound nor what is wrong
@@ -32,15 +33,28 @@ std::optional<VerdictKind> verdict_named(std::string_view);
 
 struct Verdict {
     VerdictKind kind = VerdictKind::not_enough_evidence;
-    /// How sure it is, of what was equally likely before. Of a fault: its share of sound and the three ways, each by
-    /// the size that explains most. Of sound: its share of sound and what SequentialTest suspects, a unit each; so much
-    /// of cannot_tell as well.
+    /// How sure it is, of what was equally likely before. Of a fault: its share of sound and all_faults, each by the
+    /// size that explains most. Of sound: its share of sound and what SequentialTest suspects, a unit each; so much of
+    /// cannot_tell as well.
     double probability = 0;
     Deviation deviation;       ///< mean over the movements that count, from what the link is compared with
     std::size_t movements = 0; ///< that count
 };
 
-/// Of sound and the ways, by what a mean deviation is explained best: for each way the best size of it alone.
+/// A size in units, and its standard error.
+struct FaultSize {
+    double by, standard_error;
+};
+
+/// How great the leak or the offset is, if a mean deviation comes from that fault alone; the likelier of the two leaks.
+/// REQUIRES: leak or offset.
+FaultSize size_alone(Way way, const Deviation& mean);
+
+/// "either a leak of ... or a spool ...", both sizes, and which readings would tell.
+std::string print_leak_or_offset(const Deviation& mean, const WayUnits& units);
+
+/// Of sound and the faults, by what a mean deviation is explained best: for each fault the best size of it alone.
+/// A leak that begins when the valve opens and an offset are told apart only where one is nine times as likely.
 /// What the valve's areas were found from decides what an offset is called.
 Verdict verdict_of(const Deviation& mean, bool raised, hydraulics::AreasFrom valve);
 
@@ -74,9 +88,10 @@ public:
     const State& state() const { return state_; }
     friend bool operator==(const LinkJudge&, const LinkJudge&) = default;
 
-    /// Does a movement tell in which way a link is off? One that leaves any way uncertain by more than most_uncertain
-    /// units (half of the compliance, a leak of 12 %, an eightieth of an inch of spool) does not, however well it seems
-    /// to know another: the pressure hardly moved, and what is left is noise of unknown size.
+    /// Does a movement tell in which way a link is off, a steady leak taken for granted? One that leaves any way
+    /// uncertain by more than most_uncertain units (half of the compliance, a leak of 12 %, an eightieth of an inch of
+    /// spool) does not, however well it seems to know another: the pressure hardly moved, and what is left is noise of
+    /// unknown size.
     static bool is_evidence(const Deviation& movement, hydraulics::AreasFrom valve);
     /// A movement is over. One with impossible readings, or without excitation, says nothing.
     void take(const Deviation& movement, hydraulics::AreasFrom valve);

@@ -209,31 +209,39 @@ std::vector<JunctionSamples> samples_from(const json::value& value, std::size_t 
 json::object movement_json(const Movement::State& movement) {
     return {{"at_rest", samples_json(movement.samples.at_rest)},
             {"moving", samples_json(movement.samples.moving)},
+            {"rest_after", samples_json(movement.samples.rest_after)},
             {"shut", samples_json(movement.shut)},
             {"opened", movement.opened},
             {"closed", movement.closed}};
 }
 
 Movement::State movement_from(const json::value& value, std::size_t links, const Sampling& sampling) {
-    Movement::State movement{{samples_from(value.at("at_rest"), links), samples_from(value.at("moving"), links)},
+    if (!value.as_object().contains("rest_after"))
+        throw OutdatedState(
+            "an earlier placedpar monitor took each leak to be there before the movement, which this one "
+            "does not");
+    Movement::State movement{{samples_from(value.at("at_rest"), links), samples_from(value.at("moving"), links),
+                              samples_from(value.at("rest_after"), links)},
                              samples_from(value.at("shut"), links),
                              value.at("opened").to_number<std::size_t>(),
                              value.at("closed").to_number<std::size_t>()};
     if (movement.samples.moving.size() >= sampling.samples_in(Movement::piece_s) ||
         movement.samples.at_rest.size() > sampling.samples_in(Movement::rest_s) ||
+        movement.samples.rest_after.size() > sampling.samples_in(Movement::rest_after_s) ||
         movement.shut.size() > Movement::slope_reach)
         throw std::runtime_error("the parts of a movement do not belong together");
     return movement;
 }
 
-constexpr std::size_t numbers_of_deviation = 12;
+constexpr std::size_t numbers_of_deviation = all_ways.size() * (1 + all_ways.size());
 
-json::string deviation_json(const Deviation& deviation) {
-    std::vector<double> numbers(deviation.by.data(), deviation.by.data() + deviation.by.size());
-    numbers.insert(numbers.end(), deviation.covariance.data(),
-                   deviation.covariance.data() + deviation.covariance.size());
+json::string of_ways_json(const OfWays& one, const OfTwoWays& two) {
+    std::vector<double> numbers(one.data(), one.data() + one.size());
+    numbers.insert(numbers.end(), two.data(), two.data() + two.size());
     return json::string(exact_text(numbers));
 }
+
+json::string deviation_json(const Deviation& deviation) { return of_ways_json(deviation.by, deviation.covariance); }
 
 Deviation deviation_from(const json::value& value) {
     std::vector<double> numbers = numbers_from(text(value));
@@ -249,7 +257,7 @@ json::object test_json(const SequentialTest::State& test) {
     return {{"sums", exact_text(test.sums)},
             {"informations", exact_text(test.informations)},
             {"raised", test.raised},
-            {"total", deviation_json(test.total)},
+            {"total", of_ways_json(test.pull, test.information)},
             {"movements", test.movements}};
 }
 
@@ -269,7 +277,9 @@ SequentialTest::State test_from(const json::value& value) {
     test.sums = of_suspicions_from(value.at("sums"));
     test.informations = of_suspicions_from(value.at("informations"));
     test.raised = value.at("raised").as_bool();
-    test.total = deviation_from(value.at("total"));
+    const Deviation total = deviation_from(value.at("total"));
+    test.pull = total.by;
+    test.information = total.covariance;
     test.movements = value.at("movements").to_number<std::size_t>();
     return test;
 }

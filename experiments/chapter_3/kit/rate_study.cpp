@@ -45,10 +45,10 @@ Figures judge_at_rate(const RecordSource& source, AreasFrom from, bool with_faul
     const TestedMachine new_machine(source, from, seed);
     TestedMachine known = new_machine;
     std::uint64_t number = make_known(known);
-    for (const TestedFault& fault : tested_faults(from)) {
+    for (const TestedFault& fault : tested_faults(source, from)) {
         const Outcome outcome = watch(fault.from_first_day ? new_machine : known, fault, faulty_movements, ++number);
         figures.push_back(outcome.found_after > 0);
-        figures.push_back(outcome.called);
+        figures.push_back(outcome.called || outcome.undecided);
         number += faulty_movements;
     }
     return figures;
@@ -68,7 +68,8 @@ void add_share(Comparison& comparison, const std::string& row, const std::string
     comparison.add(plain_cell(row + ", to", rate, "%", within.high, 1));
 }
 
-void add_rate(Comparison& comparison, const LoggerRate& rate, AreasFrom from, const std::vector<Figures>& machines) {
+void add_rate(Comparison& comparison, const LoggerRate& rate, const RecordSource& source, AreasFrom from,
+              const std::vector<Figures>& machines) {
     const std::size_t alarms = count_in(machines, 0), all = machines.size();
     comparison.add(at_most(1, plain_cell("sound machines with an alarm", rate.name, "%",
                                          100 * static_cast<double>(alarms) / static_cast<double>(all), 1)));
@@ -77,13 +78,13 @@ void add_rate(Comparison& comparison, const LoggerRate& rate, AreasFrom from, co
     if (!rate.with_faults)
         return;
     std::size_t figure = 1;
-    for (const TestedFault& fault : tested_faults(from)) {
+    for (const TestedFault& fault : tested_faults(source, from)) {
         const std::string name = fault.fault.name;
         const std::size_t found = count_in(machines, figure);
         add_share(comparison, name + ": found", rate.name, found, all, fault.least_found);
         if (found > 0)
-            add_share(comparison, name + ": called so", rate.name, count_in(machines, figure + 1), found,
-                      fault.least_called);
+            add_share(comparison, name + ": called so, or left undecided", rate.name, count_in(machines, figure + 1),
+                      found, fault.least_called);
         figure += 2;
     }
 }
@@ -101,7 +102,7 @@ Comparison rate_comparison(const ReplayContext& context, const char* machine, co
     for (const LoggerRate& rate : logger_rates) {
         RecordSource at_rate = source;
         at_rate.period_s = rate.period_s;
-        add_rate(comparison, rate, from,
+        add_rate(comparison, rate, at_rate, from,
                  run_seeds(context, fmt::format("{}, {}", name, rate.name),
                            [&](std::uint64_t seed) { return judge_at_rate(at_rate, from, rate.with_faults, seed); }));
     }

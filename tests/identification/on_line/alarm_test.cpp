@@ -13,7 +13,7 @@ namespace {
 constexpr Link bu = Link::bucket, bo = Link::boom, sw = Link::swing;
 
 LinkVerdict verdict_in(VerdictKind kind, double units = 1) {
-    Deviation deviation{Eigen::Vector3d::Constant(units), Eigen::Matrix3d::Identity() * 0.01};
+    Deviation deviation{OfWays::Constant(units), OfTwoWays::Identity() * 0.01};
     return {{kind, 0.99, deviation, 3}, WayUnits::of(0.0086)};
 }
 

@@ -3,6 +3,7 @@
 #include "hydraulics/circuit/circuit_sample.hpp"
 #include "hydraulics/data/parameters.hpp"
 #include "hydraulics/plant/record_scenario.hpp"
+#include "identification/verdict/verdict.hpp"
 #include "runtime/random.hpp"
 
 #include <doctest/doctest.h>
@@ -60,26 +61,26 @@ std::vector<Deviation> two_links(const Faults& faults, const char* noise, std::u
 }
 
 /// By how many standard errors of each way the deviation is from what is so.
-Eigen::Vector3d standardised(const Deviation& found, const Eigen::Vector3d& truth) {
+OfWays standardised(const Deviation& found, const OfWays& truth) {
     return (found.by - truth).cwiseQuotient(found.covariance.diagonal().cwiseSqrt());
 }
 
 } // namespace
 
 TEST_CASE("each fault is found in its own way, of its own size, and no other") {
-    const std::array<std::pair<Faults, Eigen::Vector3d>, 6> cases{{
-        {{}, {0, 0, 0}},
-        {{{"boom.inlet_compliance", 0.01032}}, {1, 0, 0}},
-        {{{"boom.inlet_compliance", 0.0172}}, {5, 0, 0}},
-        {{{"fault.leak", 0.0014}}, {0, 1, 0}},
-        {{{"fault.spool_offset", 0.005}}, {0, 0, 1}},
-        {{{"fault.spool_offset", -0.005}}, {0, 0, -1}},
+    const std::array<std::pair<Faults, OfWays>, 6> cases{{
+        {{}, {0, 0, 0, 0}},
+        {{{"boom.inlet_compliance", 0.01032}}, {1, 0, 0, 0}},
+        {{{"boom.inlet_compliance", 0.0172}}, {5, 0, 0, 0}},
+        {{{"fault.leak", 0.0014}}, {0, 1, 0, 1}},
+        {{{"fault.spool_offset", 0.005}}, {0, 0, 1, 0}},
+        {{{"fault.spool_offset", -0.005}}, {0, 0, -1, 0}},
     }};
     for (const char* scenario : {"scenario-a", "excavator"})
         for (const auto& [faults, truth] : cases) {
-            Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+            OfWays mean = OfWays::Zero();
             for (std::uint64_t seed = 1; seed <= 3; ++seed)
-                mean += deviation_of({scenario, "low"}, faults, seed).by / 3;
+                mean += deviation_of({scenario, "low"}, faults, seed).with_steady_leak().by / 3;
             CAPTURE(scenario);
             CAPTURE(mean.transpose());
             CHECK((mean - truth).cwiseAbs().maxCoeff() < 0.25);
@@ -90,7 +91,7 @@ TEST_CASE("the standard errors are honest") {
     for (const char* noise : {"low", "mid", "high"}) {
         int within_two = 0, of = 0;
         for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-            Eigen::Vector3d off = standardised(deviation_of({"scenario-a", noise}, {}, seed), {0, 0, 0});
+            OfWays off = standardised(deviation_of({"scenario-a", noise}, {}, seed), OfWays::Zero());
             for (double each : off)
                 within_two += std::abs(each) < 2, ++of;
         }
@@ -108,7 +109,7 @@ TEST_CASE("the standard errors are those of what scatters, of one link and of tw
                 two ? two_links({}, "high", seed) : std::vector{deviation_of({"scenario-a", "high"}, {}, seed)};
             Eigen::ArrayXd off(sum.size());
             for (std::size_t j = 0; j < found.size(); ++j)
-                off.segment<2>(2 * static_cast<Eigen::Index>(j)) = standardised(found[j], {0, 0, 0}).head<2>();
+                off.segment<2>(2 * static_cast<Eigen::Index>(j)) = standardised(found[j], OfWays::Zero()).head<2>();
             sum += off;
             squares += off.square();
         }
@@ -121,7 +122,7 @@ TEST_CASE("the standard errors are those of what scatters, of one link and of tw
 
 TEST_CASE("two links that share flow are told apart") {
     auto found = [&](const Faults& faults, Link link) {
-        Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+        OfWays mean = OfWays::Zero();
         for (std::uint64_t seed = 1; seed <= 3; ++seed)
             mean += two_links(faults, "low", seed)[link == Link::bucket ? 0 : 1].by / 3;
         return mean;
@@ -163,4 +164,27 @@ TEST_CASE("the noise of the slopes does not make a compliance smaller") {
             mean += deviation_of({plant, "high"}, {}, seed).by[0] / 20;
         CHECK(std::abs(mean) < 0.15); // without the correction -.3 and less
     }
+}
+
+TEST_CASE("the rest after a movement tells a leak that began with it from an offset; flow alone does not") {
+    const Faults shuts{{"excavator.second_time", 1.5}, {"excavator.duration", 2.3}};
+    auto with = [&](Faults faults) {
+        faults.insert(faults.end(), shuts.begin(), shuts.end());
+        return moved({"excavator", "low"}, faults, 7);
+    };
+    auto said = [](const MovementSamples& movement) {
+        const Deviation found =
+            deviations(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086}}, movement).value().front();
+        return verdict_of(found, true, AreasFrom::spool).kind;
+    };
+    MovementSamples leak = with({{"fault.leak", 0.0028}, {"fault.leak_start", 0.192}}),
+                    offset = with({{"fault.spool_offset", 0.01}});
+    REQUIRE(leak.rest_after.size() >= 4);
+    CHECK(said(leak) == VerdictKind::leak);
+    CHECK(said(offset) == VerdictKind::offset);
+    leak.rest_after.clear();
+    offset.rest_after.clear();
+    CHECK(said(leak) == VerdictKind::leak_or_offset);
+    CHECK(said(offset) != VerdictKind::leak);
+    CHECK(said(with({{"fault.leak", 0.0028}})) == VerdictKind::leak);
 }

@@ -36,14 +36,30 @@ TEST_CASE("a movement: the rest before it, and what moves, without the slopes th
     Stream stream;
     CHECK(stream.feed(20, false) == 0);
     CHECK(stream.feed(30, true) == 0);
-    CHECK(stream.feed(2, false) == 0);
+    CHECK(stream.feed(22, false) == 0);
     CHECK(stream.feed(1, false) == 1);
     REQUIRE(stream.last.at_rest.size() == 17);
     CHECK(stream.last.at_rest.front()[0].inlet_psi == 1001);
     CHECK(stream.last.at_rest.back()[0].inlet_psi == 1017);
     REQUIRE(stream.last.moving.size() == 25); // of 30, 3 after the opening and 2 before the closing left out
     CHECK(stream.last.moving.front()[0].inlet_psi == 1024);
+    REQUIRE(stream.last.rest_after.size() == 17); // of 23, 3 after the closing and 3 before what may follow left out
+    CHECK(stream.last.rest_after.front()[0].inlet_psi == 1054);
+    CHECK(stream.last.rest_after.back()[0].inlet_psi == 1070);
     CHECK_FALSE(stream.movement.under_way());
+}
+
+TEST_CASE("the next movement ends the rest after the one before") {
+    Stream stream;
+    stream.feed(30, true);
+    CHECK(stream.feed(12, false) == 0);
+    CHECK(stream.feed(1, true) == 1);
+    CHECK(stream.last.moving.size() == 25);
+    CHECK(stream.last.rest_after.size() == 6);
+    CHECK(stream.feed(30, true) == 0);
+    CHECK(stream.feed(23, false) == 1);
+    CHECK(stream.last.at_rest.empty());
+    CHECK(stream.last.moving.size() == 25);
 }
 
 TEST_CASE("a valve that shuts for a sample or two goes on") {
@@ -51,7 +67,7 @@ TEST_CASE("a valve that shuts for a sample or two goes on") {
     stream.feed(10, true);
     CHECK(stream.feed(2, false) == 0);
     CHECK(stream.feed(10, true) == 0);
-    CHECK(stream.feed(3, false) == 1);
+    CHECK(stream.feed(23, false) == 1);
     CHECK(stream.last.moving.size() == 15);
     CHECK(stream.last.at_rest.empty());
 }
@@ -72,7 +88,7 @@ TEST_CASE("lengths are seconds, whatever the period of the samples") {
     CHECK(stream.feed(1000, true) == 2);
     CHECK(stream.last.moving.size() == 400);
     stream.feed(10, true);
-    CHECK(stream.feed(5, false) == 0);
+    CHECK(stream.feed(45, false) == 0);
     CHECK(stream.feed(1, false) == 1);
 }
 

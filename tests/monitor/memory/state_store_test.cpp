@@ -156,6 +156,23 @@ TEST_CASE("a state of before readings were averaged goes on, or is refused with 
                       "does not show in fewer");
 }
 
+TEST_CASE("a state of before the rest after a movement was kept is refused with the reason") {
+    Diagnosis machine("m", excavator_parameters(Parameters::excavator()), {}, 1);
+    machine.change({Configuration::a, {Link::boom}});
+    for (int i = 0; i < 20; ++i) {
+        ExcavatorSample sample;
+        sample.time_s = 0.02 * i;
+        sample.links[index_of(Link::boom)] = Reading{1500.0 + i, 0.01 * i, SpoolPosition{0.2}};
+        machine.take(sample);
+    }
+    boost::json::value state = state_json(machine.state());
+    boost::json::array& watches = state.as_object().at("watches").as_array();
+    REQUIRE_FALSE(watches.empty());
+    CHECK(state_from(state, {}) == machine.state());
+    watches[0].as_object().at("movement").as_object().erase("rest_after");
+    CHECK_THROWS_AS(state_from(state, {}), OutdatedState);
+}
+
 TEST_CASE("a state with wrong counts is refused") {
     const Diagnosis::State state = Diagnosis("m", excavator_parameters(Parameters::excavator()), {}, 1).state();
     auto refused = [&](const char* because, auto change) {
