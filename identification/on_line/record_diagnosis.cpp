@@ -40,7 +40,8 @@ void confirm(LinkFinding& link) {
         link.flags.push_back(*flag);
 }
 
-/// Of links whose areas are read no offset is known.
+/// Flags a link whose movement shows a leak or an offset and does not tell which. A link whose areas are read has no
+/// offset.
 void note_leak_or_offset(LinkFinding& link) {
     constexpr double errors = 3;
     if (!link.whole || link.whole->deviation.by[index_of(Way::offset)] == 0)

@@ -29,8 +29,8 @@ constexpr double compliance_at_rest_within = 0.25;
 /// A leak at rest after a movement is less than during it by up to this share, since the pressure behind the piston,
 /// which is not read, holds against it (ours).
 constexpr double leak_after_within = 0.25;
-/// By so many units the equations' own errors mislead a leak that is told from an offset by flow alone: sound machines
-/// without noise and at 5 kHz show a leak of -.4 to -2.8 so.
+/// A leak that flow alone tells from an offset is wrong by about so many units, since the equations are not exact:
+/// sound machines without noise or at 5 kHz seem to have a leak of -.4 to -2.8 units (ours).
 constexpr double leak_by_flow_within = 1.25;
 /// Before a movement is seen, a link may be off by ten units in any way.
 constexpr double prior_units = 10;

@@ -53,7 +53,7 @@ FaultSize size_alone(Way way, const Deviation& mean);
 /// "either a leak of ... or a spool ...", both sizes, and which readings would tell.
 std::string print_leak_or_offset(const Deviation& mean, const WayUnits& units);
 
-/// Of sound and the faults, by what a mean deviation is explained best: for each fault the best size of it alone.
+/// Names what explains a mean deviation best: nothing wrong, or one fault alone, of the size that fits best.
 /// A leak that begins when the valve opens and an offset are told apart only where one is nine times as likely.
 /// What the valve's areas were found from decides what an offset is called.
 Verdict verdict_of(const Deviation& mean, bool raised, hydraulics::AreasFrom valve);

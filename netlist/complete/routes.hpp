@@ -57,8 +57,8 @@ private:
 
     /// Sets distances_ of the nodes that a best route may lead through. Looks at all but those `around`.
     void search_around(const Ends&, const std::set<std::size_t>& around);
-    /// The same where one of them is a hub: looks only at nodes on routes that cost least but for the loads. False if
-    /// none is.
+    /// Searches where one of the two ends is a hub: only among nodes on routes that cost least, loads left out. Returns
+    /// false if neither end is a hub.
     bool search_between(const Ends&);
     void search_among(const std::vector<std::size_t>& nodes, const Ends&);
     /// Sets those of the nodes before one where it is at less over that one, and calls reach(cost, node) for each.
@@ -68,7 +68,7 @@ private:
     /// Makes hubs of nodes whose searches have looked at more nodes than there are: each pays for itself.
     void count_as_spent(std::size_t from, std::size_t to);
     void make_hub(std::size_t node);
-    /// Those nodes, the farthest from the hub first; within_ has them, too.
+    /// Returns the nodes on routes of the least cost, the farthest from the hub first, and marks them in within_.
     std::vector<std::size_t> nodes_between(const Least& least, std::size_t other);
     /// The hop, on a route that passes through the node where it begins, or ends.
     bool may_leave(const RouteHop&) const;

@@ -11,8 +11,8 @@
 
 namespace placedpar {
 
-/// What `work`, which asks the kind's own code, gives. What is thrown by a kind that a program adds is that program's:
-/// a UserError that says the same. A UserError is thrown on, whoever's it is.
+/// Returns what `work` gives, which asks the kind's own code. Whatever a kind that a program adds throws becomes a
+/// UserError with the same text; a UserError is thrown on as it is.
 template <class Work>
 auto ask_kind(const ProcessKind& kind, const Work& work) {
     try {
@@ -27,7 +27,8 @@ auto ask_kind(const ProcessKind& kind, const Work& work) {
     }
 }
 
-/// The same of a process of the kind: what is thrown also says its place in the netlist, and `what` it was asked.
+/// Does the same for a process of the kind. The UserError also says where the process stands in the netlist, and `what`
+/// it was asked.
 template <class Work>
 auto ask_kind(const ProcessKind& kind, const ProcessInstance& process, const char* what, const Work& work) {
     try {

@@ -118,8 +118,8 @@ LinkFault fault_of(const TestedFault& fault) {
     return fault.fault.parameters.size() > 1 ? LinkFault::new_leak : LinkFault::leak; // with a time when it begins
 }
 
-/// Of one machine: movements until a false alarm, 0 for none; the evidence of all_faults; and of each fault
-/// the movements until it is found, 0 for never, whether it is called so, and whether it is left undecided.
+/// Returns one machine's figures: the movements until a false alarm, 0 for none; the evidence of all_faults; and for
+/// each fault the movements until it is found, 0 for never, whether it is called so, and whether it is left undecided.
 Figures judge_machine(const RecordSource& source, AreasFrom from, std::uint64_t seed) {
     const TestedMachine new_machine(source, from, seed);
     const TestedFault sound{no_fault(), 1, {}};

@@ -158,7 +158,7 @@ void check_said(const TestedKind& kind, std::size_t machines, std::uint64_t firs
         const Said said = watch(kind, fault, faulty_movements, machines, first_seed);
         MESSAGE(plant, ", ", std::string(fault.fault.name), ": found in ", said.found, " of ", said.machines,
                 ", called so or left undecided in ", said.called);
-        // Of a few machines one may be missed by chance.
+        // One machine may be missed by chance, where there are only a few.
         CHECK(100.0 * static_cast<double>(said.found + 1) >= fault.least_found * static_cast<double>(said.machines));
         CHECK(said.called_percent() >= fault.least_called);
     }

@@ -68,7 +68,7 @@ TEST_CASE("correlated errors are seen through: a leak along the line on which le
 }
 
 TEST_CASE("a leak that begins with the movement and an offset are one verdict, unless something tells them apart") {
-    // The same flow is missed by a unit of leak and by half a unit of offset; the rest before shows no leak.
+    // A unit of leak and half a unit of offset miss the same flow; the rest before shows no leak.
     Deviation flow{{0, 0.5, 0.25, 0}, OfTwoWays::Zero()};
     const OfWays unknown(0, 1, -0.5, 0);
     flow.covariance = OfTwoWays::Identity() * 0.01 + 4 * unknown * unknown.transpose();
