@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
+#include <utility>
 
 namespace placedpar {
 
@@ -50,13 +51,18 @@ bool is_declared_by_toolset(const Node& node) {
 
 enum class ParameterOrder { as_given, by_name };
 
+/// Routes are most of a network that is too large, so that its size is counted before any text of them is made.
+enum class Routes { written, counted };
+
 /// Writes one network. What its devices and connections are is said outright, so that nothing depends on defaults of
 /// the reader but those that the language states.
 class CfsPrinter {
 public:
     CfsPrinter(const Network& network, ParameterOrder order) : n_(network), order_(order) {}
 
-    std::string print() {
+    std::string print() { return print_declarations() + print_mapping(); }
+
+    std::string print_declarations() {
         bool includes = n_.includes_toolset || std::ranges::any_of(n_.nodes, is_declared_by_toolset);
         if (order_ == ParameterOrder::as_given && includes)
             text_ += "#include \"setconf.inc\"\n\n";
@@ -70,6 +76,25 @@ public:
         print_edge_channels();
         for (const auto& channel : n_.channels)
             print_channel(channel);
+        return std::exchange(text_, {});
+    }
+
+    /// What is the same in either order of the parameters.
+    std::string print_mapping() {
+        print_places();
+        return std::exchange(text_, {});
+    }
+
+    /// The bytes of print_mapping().
+    std::size_t mapping_bytes() {
+        routes_ = Routes::counted;
+        print_places();
+        routes_ = Routes::written;
+        return std::exchange(text_, {}).size() + std::exchange(counted_, 0);
+    }
+
+private:
+    void print_places() {
         text_ += "\n/* mapping */\n";
         for (const auto& process : n_.processes)
             line("place {} on {};", process.name, n_.nodes[process.node].name);
@@ -79,10 +104,8 @@ public:
             text_ += "\n/* faults */\n";
         for (const Fault& fault : n_.faults)
             line("fault {};", print_fault(fault, n_.nodes));
-        return std::move(text_);
     }
 
-private:
     template <typename... Arguments>
     void line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
         fmt::format_to(Out(text_), format, std::forward<Arguments>(arguments)...);
@@ -363,11 +386,8 @@ private:
                 line("place {} on {};", at->port, n_.nodes[at->node].name);
         if (channel.placement.broadcast_on != nowhere)
             line("place {} on {};", end(channel.from), n_.nodes[channel.placement.broadcast_on].name);
-        if (channel.placement.route.size() > 1) {
-            for (const auto& hop : channel.placement.route)
-                line("place {} on {};", end(channel.from), end(told_end(hop)));
-            return;
-        }
+        if (channel.placement.route.size() > 1)
+            return print_route(channel);
         if (n_.connections[channel.placement.route.front().connection].over_bus)
             return print_way(channel);
         const auto& inner = channel.from.at_edge() ? channel.to : channel.from;
@@ -376,6 +396,25 @@ private:
         line("place {} on {};", end(inner), end(at_a ? connection.a : connection.b));
         if (connection.at_run_time)
             line("place {} on {};", end(channel.to), end(at_a ? connection.b : connection.a));
+    }
+
+    void print_route(const NetworkChannel& channel) {
+        const std::string sender = fmt::format("place {} on ", end(channel.from));
+        for (const auto& hop : channel.placement.route) {
+            const std::string& link = told_name(hop);
+            if (routes_ == Routes::counted)
+                counted_ += sender.size() + link.size() + 2;
+            else
+                text_.append(sender).append(link).append(";\n");
+        }
+    }
+
+    const std::string& told_name(const RouteHop& hop) {
+        told_names_.resize(2 * n_.connections.size());
+        std::string& name = told_names_[2 * hop.connection + (hop.from_a_to_b ? 1 : 0)];
+        if (name.empty())
+            name = end(told_end(hop));
+        return name;
     }
 
     /// By which a hop leaves; a master has one place for its ways over many adapters.
@@ -403,7 +442,10 @@ private:
 
     const Network& n_;
     ParameterOrder order_;
+    Routes routes_ = Routes::written;
     std::string text_;
+    std::size_t counted_ = 0;             ///< bytes of routes
+    std::vector<std::string> told_names_; ///< of a connection's end b, and a, if asked for before
 };
 
 } // namespace
@@ -411,5 +453,18 @@ private:
 std::string print_cfs(const Network& network) { return CfsPrinter(network, ParameterOrder::as_given).print(); }
 
 std::string canonical_form(const Network& network) { return CfsPrinter(network, ParameterOrder::by_name).print(); }
+
+WrittenOut write_out(const Network& network, std::size_t most_bytes) {
+    CfsPrinter printer(network, ParameterOrder::as_given);
+    WrittenOut out{.text = printer.print_declarations()};
+    out.bytes = out.text.size() + printer.mapping_bytes();
+    if (out.bytes > most_bytes)
+        return {.bytes = out.bytes};
+    const std::string mapping = printer.print_mapping();
+    out.text += mapping;
+    const std::string by_name = CfsPrinter(network, ParameterOrder::by_name).print_declarations();
+    out.hash = network_hash(mapping, network_hash(by_name));
+    return out;
+}
 
 } // namespace placedpar

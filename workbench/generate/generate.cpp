@@ -72,12 +72,13 @@ std::string body_of(const Wish& wish, const Job& job, const Topology& topology) 
 
 /// A channel is written out wire by wire.
 Network read(const Wish& wish, const std::string& text, const Catalogue& catalogue) {
+    constexpr std::string_view too_large = "the network is too large: ";
     ReadResult result = read_netlist_text(text, catalogue, {}, "the netlist");
     for (const Diagnostic& each : result.diagnostics)
-        if (each.message.starts_with("the network is too large"))
-            refuse_size(wish,
-                        "its channels pass through so many processors that the netlist, written out, would be too "
-                        "large; say fewer, or a topology of a smaller diameter");
+        if (each.message.starts_with(too_large))
+            refuse_size(wish, fmt::format("its channels pass through so many processors that {}; say fewer, or a "
+                                          "topology of a smaller diameter",
+                                          each.message.substr(too_large.size())));
     if (!result.network)
         throw RefusedInput(render(result));
     return std::move(*result.network);

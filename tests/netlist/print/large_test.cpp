@@ -74,6 +74,16 @@ TEST_CASE("the longest names, declared again and again") {
     CHECK(message_for("T800 " + name + "n;") == "the name is too long: 255 characters are allowed");
 }
 
+TEST_CASE("a network whose routes alone are too long is refused with its size, of which no text was made") {
+    const std::string pipeline = "T800 t[n]; process p[n - 1], s[n - 1]; use \"pump\" for p; use \"sink\" for s;\n"
+                                 "rep i = 0 for n - 1 { connect t[i].link[2] to t[i + 1].link[1];\n"
+                                 "connect p[i].out to s[i].in; place p[i] on t[0]; place s[i] on t[i + 1]; }";
+    const Network small = good_text("val n 100;" + pipeline);
+    CHECK(write_out(small, 10).bytes == print_cfs(small).size());
+    CHECK(write_out(small, 10).text.empty());
+    CHECK(message_for("val n 1200;" + pipeline).starts_with("the network is too large: written out it would have"));
+}
+
 TEST_CASE("what would be too large when it is printed is refused when it is read") {
     std::string program(1900, 'x');
     CHECK(message_for("T800 t; rep i = 0 for 10000 { process p; use \"" + program + ".lku\" for p; place p on t; }")

@@ -214,6 +214,10 @@ TEST_CASE("random networks are printed so that they load again") {
         INFO(render(result.diagnostics));
         REQUIRE(result.network);
         auto printed = print_cfs(*result.network);
+        const WrittenOut out = write_out(*result.network, printed.size());
+        REQUIRE(out.text == printed);
+        REQUIRE(out.hash == network_hash(canonical_form(*result.network)));
+        REQUIRE(write_out(*result.network, printed.size() - 1).bytes == printed.size());
         auto again = read_netlist_text(printed, small_catalogue());
         INFO(printed);
         INFO(render(again.diagnostics));

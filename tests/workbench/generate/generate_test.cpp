@@ -267,6 +267,21 @@ TEST_CASE("sizes that a topology does not have are refused, with the reason") {
     }
 }
 
+TEST_CASE("a machine whose routes are too long is refused with the size that it would have") {
+    auto with_host_node = [](const std::string& topology, const std::string& size) {
+        Wish wish = sized(topology, size);
+        wish.host = "node";
+        return wish;
+    };
+    CHECK(refusal_of(with_host_node("ring", "1000")) == "");
+    CHECK(refusal_of(with_host_node("ring", "1189")) == "");
+    CHECK(refusal_of(with_host_node("ring", "1300")) ==
+          "ring of size 1300: its channels pass through so many processors that written out it would have 20051793 "
+          "bytes, 16777216 are allowed; say fewer, or a topology of a smaller diameter");
+    CHECK(refusal_of(with_host_node("torus", "64x64")) == "");
+    CHECK(says(with_host_node("mesh", "2x2048"), "bytes, 16777216 are allowed; say fewer"));
+}
+
 TEST_CASE("what is not known is refused, with what is") {
     CHECK(says(sized("moebius", "8"), "expected one of: pipeline, ring"));
     Wish wish = sized("ring", "8");
