@@ -16,6 +16,8 @@ std::string what_was_thrown() {
         throw;
     } catch (const std::exception& thrown) {
         return thrown.what();
+    } catch (const char* text) {
+        return text ? text : "a null pointer";
     } catch (...) {
         return "an exception that is not a std::exception";
     }

@@ -243,6 +243,12 @@ json::string of_ways_json(const OfWays& one, const OfTwoWays& two) {
 
 json::string deviation_json(const Deviation& deviation) { return of_ways_json(deviation.by, deviation.covariance); }
 
+/// What is inverted later has to have an inverse.
+void require_invertible(const OfTwoWays& two, const char* what) {
+    if (!two.allFinite() || two.llt().info() != Eigen::Success)
+        throw std::runtime_error(fmt::format("{} has no inverse", what));
+}
+
 Deviation deviation_from(const json::value& value) {
     std::vector<double> numbers = numbers_from(text(value));
     if (numbers.size() != numbers_of_deviation)
@@ -262,7 +268,6 @@ json::object test_json(const SequentialTest::State& test) {
 }
 
 using OfSuspicions = std::array<double, SequentialTest::suspicions.size()>;
-
 OfSuspicions of_suspicions_from(const json::value& value) {
     const std::vector<double> numbers = numbers_from(text(value));
     OfSuspicions each{};
@@ -281,6 +286,8 @@ SequentialTest::State test_from(const json::value& value) {
     test.pull = total.by;
     test.information = total.covariance;
     test.movements = value.at("movements").to_number<std::size_t>();
+    if (test.movements > 0)
+        require_invertible(test.information, "the information of a test");
     return test;
 }
 
@@ -311,7 +318,7 @@ json::object judge_json(const LinkJudge::State& judge) {
 LinkJudge::State judge_from(const json::value& value) {
     LinkJudge::State judge;
     for (const json::value& each : value.at("first").as_array())
-        judge.first.push_back(deviation_from(each));
+        require_invertible(judge.first.emplace_back(deviation_from(each)).covariance, "the covariance of a movement");
     if (judge.first.size() > LinkJudge::movements_of_baseline)
         throw std::runtime_error("a baseline of too many movements");
     judge.from_itself = test_from(value.at("from_itself"));

@@ -157,6 +157,49 @@ TEST_CASE("rest without pressure tells nothing of a leak") {
     CHECK(with_rest == found());
 }
 
+TEST_CASE("a leak that the rest after a movement tells may be a quarter off") {
+    const Faults shuts{{"excavator.second_time", 1.5}, {"excavator.duration", 2.3}, {"fault.leak", 0.0028}};
+    const MovementSamples movement = moved({"excavator", "low"}, shuts, 7);
+    REQUIRE(movement.rest_after.size() >= 4);
+    const Deviation found =
+        deviations(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086}}, movement).value().front();
+    CAPTURE(found.standard_error(Way::leak) / found.by[1]);
+    CHECK(found.by[1] == doctest::Approx(2).epsilon(0.15));
+    CHECK(found.standard_error(Way::leak) > 0.25 * found.by[1]);
+    CHECK(found.standard_error(Way::leak) < 0.28 * found.by[1]);
+}
+
+TEST_CASE("the compliance at rest may be a quarter of a unit off: so uncertain is the leak that a rest tells") {
+    MovementSamples movement = moved({"scenario-a", "low"}, {}, 1);
+    constexpr double psi = 1000, slope_psi_per_s = -1000, compliance = 0.0086; // without a leak
+    movement.at_rest.assign(50, {{psi, slope_psi_per_s, -compliance * slope_psi_per_s, 0, 0.03}});
+    movement.rest_after.clear();
+    const Deviation found =
+        deviations(boom_circuit(), flow_constants(), std::array{LinkInHealth{compliance}}, movement).value().front();
+    const WayUnits unit = WayUnits::of(compliance);
+    const double leak_by_compliance = -unit.compliance_in3_per_psi * slope_psi_per_s / (unit.leak_in3_per_s_psi * psi);
+    const double left =
+        std::sqrt(found.covariance(3, 3) - std::pow(leak_by_compliance * found.standard_error(Way::compliance), 2));
+    CAPTURE(left / leak_by_compliance);
+    CHECK(left == doctest::Approx(0.25 * leak_by_compliance).epsilon(0.1));
+}
+
+TEST_CASE("a leak that flow alone tells may be 1.25 units off, unless the areas are read themselves") {
+    MovementSamples movement = moved({"scenario-a", "low"}, {}, 1);
+    movement.at_rest.clear();
+    movement.rest_after.clear();
+    auto error = [&](AreasFrom areas) {
+        return deviations(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086, areas}}, movement)
+            .value()
+            .front()
+            .standard_error(Way::leak);
+    };
+    CAPTURE(error(AreasFrom::areas));
+    CAPTURE(error(AreasFrom::spool));
+    CHECK(error(AreasFrom::spool) > 1.25);
+    CHECK(error(AreasFrom::areas) < 1);
+}
+
 TEST_CASE("the noise of the slopes does not make a compliance smaller") {
     for (const char* plant : {"scenario-a", "excavator"}) {
         double mean = 0;

@@ -10,15 +10,18 @@ using namespace placedpar::identification;
 
 namespace {
 
-JunctionSamples boom_at(double psi, bool open) { return {{psi, 0, open ? 30.0 : 0.0, open ? 0.09 : 0.0, 0.03}}; }
+JunctionSamples boom_at(double psi, double inlet_in2) {
+    return {{psi, 0, inlet_in2 > 0 ? 30.0 : 0.0, inlet_in2, 0.03}};
+}
 
 class Stream {
 public:
     /// Counts the movements that end.
-    std::size_t feed(std::size_t samples, bool open) {
+    std::size_t feed(std::size_t samples, bool open) { return feed_inlet(samples, open ? 0.09 : 0); }
+    std::size_t feed_inlet(std::size_t samples, double inlet_in2) {
         std::size_t over = 0;
         for (std::size_t i = 0; i < samples; ++i)
-            if (movement.take(circuit, fitted_flow_constants(), boom_at(++psi, open))) {
+            if (movement.take(circuit, fitted_flow_constants(), boom_at(++psi, inlet_in2))) {
                 ++over;
                 last = movement.finish();
             }
@@ -49,7 +52,7 @@ TEST_CASE("a movement: the rest before it, and what moves, without the slopes th
     CHECK_FALSE(stream.movement.under_way());
 }
 
-TEST_CASE("the next movement ends the rest after the one before") {
+TEST_CASE("the next movement ends the rest after the one before, and begins with it") {
     Stream stream;
     stream.feed(30, true);
     CHECK(stream.feed(12, false) == 0);
@@ -57,9 +60,30 @@ TEST_CASE("the next movement ends the rest after the one before") {
     CHECK(stream.last.moving.size() == 25);
     CHECK(stream.last.rest_after.size() == 6);
     CHECK(stream.feed(30, true) == 0);
+    const std::vector<JunctionSamples> rest = stream.last.rest_after;
     CHECK(stream.feed(23, false) == 1);
-    CHECK(stream.last.at_rest.empty());
+    CHECK(stream.last.at_rest == rest);
     CHECK(stream.last.moving.size() == 25);
+}
+
+TEST_CASE("a pause is the rest before the next movement from its beginning, if it is waited out, too") {
+    Stream stream;
+    stream.feed(30, true);
+    CHECK(stream.feed(25, false) == 1);
+    CHECK(stream.feed(30, true) == 0);
+    CHECK(stream.feed(23, false) == 1);
+    REQUIRE(stream.last.at_rest.size() == 19); // of 25, 3 after the closing and 3 before the opening left out
+    CHECK(stream.last.at_rest.front()[0].inlet_psi == 1034);
+    CHECK(stream.last.at_rest.back()[0].inlet_psi == 1052);
+}
+
+TEST_CASE("a valve that opens only a little ends the rest after a movement") {
+    Stream stream;
+    stream.feed(30, true);
+    CHECK(stream.feed(12, false) == 0);
+    CHECK(stream.feed_inlet(1, Movement::least_inlet_in2 / 2) == 1);
+    CHECK(stream.last.moving.size() == 25);
+    CHECK(stream.last.rest_after.size() == 6);
 }
 
 TEST_CASE("a valve that shuts for a sample or two goes on") {

@@ -64,6 +64,32 @@ TEST_CASE("what has been judged goes through JSON, too") {
     }
 }
 
+TEST_CASE("a state whose matrices have no inverse is refused") {
+    Diagnosis diagnosis("digger", excavator_parameters(Parameters::excavator()), {}, 1);
+    diagnosis.change({Configuration::a, {Link::boom}});
+    for (std::size_t movement = 0; movement < 5; ++movement)
+        feed(diagnosis, Transient(Configuration::a, {Link::boom}, {0.0150, 0.0086, 0.0200, 0.0300}),
+             100.0 * static_cast<double>(movement));
+    const boost::json::object good = state_json(diagnosis.state());
+    CHECK_NOTHROW(state_from(good, {}));
+    auto refused = [&](auto path, const char* why) {
+        for (const char* number : {" 0", " -1", " inf", " nan"}) {
+            std::string numbers = "0 0 0 0"; // by each way
+            for (int i = 0; i < 16; ++i)
+                numbers += number;
+            boost::json::object bad = good;
+            path(bad["watches"].at(0).at("judges").at(0)) = numbers;
+            CAPTURE(number);
+            CHECK_THROWS_WITH_AS(state_from(bad, {}), why, std::runtime_error);
+        }
+    };
+    for (const char* test : {"from_itself", "from_kind"})
+        refused([&](boost::json::value& judge) -> boost::json::value& { return judge.at(test).at("total"); },
+                "the information of a test has no inverse");
+    refused([](boost::json::value& judge) -> boost::json::value& { return judge.at("first").at(0); },
+            "the covariance of a movement has no inverse");
+}
+
 TEST_CASE("a state that lacks a field, or has a list that is too short, is refused") {
     const Diagnosis diagnosis("digger", excavator_parameters(Parameters::excavator()), {}, 1);
     const boost::json::object good = state_json(diagnosis.state());
