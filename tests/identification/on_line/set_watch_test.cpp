@@ -42,9 +42,10 @@ TEST_CASE("a piston that is driven after a movement, by a valve that reads shut,
     boom.feed(24, 0, 30);
     CHECK(boom.judged == 1);
     CHECK(boom.noted == 0);
-    CHECK(LinkJudge(boom.watch.state().judges.front()).verdict().kind != VerdictKind::sensor);
+    CHECK_FALSE(boom.watch.state().judges.front().impossible_now);
     boom.feed(1, 0, 30);
     CHECK(boom.noted == 1);
+    CHECK(boom.watch.state().judges.front().impossible_now);
     CHECK(LinkJudge(boom.watch.state().judges.front()).verdict().kind == VerdictKind::sensor);
 }
 
@@ -59,6 +60,7 @@ TEST_CASE("a piston that comes to rest after a movement is not the sensor's") {
 
 TEST_CASE("the rest after a movement is the rest before the next one, but not over a gap") {
     WatchedBoom boom;
+    boom.feed(20, 0, 0);
     boom.feed(30, 0.09, 30);
     boom.feed(15, 0, 0);
     boom.feed(1, 0.09, 30);
