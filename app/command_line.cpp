@@ -129,12 +129,17 @@ ExitCode parse(CLI::App& app, int argc, char** argv) {
     }
 }
 
-/// What the command line asks for. Throws what the command throws.
-ExitCode execute(CLI::App& app, const Action& chosen, int argc, char** argv) {
+void declare_all(CLI::App& app, const std::vector<Command>& commands, const std::string& command_line, Action& chosen) {
+    for (const Command& command : commands)
+        declare(app, command, command_line, chosen);
+    app.require_subcommand(1);
+}
+
+/// Does as parse(), and throws UserError where the command is none.
+ExitCode read(CLI::App& app, int argc, char** argv) {
     if (argc > 1)
         require_command(app, std::span(argv, static_cast<std::size_t>(argc)).subspan(1));
-    ExitCode parsed = parse(app, argc, argv);
-    return chosen ? chosen() : parsed;
+    return parse(app, argc, argv);
 }
 
 ExitCode report_defect(const std::string& what) {
@@ -228,6 +233,13 @@ std::vector<std::string> names_of_options(const CLI::App& command) {
 
 const std::vector<Command>& commands() { return commands_of_program(); }
 
+Action read_command_line(CLI::App& app, const std::vector<Command>& commands, int argc, char** argv) {
+    Action chosen;
+    declare_all(app, commands, typed(argc, argv), chosen);
+    read(app, argc, argv);
+    return chosen;
+}
+
 int carry_out(CLI::App& app, std::vector<Command> commands, int argc, char** argv, const std::function<void()>& begin) {
     hold_closed_streams();
     choose_paint();
@@ -238,18 +250,17 @@ int carry_out(CLI::App& app, std::vector<Command> commands, int argc, char** arg
         set_program_name(app.get_name());
     std::ranges::sort(commands, {}, &Command::place);
     commands_of_program() = commands;
-    for (const Command& command : commands)
-        declare(app, command, typed(argc, argv), chosen);
+    declare_all(app, commands, typed(argc, argv), chosen);
     app.name(program_name());
     app.set_version_flag("-v,-V,--version", version_of_program());
-    app.require_subcommand(1);
     app.footer( // last: a subcommand takes over the footer that its parent has when it is added
         "The name of a file can be -: standard input or output.\n"
         "exit codes: 0 success, 1 wrong use or bad input, 2 deadlock, 3 a comparison missed its tolerance,\n"
         "            70 a defect of PlacedPar, 130 interrupted");
     try {
         begin();
-        return static_cast<int>(execute(app, chosen, argc, argv));
+        ExitCode parsed = read(app, argc, argv);
+        return static_cast<int>(chosen ? chosen() : parsed);
     } catch (...) {
         return static_cast<int>(report_error());
     }

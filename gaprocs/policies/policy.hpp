@@ -161,6 +161,12 @@ public:
     using Own = std::tuple_element_t<sizeof...(Policies) - 1, std::tuple<Policies...>>;
 
     OneOf() = default;
+    /// Throws UserError, which names the policy, for whatever a program's own policy throws while it is copied.
+    constexpr OneOf(const OneOf& other) : policy_(other.copied()) {}
+    constexpr OneOf(OneOf&&) = default;
+    constexpr OneOf& operator=(const OneOf& other) { return *this = OneOf(other); }
+    constexpr OneOf& operator=(OneOf&&) = default;
+    ~OneOf() = default;
     template <class Policy>
     constexpr OneOf(Policy policy) requires(std::is_same_v<Policy, Policies> || ...) : policy_(std::move(policy)) {}
 
@@ -177,8 +183,7 @@ public:
         PolicyDescription added = placedpar::tried(whose, describe_policy<Policy>);
         require_policy_fits(added, Step::noun, descriptions());
         known().push_back({std::move(added), [whose](const std::vector<double>& numbers) {
-                               auto policy = placedpar::tried(whose, [&] { return make_policy<Policy>(numbers); });
-                               return Step(Own(std::move(policy)));
+                               return placedpar::tried(whose, [&] { return Step(Own(make_policy<Policy>(numbers))); });
                            }});
     }
 
@@ -215,6 +220,13 @@ protected:
     constexpr const std::variant<Policies...>& policy() const { return policy_; }
 
 private:
+    constexpr std::variant<Policies...> copied() const {
+        if constexpr (std::derived_from<Own, OwnPolicy>)
+            if (std::holds_alternative<Own>(policy_))
+                return placedpar::tried([&] { return "the policy \"" + text() + "\""; }, [&] { return policy_; });
+        return policy_;
+    }
+
     std::pair<PolicyDescription, std::vector<double>> description() const {
         auto describe = []<class Policy>(const Policy& policy) {
             if constexpr (std::derived_from<Policy, OwnPolicy>)

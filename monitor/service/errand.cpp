@@ -24,6 +24,16 @@ namespace {
 constexpr std::size_t most_answer_bytes = 64u << 20;
 constexpr std::chrono::seconds patience{10};
 
+std::string text_of(const json::value& answer, const char* name) {
+    const json::value* text = answer.as_object().if_contains(name);
+    return text && text->is_string() ? std::string(text->get_string()) : "";
+}
+
+std::string field_of(const json::value& answer) {
+    std::string field = text_of(answer, "field");
+    return field.empty() ? "" : field + ": ";
+}
+
 class Errand {
 public:
     explicit Errand(const ServicePlace& place) : socket_(io_) {
@@ -49,24 +59,11 @@ public:
         std::size_t end = read_.find('\n') + 1;
         std::string line = read_.substr(0, end);
         read_.erase(0, end);
-        json::value answer = json::parse(line, error);
-        if (error || !answer.is_object() || !answer.as_object().contains("type"))
-            fail("that is no placedpar monitor");
-        if (answer.at("type") == "error")
-            throw UserError(fmt::format("{}: {}{}, expected {}", name_, field_of(answer), text_of(answer, "wrong"),
-                                        text_of(answer, "right")));
+        require_answer(name_, line);
         return line;
     }
 
 private:
-    static std::string text_of(const json::value& answer, const char* name) {
-        const json::value* text = answer.as_object().if_contains(name);
-        return text && text->is_string() ? std::string(text->get_string()) : "";
-    }
-    static std::string field_of(const json::value& answer) {
-        std::string field = text_of(answer, "field");
-        return field.empty() ? "" : field + ": ";
-    }
     [[noreturn]] void fail(const std::string& why) { throw UserError(fmt::format("{}: {}", name_, why)); }
 
     asio::io_context io_;
@@ -75,6 +72,16 @@ private:
 };
 
 } // namespace
+
+void require_answer(const std::string& name, const std::string& line) {
+    boost::system::error_code error;
+    json::value answer = json::parse(line, error);
+    if (error || !answer.is_object() || !answer.as_object().contains("type"))
+        throw UserError(fmt::format("{}: that is no placedpar monitor", name));
+    if (answer.at("type") == "error")
+        throw UserError(fmt::format("{}: {}{}, expected {}", name, field_of(answer), text_of(answer, "wrong"),
+                                    text_of(answer, "right")));
+}
 
 std::string ask_service(const ServicePlace& place, const std::string& message) try {
     Errand errand(place);

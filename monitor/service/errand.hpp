@@ -17,4 +17,8 @@ struct ServicePlace {
 /// says nothing for ten seconds, or answers that something is wrong.
 std::string ask_service(const ServicePlace& place, const std::string& message);
 
+/// Throws UserError unless a line is an answer of a monitor, and says that nothing is wrong. `name` is where it is
+/// from.
+void require_answer(const std::string& name, const std::string& line);
+
 } // namespace placedpar::monitor

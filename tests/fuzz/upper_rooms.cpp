@@ -1,5 +1,6 @@
 // The readers of the monitor, of studies and of experiments. Fuzzing them is a study: all rooms have to be compiled.
 
+#include "app/command.hpp"
 #include "experiments/kit/kept_runs.hpp"
 #include "gaprocs/initial_population.hpp"
 #include "gaprocs/policies/nouns.hpp"
@@ -7,9 +8,12 @@
 #include "hydraulics/data/parameters.hpp"
 #include "identification/on_line/diagnosis.hpp"
 #include "monitor/memory/diagnosis_json.hpp"
+#include "monitor/memory/mark.hpp"
 #include "monitor/memory/state_file.hpp"
 #include "monitor/protocol/bad_message.hpp"
 #include "monitor/protocol/message.hpp"
+#include "monitor/service/door.hpp"
+#include "monitor/service/errand.hpp"
 #include "monitor/service/host_names.hpp"
 #include "monitor/service/token.hpp"
 #include "monitor/service/web.hpp"
@@ -27,8 +31,13 @@
 #include "workbench/study/summary.hpp"
 #include "workbench/time_text.hpp"
 
+#include <CLI/CLI.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
 #include <boost/json.hpp>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -36,6 +45,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 namespace placedpar::fuzz {
 
@@ -175,6 +185,93 @@ void read_names(const std::string& text) {
     });
 }
 
+void read_mark(const std::string& text) {
+    const std::string path = file_of(text, "state-mark");
+    try {
+        require(monitor::Mark::read(path.substr(0, path.size() - 5)).has_value(), "a mark that is taken is one");
+    } catch (const std::runtime_error&) { // it is refused so
+    }
+}
+
+void read_answer(const std::string& line) { monitor::require_answer("monitor", line); }
+
+/// Where a monitor may be told to listen. A socket in the file system is in a folder of its own.
+void read_place(const std::string& text) {
+    boost::asio::io_context io;
+    attempt_to([&] { monitor::Door::at_port(io, text, 0, "--port"); });
+    const std::string folder = std::filesystem::path(file_of("", "file")).parent_path();
+    std::string name = text;
+    std::ranges::replace(name, '/', '_');
+    attempt_to([&] { monitor::Door::at_path(io, folder + "/" + name); });
+}
+
+/// All that one connection sends, and then its end.
+void read_request(const std::string& all) {
+    const std::string text = all.substr(0, 4000); // its answers fit into a socket that is not read meanwhile
+    int ends[2];
+    require(::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) == 0, "there are sockets");
+    boost::asio::io_context io;
+    monitor::Web web(
+        {}, monitor::HostNames("127.0.0.1", {}),
+        [](const std::string& path, const std::string&, bool, const monitor::Web::Reply& reply) {
+            reply({200, "text/plain", path});
+        },
+        [](const std::string&) {});
+    web.welcome({io, boost::asio::local::stream_protocol(), ends[0]}, {"loopback", "a test", "127.0.0.1"});
+    for (std::size_t sent = 0; sent < text.size();) {
+        const ssize_t more = ::send(ends[1], text.data() + sent, text.size() - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (more < 0)
+            break;
+        sent += static_cast<std::size_t>(more);
+        io.poll();
+    }
+    ::shutdown(ends[1], SHUT_WR);
+    io.run();
+    char begin[5] = {};
+    const ssize_t answered = ::recv(ends[1], begin, sizeof begin, MSG_DONTWAIT);
+    ::close(ends[1]);
+    require(answered <= 0 || std::string_view(begin, sizeof begin) == "HTTP/", "what is answered is HTTP");
+}
+
+/// Nothing is to be seen of what is written while it exists.
+class Quiet {
+public:
+    Quiet() {
+        const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+        for (int stream : {STDOUT_FILENO, STDERR_FILENO})
+            ::dup2(nowhere, stream);
+        ::close(nowhere);
+    }
+    ~Quiet() {
+        ::dup2(out_, STDOUT_FILENO);
+        ::dup2(error_, STDERR_FILENO);
+    }
+    Quiet(const Quiet&) = delete;
+    Quiet& operator=(const Quiet&) = delete;
+
+private:
+    // Copied once, and open to the end.
+    static inline const int out_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3),
+                            error_ = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3);
+};
+
+/// The input's lines are the words behind the program's name. What they ask for is not done.
+void read_words(const std::string& text) {
+    std::vector<std::string> words{"placedpar"};
+    std::istringstream lines(text.substr(0, text.find("\0", 0, 1)));
+    for (std::string line; std::getline(lines, line);)
+        words.push_back(line);
+    std::vector<char*> pointers;
+    for (std::string& word : words)
+        pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    std::vector<Command> commands = program_commands();
+    std::ranges::move(further_commands(), std::back_inserter(commands));
+    CLI::App app("", "placedpar");
+    Quiet quiet;
+    read_command_line(app, commands, static_cast<int>(words.size()), pointers.data());
+}
+
 /// A netlist of searches is checked by their processes, too.
 void read_searches(const std::string& text) {
     static const ProblemRegistry problems = known_problems(1);
@@ -248,7 +345,10 @@ std::span<const Reader> readers() {
                                  {"policies", read_policies},   {"strings", read_strings},
                                  {"diagnosis", read_diagnosis}, {"population", read_population},
                                  {"names", read_names},         {"searches", read_searches},
-                                 {"wish", read_wish},           {"scenario", read_scenario_settings}};
+                                 {"wish", read_wish},           {"scenario", read_scenario_settings},
+                                 {"mark", read_mark},           {"answer", read_answer},
+                                 {"places", read_place},        {"request", read_request},
+                                 {"command", read_words}};
     return all;
 }
 

@@ -262,6 +262,33 @@ TEST_CASE("what a policy throws, or gives that cannot be used, is refused by its
     }
 }
 
+namespace {
+
+/// Throws when it is copied once too often.
+struct Fragile {
+    static constexpr std::string_view name = "own.fragile", about = "throws when it is copied";
+    static inline int copies_left = 1000;
+    Fragile() = default;
+    Fragile(const Fragile&) {
+        if (copies_left-- <= 0)
+            throw "worn out";
+    }
+    Neighbours operator()(std::size_t islands) const { return Neighbours(islands); }
+};
+
+} // namespace
+
+TEST_CASE("what a policy throws while it is copied is refused by its name") {
+    Topology::add<Fragile>();
+    const Topology whole = Topology::named("own.fragile");
+    CHECK(Topology(whole).text() == "own.fragile");
+    Fragile::copies_left = 0;
+    CHECK(refusal_of([&] { Topology copy(whole); }) == "the policy \"own.fragile\": worn out");
+    CHECK(refusal_of([&] { Topology().operator=(whole); }) == "the policy \"own.fragile\": worn out");
+    CHECK(refusal_of([] { Topology::named("own.fragile"); }) == "the policy \"own.fragile\" for topology: worn out");
+    Fragile::copies_left = 1000;
+}
+
 TEST_CASE("a permutation of one place stays, and an own mutation is not asked") {
     RandomStream random(1, "one place"), untouched(1, "one place");
     std::vector<Genome> population{Permutation(1).encode(std::vector<std::size_t>{0})};
