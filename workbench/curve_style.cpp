@@ -37,17 +37,22 @@ bool has_series(const Panel& panel, Stroke stroke, std::size_t number) {
     return false;
 }
 
-/// Nothing else has the curve's symbol: it is alone, or points of its colour lie on it.
-bool needs_no_symbols(const Panel& panel, std::size_t number) {
-    return panel.series.size() == 1 || has_series(panel, Stroke::points, number);
-}
-
 /// Some colour stands for a curve and for a dashed one.
 bool dashes_have_a_meaning(const Panel& panel) {
     for (std::size_t number = 0; number < colours.size(); ++number)
         if (has_series(panel, Stroke::line, number) && has_series(panel, Stroke::dashes, number))
             return true;
     return false;
+}
+
+/// A curve that is not measured needs no symbols where it is alone, where points of its colour lie on it, or where its
+/// dashes are no other curve's.
+bool needs_no_symbols(const Panel& panel, std::size_t place) {
+    const std::size_t number = colour_number(panel, place);
+    if (!panel.series[place].intervals.empty())
+        return false;
+    return panel.series.size() == 1 || has_series(panel, Stroke::points, number) ||
+           (panel.series[place].stroke == Stroke::dashes && !dashes_have_a_meaning(panel));
 }
 
 /// All curves are of one colour, or told apart from one another by what they are.
@@ -69,7 +74,7 @@ std::string curve_style(const Panel& panel, std::size_t place) {
     const std::size_t number = colour_number(panel, place);
     const std::string look =
         fmt::format("linewidth 2 dashtype {} linecolor rgb '{}'", dashes_of(panel, place), colours[number]);
-    if (needs_no_symbols(panel, number))
+    if (needs_no_symbols(panel, place))
         return "with lines " + look;
     const std::size_t every = std::max<std::size_t>(panel.series[place].points.size() / symbols_of_curve, 1);
     return fmt::format("with linespoints pointtype {} pointsize 0.7 pointinterval {} {}", symbols[number], every, look);
@@ -81,18 +86,11 @@ const char* colour_named(int number) { return colours[static_cast<std::size_t>(n
 
 const char* colour_of(const Panel& panel, std::size_t place) { return colours[colour_number(panel, place)]; }
 
-bool has_all_symbols(const Panel& panel, std::size_t place) {
-    const Series& series = panel.series[place];
-    bool curve = series.stroke == Stroke::line || series.stroke == Stroke::dashes;
-    return series.stroke == Stroke::points || (curve && series.points.size() < 2 * symbols_of_curve &&
-                                               !needs_no_symbols(panel, colour_number(panel, place)));
-}
-
 std::string style_of(const Panel& panel, std::size_t place) {
     switch (panel.series[place].stroke) {
     case Stroke::line:
     case Stroke::dashes: return curve_style(panel, place);
-    case Stroke::bar: return fmt::format("with lines linewidth 2 linecolor rgb '{}'", colour_of(panel, place));
+    case Stroke::plain: return fmt::format("with lines linewidth 2 linecolor rgb '{}'", colour_of(panel, place));
     case Stroke::points:
         return fmt::format("with points pointtype {} pointsize 0.65 linecolor rgb '{}'",
                            symbols[colour_number(panel, place)], colour_of(panel, place));

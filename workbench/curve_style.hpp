@@ -16,8 +16,6 @@ const char* colour_named(int number);
 const char* colour_of(const Panel& panel, std::size_t place);
 
 std::string style_of(const Panel& panel, std::size_t place);
-/// Whether every point of the series has a symbol, as what was measured has; a long curve has one now and then.
-bool has_all_symbols(const Panel& panel, std::size_t place);
 /// Marks of a panel differ in their dashes.
 std::string style_of(const Mark& mark, std::size_t place);
 std::string style_of(const Band& band);

@@ -10,11 +10,18 @@ struct Point {
     double x, y;
 };
 
+/// What is known of a figure from some seeds: with a probability of 95 % it lies within.
+struct Interval {
+    double low, high;
+
+    bool contains(double value) const { return low <= value && value <= high; }
+};
+
 enum class Stroke {
     line,   ///< of the dashes that belong to its colour, unless dashes mean something in its panel
     dashes, ///< of their own, where they mean something
     points,
-    bar ///< a line without symbols or dashes, such as an interval's
+    plain ///< a line without symbols or dashes, such as stairs
 };
 
 /// Texts are plain: "in³/s", not "in^3/s".
@@ -23,6 +30,9 @@ struct Series {
     std::vector<Point> points = {};
     Stroke stroke = Stroke::line;
     std::optional<int> colour = std::nullopt; ///< which of the eight; none: that of its place among the panel's series
+    /// Of y, and of x, at each point: bars with caps. None: empty; none at a point: not a number. Series that have
+    /// intervals of y at the same x are drawn a little beside each other.
+    std::vector<Interval> intervals = {}, x_intervals = {};
 };
 
 /// The series through the points that point_at(0), ..., point_at(steps) give.
@@ -57,8 +67,9 @@ struct Axis {
     bool logarithmic = false;
 };
 
-/// One diagram. Its legend stands to the right of it. A series that an axis cuts off has an arrow there, and says how
-/// far it goes: in the legend, or where it has no name beside the arrow.
+/// One diagram. Its legend stands to the right of it. An axis goes farther than it is told where a series would touch
+/// the frame there; a series that an axis cuts off has an arrow there instead, and says how far it goes: in the legend,
+/// or where it has no name beside the arrow.
 struct Panel {
     std::string title = {};
     Axis x = {}, y = {};
@@ -79,12 +90,13 @@ struct NamedPlot {
     Plot plot;
 };
 
-/// Drawn by gnuplot: the same plot gives the same bytes. Throws std::invalid_argument for a panel without series and
-/// a series or a band without points, UserError when gnuplot is not there, std::runtime_error when it refuses the plot.
+/// Drawn by gnuplot: the same plot gives the same bytes. Throws std::invalid_argument for a panel without series, a
+/// series or a band without points and a series with intervals at some points only, UserError when gnuplot is not
+/// there, std::runtime_error when it refuses the plot.
 std::string draw_svg(const Plot&);
 
-/// The points of its curves and bands as comma-separated values, a point a row, with the labels of its axes, which have
-/// the units. All points, also those beyond the axes.
+/// The points of its curves, intervals and bands as comma-separated values, a point a row, with the labels of its axes,
+/// which have the units. All points, also those beyond the axes, and where they are, not a little beside.
 std::string curves_csv(const Plot&);
 
 } // namespace placedpar

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+
 namespace placedpar {
 
 namespace {
@@ -16,7 +18,7 @@ std::string quoted_cell(const std::string& text) {
     return '"' + quoted + '"';
 }
 
-/// Rows of one curve.
+/// Rows of one panel.
 class Rows {
 public:
     Rows(std::string& out, const Panel& panel) : out_(out), panel_(panel) {}
@@ -24,6 +26,19 @@ public:
     void add(const std::string& curve, double x, double y) {
         out_ += fmt::format("{},{},{},{},{},{}\n", quoted_cell(panel_.title), quoted_cell(curve),
                             quoted_cell(panel_.x.label), x, quoted_cell(panel_.y.label), y);
+    }
+
+    void add(const Series& series) {
+        for (const Point& point : series.points)
+            add(series.name, point.x, point.y);
+        for (std::size_t i = 0; i < series.intervals.size(); ++i) {
+            add(series.name + ", lower end", series.points[i].x, series.intervals[i].low);
+            add(series.name + ", upper end", series.points[i].x, series.intervals[i].high);
+        }
+        for (std::size_t i = 0; i < series.x_intervals.size(); ++i) {
+            add(series.name + ", left end", series.x_intervals[i].low, series.points[i].y);
+            add(series.name + ", right end", series.x_intervals[i].high, series.points[i].y);
+        }
     }
 
 private:
@@ -38,8 +53,7 @@ std::string curves_csv(const Plot& plot) {
     for (const Panel& panel : plot.panels) {
         Rows rows(out, panel);
         for (const Series& series : panel.series)
-            for (const Point& point : series.points)
-                rows.add(series.name, point.x, point.y);
+            rows.add(series);
         for (const Band& band : panel.bands)
             for (const BandPoint& point : band.points) {
                 rows.add(band.name + ", lower end", point.x, point.low);

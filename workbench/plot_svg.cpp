@@ -4,12 +4,13 @@
 #include "workbench/curve_style.hpp"
 #include "workbench/cut_off.hpp"
 #include "workbench/gnuplot.hpp"
+#include "workbench/plot_room.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <stdexcept>
 
 namespace placedpar {
@@ -34,6 +35,8 @@ std::size_t letters(const std::string& utf8) {
     return static_cast<std::size_t>(
         std::ranges::count_if(utf8, [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; }));
 }
+
+bool has_bars(const Series& series) { return !series.intervals.empty() || !series.x_intervals.empty(); }
 
 /// What the legend says.
 std::string legend_of(const Series& series, const Panel& panel) {
@@ -62,48 +65,42 @@ std::string range_commands(const char* letter, const Axis& axis) {
                        axis.logarithmic ? "set" : "unset");
 }
 
+/// Smaller than the usual size where the text would be longer than so many pixels.
+double letter_size(const std::string& text, double usual, int length) {
+    return std::min(usual, 15. * length / (legend_letter * static_cast<double>(letters(text)) + 1));
+}
+
 /// A label that is longer than its axis is in smaller letters.
 std::string label_commands(const char* letter, const Axis& axis, int length) {
-    double size = std::min(15., 15. * length / (legend_letter * static_cast<double>(letters(axis.label)) + 1));
+    double size = letter_size(axis.label, 15, length);
     return fmt::format("set {}label {} {}{}\n", letter, quoted(axis.label), *letter == 'x' ? "offset 0,0.4" : "",
                        size < 15 ? fmt::format(" font ',{:.1f}'", size) : "");
 }
 
-/// Sets the variables Xfrom0 and Xto0, or those of another axis or panel, to the ends that gnuplot has just given to
-/// it, but for room beside points with symbols that would lie on the frame: then Xroomy0 is true. What an axis cuts off
-/// needs no room.
-std::string room_commands(char letter, std::size_t number, const Axis& axis, const Panel& panel,
-                          double Point::*coordinate) {
-    double least = std::numeric_limits<double>::max(), most = -least;
-    bool cut_below = false, cut_above = false;
-    for (std::size_t i = 0; i < panel.series.size(); ++i)
-        for (const Point& point : panel.series[i].points) {
-            cut_below = cut_below || (axis.from && point.*coordinate < *axis.from);
-            cut_above = cut_above || (axis.to && point.*coordinate > *axis.to);
-            if (has_all_symbols(panel, i)) {
-                least = std::min(least, point.*coordinate);
-                most = std::max(most, point.*coordinate);
-            }
-        }
-    auto roomy = [&](const char* end, const char* other) {
-        return axis.logarithmic ? fmt::format("{0}*({0}/{1})**.05", end, other)
-                                : fmt::format("{0}+({0}-{1})*.05", end, other);
-    };
-    return fmt::format("a = GPVAL_{0}_MIN; b = GPVAL_{0}_MAX\n"
-                       "{0}from{1} = {2:d} && {3} <= a + 1e-6 * (b - a) ? {4} : a\n"
-                       "{0}to{1} = {5:d} && {6} >= b - 1e-6 * (b - a) ? {7} : b\n"
-                       "{0}roomy{1} = {0}from{1} != a || {0}to{1} != b\n",
-                       letter, number, !cut_below, least, roomy("a", "b"), !cut_above, most, roomy("b", "a"));
+std::string data_block(const Panel& panel, std::size_t number, std::size_t place) {
+    std::string out = fmt::format("$panel{}series{} << END\n", number, place);
+    for (const Point& point : panel.series[place].points)
+        out += fmt::format("{} {}\n", point.x, point.y);
+    return out + "END\n";
+}
+
+/// Where a bar begins, and how long it is in x and y.
+std::string bar_block(const Panel& panel, std::size_t number, std::size_t place) {
+    const Series& series = panel.series[place];
+    std::string out = fmt::format("$panel{}bars{} << END\n", number, place);
+    for (std::size_t i = 0; i < series.intervals.size(); ++i)
+        if (auto [low, high] = series.intervals[i]; std::isfinite(high - low))
+            out += fmt::format("{} {} 0 {}\n", series.points[i].x, low, high - low);
+    for (std::size_t i = 0; i < series.x_intervals.size(); ++i)
+        if (auto [low, high] = series.x_intervals[i]; std::isfinite(high - low))
+            out += fmt::format("{} {} {} 0\n", low, series.points[i].y, high - low);
+    return out + "END\n";
 }
 
 std::string data_blocks(const Panel& panel, std::size_t number) {
     std::string out;
-    for (std::size_t i = 0; i < panel.series.size(); ++i) {
-        out += fmt::format("$panel{}series{} << END\n", number, i);
-        for (const Point& point : panel.series[i].points)
-            out += fmt::format("{} {}\n", point.x, point.y);
-        out += "END\n";
-    }
+    for (std::size_t i = 0; i < panel.series.size(); ++i)
+        out += data_block(panel, number, i) + (has_bars(panel.series[i]) ? bar_block(panel, number, i) : "");
     for (std::size_t i = 0; i < panel.bands.size(); ++i) {
         out += fmt::format("$panel{}band{} << END\n", number, i);
         for (const BandPoint& point : panel.bands[i].points)
@@ -155,13 +152,23 @@ std::string cut_commands(const Panel& panel, std::size_t place) {
     return out;
 }
 
+/// Arrows whose heads are caps.
+std::string bars_of(const Panel& panel, std::size_t number, std::size_t place) {
+    return fmt::format("$panel{}bars{} using {}:2:3:4 notitle with vectors heads size screen 0.004,90 fixed nofilled "
+                       "linewidth 2 linecolor rgb '{}'",
+                       number, place, column_of_x(panel, number, place), colour_of(panel, place));
+}
+
 std::string plot_command(const Panel& panel, std::size_t number) {
     std::vector<std::string> curves;
     for (std::size_t i = 0; i < panel.bands.size(); ++i)
         curves.push_back(fmt::format("$panel{}band{} using 1:2:3 {} {}", number, i, title_of(panel.bands[i].name),
                                      style_of(panel.bands[i])));
     for (std::size_t i = 0; i < panel.series.size(); ++i)
-        curves.push_back(fmt::format("$panel{}series{} using 1:2 {} {}", number, i,
+        if (has_bars(panel.series[i]))
+            curves.push_back(bars_of(panel, number, i));
+    for (std::size_t i = 0; i < panel.series.size(); ++i)
+        curves.push_back(fmt::format("$panel{}series{} using {}:2 {} {}", number, i, column_of_x(panel, number, i),
                                      title_of(legend_of(panel.series[i], panel)), style_of(panel, i)));
     for (std::size_t i = 0; i < panel.marks.size(); ++i)
         curves.push_back(
@@ -169,11 +176,12 @@ std::string plot_command(const Panel& panel, std::size_t number) {
     return fmt::format("plot {}\n", fmt::join(curves, ", \\\n     "));
 }
 
-/// Draws it nowhere, for its ranges.
-std::string trial_commands(const Panel& panel, std::size_t number) {
-    return data_blocks(panel, number) + range_commands("x", panel.x) + range_commands("y", panel.y) +
-           plot_command(panel, number) + room_commands('X', number, panel.x, panel, &Point::x) +
-           room_commands('Y', number, panel.y, panel, &Point::y);
+/// Draws it nowhere, for its ranges; nothing is moved yet.
+std::string trial_commands(const Panel& asked, std::size_t number) {
+    const Panel panel = with_wide_axes(asked);
+    return fmt::format("Xfrom{0} = 1; Xto{0} = 1\n", number) + data_blocks(panel, number) +
+           range_commands("x", panel.x) + range_commands("y", panel.y) + plot_command(panel, number) +
+           room_commands(panel, number);
 }
 
 std::string panel_commands(const Panel& panel, std::size_t number) {
@@ -181,9 +189,7 @@ std::string panel_commands(const Panel& panel, std::size_t number) {
     out += label_commands("x", panel.x, plot_width - left_margin) +
            label_commands("y", panel.y, panel_height - top_margin - bottom_margin);
     out += range_commands("x", panel.x) + range_commands("y", panel.y);
-    out += fmt::format("if (Xroomy{0}) set xrange [Xfrom{0}:Xto{0}]\n"
-                       "if (Yroomy{0}) set yrange [Yfrom{0}:Yto{0}]\n",
-                       number);
+    out += fmt::format("set xrange [Xfrom{0}:Xto{0}]\nset yrange [Yfrom{0}:Yto{0}]\n", number);
     for (std::size_t i = 0; i < panel.series.size(); ++i)
         out += cut_commands(panel, i);
     return out + plot_command(panel, number);
@@ -197,6 +203,12 @@ void check(const Plot& plot) {
             if (series.points.empty())
                 throw std::invalid_argument(
                     fmt::format("in the panel \"{}\" the series \"{}\" has no points", panel.title, series.name));
+        for (const Series& series : panel.series)
+            for (const auto* intervals : {&series.intervals, &series.x_intervals})
+                if (!intervals->empty() && intervals->size() != series.points.size())
+                    throw std::invalid_argument(
+                        fmt::format("in the panel \"{}\" the series \"{}\" has {} points and {} intervals", panel.title,
+                                    series.name, series.points.size(), intervals->size()));
         for (const Band& band : panel.bands)
             if (band.points.empty())
                 throw std::invalid_argument(
@@ -212,8 +224,8 @@ std::string script_of(const Plot& plot) {
     out +=
         fmt::format("set terminal svg noenhanced size {},{} font 'Helvetica,Arial,sans-serif,15' background '#ffffff'\n"
                     "set border linecolor rgb '#404040'\nset grid linecolor rgb '#d8d8d8' linetype 1 linewidth 0.7\n"
-                    "set tics nomirror\nset multiplot title {} font ',18'\n",
-                    plot_width, height, quoted(plot.title));
+                    "set tics nomirror\nset multiplot title {} font ',{:g}'\n",
+                    plot_width, height, quoted(plot.title), letter_size(plot.title, 18, plot_width));
     int legend = legend_width(plot);
     for (std::size_t i = 0; i < plot.panels.size(); ++i)
         out += place_commands(i, legend, height) + panel_commands(plot.panels[i], i);

@@ -128,15 +128,11 @@ Panel table_6_4_panel(const std::string& title, const std::vector<Tally>& tallie
     for (std::size_t first = 0; first < tallies.size(); first += coarse_populations.size()) {
         auto colour = static_cast<int>(first / coarse_populations.size());
         Series shares{.name = fmt::format("{} bits", string_bits(coarse_rows[first].field_bits)), .colour = colour};
-        std::vector<Series> bars;
         for (std::size_t i = first; i < first + coarse_populations.size(); ++i) {
-            double at = static_cast<double>(coarse_rows[i].population) + 0.25 * colour;
-            Interval interval = success_interval(tallies[i].converged, tallies[i].runs);
-            shares.points.push_back({at, tallies[i].converged_percent()});
-            bars.push_back(interval_bar(at, interval, colour));
+            shares.points.push_back({static_cast<double>(coarse_rows[i].population), tallies[i].converged_percent()});
+            shares.intervals.push_back(success_interval(tallies[i].converged, tallies[i].runs));
         }
         panel.series.push_back(std::move(shares));
-        panel.series.insert(panel.series.end(), bars.begin(), bars.end());
     }
     return panel;
 }

@@ -77,11 +77,12 @@ Panel crossing_panel(const Comparison& shares) {
     for (std::size_t i = 0; i < std::size(crossings); ++i) {
         std::string row = crossings[i].name;
         auto figure = [&](const char* column) { return figure_of(shares, row, column); };
-        auto colour = static_cast<int>(i);
         double x = figure("generation"), y = figure("followed");
-        panel.series.push_back({row, {{x, y}}, Stroke::points, colour});
-        panel.series.push_back({"", {{x, figure("followed >=")}, {x, figure("followed <=")}}, Stroke::bar, colour});
-        panel.series.push_back({"", {{figure("generation >="), y}, {figure("generation <="), y}}, Stroke::bar, colour});
+        panel.series.push_back({.name = row,
+                                .points = {{x, y}},
+                                .stroke = Stroke::points,
+                                .intervals = {{figure("followed >="), figure("followed <=")}},
+                                .x_intervals = {{figure("generation >="), figure("generation <=")}}});
     }
     return panel;
 }

@@ -98,11 +98,11 @@ Panel encoding_panel(const Comparison& shares) {
             ->simulated;
     };
     for (const CodingTried& tried : codings) {
-        auto colour = static_cast<int>(x);
         x += 1;
-        panel.series.push_back({tried.name, {{x, value(tried.name, "followed")}}, Stroke::points, colour});
-        panel.series.push_back(
-            interval_bar(x, {value(tried.name, "followed >="), value(tried.name, "followed <=")}, colour));
+        panel.series.push_back({.name = tried.name,
+                                .points = {{x, value(tried.name, "followed")}},
+                                .stroke = Stroke::points,
+                                .intervals = {{value(tried.name, "followed >="), value(tried.name, "followed <=")}}});
     }
     return panel;
 }

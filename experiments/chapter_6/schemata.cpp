@@ -198,22 +198,20 @@ Comparison compare_survival(const SchemaStudy& study) {
 }
 
 /// Quotients by defining length, and their intervals.
-std::vector<Series> quotients(const SchemaStudy& study, CountedFigure under, int colour) {
-    std::vector<Series> all{{.name = study.name, .points = {}, .colour = colour}};
+Series quotients(const SchemaStudy& study, CountedFigure under) {
+    Series series{.name = study.name};
     for (std::size_t length = 1; length < schema_bits; ++length) {
-        auto x = static_cast<double>(length);
-        all.front().points.push_back({x, study.quotient(length, SchemaFit::above, counted_strings, under)});
-        all.push_back(interval_bar(x, study.interval(length, SchemaFit::above, counted_strings, under), colour));
+        series.points.push_back(
+            {static_cast<double>(length), study.quotient(length, SchemaFit::above, counted_strings, under)});
+        series.intervals.push_back(study.interval(length, SchemaFit::above, counted_strings, under));
     }
-    return all;
+    return series;
 }
 
 Panel schemata_panel(const std::vector<SchemaStudy>& studies, CountedFigure under, std::string title, Axis y) {
     Panel panel{.title = std::move(title), .x = {"defining length", 1, 7}, .y = std::move(y)};
-    for (std::size_t i = 0; i < studies.size(); ++i) {
-        auto series = quotients(studies[i], under, static_cast<int>(i));
-        panel.series.insert(panel.series.end(), series.begin(), series.end());
-    }
+    for (const SchemaStudy& study : studies)
+        panel.series.push_back(quotients(study, under));
     return panel;
 }
 

@@ -75,8 +75,4 @@ Interval difference_interval(std::size_t first, std::size_t first_runs, std::siz
             100 * (q - p + std::hypot(other.high - q, p - one.low))};
 }
 
-Series interval_bar(double x, Interval interval, int colour) {
-    return {.name = "", .points = {{x, interval.low}, {x, interval.high}}, .stroke = Stroke::bar, .colour = colour};
-}
-
 } // namespace placedpar

@@ -8,13 +8,6 @@
 
 namespace placedpar {
 
-/// What is known of a figure from some seeds: with a probability of 95 % it lies within.
-struct Interval {
-    double low, high;
-
-    bool contains(double value) const { return low <= value && value <= high; }
-};
-
 /// Of the median, by the bootstrap: 2,000 samples of as many values, drawn with replacement; their 2.5 and 97.5 %
 /// quantiles. The same values give the same interval. REQUIRES: not empty.
 Interval median_interval(const std::vector<double>& values);
@@ -30,8 +23,5 @@ Interval success_interval(std::size_t successes, std::size_t runs);
 /// Of the difference of two probabilities of success, in percent: the second minus the first, by R. Newcombe's method
 /// (1998, from E. Wilson's intervals). An interval that contains 0 shows no effect.
 Interval difference_interval(std::size_t first, std::size_t first_runs, std::size_t second, std::size_t second_runs);
-
-/// As a bar at x in a plot.
-Series interval_bar(double x, Interval interval, int colour);
 
 } // namespace placedpar

@@ -12,7 +12,6 @@ const char* const page_html = R"page(<!DOCTYPE html>
 <style>
 :root { --paper: #fff; --ink: #1c2733; --faint: #667; --line: #d4d9df; --alarm: #b3261e; --good: #1b6e3c; color-scheme: light dark; }
 @media (prefers-color-scheme: dark) { :root { --paper: #14191f; --ink: #e3e8ee; --faint: #98a5b3; --line: #38434f; --alarm: #ff8a80; --good: #7fd6a0; } }
-.wide { overflow-x: auto; } .wide svg { min-width: 34em; }
 body { background: var(--paper); color: var(--ink); font: 15px/1.4 sans-serif; margin: 0 auto; max-width: 72em; padding: 1em; }
 h1 { font-size: 1.3em; margin: 0; } h2 { font-size: 1.1em; margin: 1.4em 0 .3em; }
 table { border-collapse: collapse; width: 100%; }
@@ -21,15 +20,19 @@ th { color: var(--faint); font-weight: normal; } td.number { font-variant-numeri
 tr.chosen td:first-child { font-weight: bold; } tr.machine { cursor: pointer; }
 .alarm { color: var(--alarm); font-weight: bold; } .faint { color: var(--faint); } .good { color: var(--good); }
 #load { color: var(--faint); } svg { width: 100%; height: auto; } svg text { font: 12px sans-serif; fill: var(--ink); }
+@media (max-width: 45em) { /* a row is a list, of which each line says its head */
+  table, tbody, tr, td { display: block; } tr:first-child { display: none; } td { border: 0; padding: 0; }
+  tr { border-bottom: 1px solid var(--line); padding: .25em 0; } td:empty { display: none; }
+  td:not([data-head=""])::before { color: var(--faint); content: attr(data-head) ": "; font-weight: normal; } }
 </style>
 </head>
 <body>
 <h1>placedpar monitor</h1>
 <div id="load">asking the monitor ...</div>
 <p><label><input type="checkbox" id="si"> SI units</label></p>
-<h2>Alarms that hold</h2><div id="alarms" class="wide"></div>
-<h2>Machines</h2><div id="machines" class="wide"></div>
-<h2 id="title"></h2><div id="chart" class="wide"></div><div id="past" class="wide"></div>
+<h2>Alarms that hold</h2><div id="alarms"></div>
+<h2>Machines</h2><div id="machines"></div>
+<h2 id="title"></h2><div id="chart"></div><div id="past"></div>
 <script>
 "use strict";
 const colours = matchMedia("(prefers-color-scheme: dark)").matches
@@ -47,6 +50,7 @@ function table(heads, rows, none) {
   if (rows.length === 0) return made("p", none, "faint");
   const all = made("table"), head = made("tr");
   heads.forEach(text => head.append(made("th", text)));
+  rows.forEach(tr => [...tr.cells].forEach((td, i) => { td.dataset.head = heads[i]; }));
   all.append(head, ...rows);
   return all;
 }
@@ -98,9 +102,9 @@ function mark(kind, x, y, colour) {
   if (kind === "triangle") return svg("path", {d: `M${x - 5} ${y + 4}h10l-5 -9z`, fill: colour});
   return svg("circle", {cx: x, cy: y, r: 4, fill: colour});
 }
-// Round numbers within the range, some five of them, for compliances and for times.
-function ticks(from, to, steps) {
-  const step = steps.find(s => (to - from) / s <= 6) ?? steps.at(-1), all = [];
+// Round numbers within the range, as many as there is room for, for compliances and for times.
+function ticks(from, to, steps, most = 6) {
+  const step = steps.find(s => (to - from) / s <= most) ?? steps.at(-1), all = [];
   for (let i = Math.ceil(from / step - 1e-9); i * step <= to + 1e-9 * step; ++i) all.push(i * step);
   return {all, step};
 }
@@ -117,7 +121,7 @@ function timeText(at, step) {
 function chart(points, alarms, healthy) {
   const factor = unit().factor;
   points = points.map(p => ({...p, compliance: p.compliance * factor, error: p.error === null ? null : p.error * factor}));
-  const w = 900, h = 320, left = 70, right = 130, top = 14, bottom = 34;
+  const w = Math.min(900, by("chart").clientWidth), h = 320, left = 52, right = 84, top = 14, bottom = 34;
   const low = p => p.compliance - (p.error ?? 0), high = p => p.compliance + (p.error ?? 0);
   let from = Math.min(...points.map(p => p.at)), to = Math.max(...points.map(p => p.at));
   const margin = Math.max(.5, .03 * (to - from)); // no point is on the frame
@@ -126,13 +130,13 @@ function chart(points, alarms, healthy) {
   const most = 1.1 * Math.max(...points.map(high), ...known), least = Math.min(0, ...points.map(low));
   const x = at => left + (w - left - right) * (at - from) / (to - from);
   const y = c => h - bottom - (h - top - bottom) * (c - least) / (most - least);
-  const all = svg("svg", {viewBox: `0 0 ${w} ${h}`, role: "img"});
+  const all = svg("svg", {role: "img"});
   all.append(svg("title", {}, "compliances over time"));
   const cs = ticks(least, most, decimal);
   for (const c of cs.all)
     all.append(svg("line", {x1: left, x2: w - right, y1: y(c), y2: y(c), style: "stroke:var(--line)"}),
       svg("text", {x: left - 6, y: y(c) + 4, "text-anchor": "end"}, c.toFixed(Math.max(0, -Math.floor(Math.log10(cs.step) + 1e-9)))));
-  const zone = 60 * new Date(1000 * from).getTimezoneOffset(), times = ticks(from - zone, to - zone, clock);
+  const zone = 60 * new Date(1000 * from).getTimezoneOffset(), times = ticks(from - zone, to - zone, clock, Math.min(6, (w - left - right) / 84));
   for (const local of times.all) {
     const at = local + zone;
     all.append(svg("line", {x1: x(at), x2: x(at), y1: h - bottom, y2: h - bottom + 4, style: "stroke:var(--faint)"}),
@@ -143,6 +147,7 @@ function chart(points, alarms, healthy) {
     all.append(svg("line", {x1: x(a.raised_at), x2: x(a.raised_at), y1: top, y2: h - bottom, style: "stroke:var(--alarm)", "stroke-dasharray": "4 3"}),
       svg("text", {x: x(a.raised_at) + 3, y: top + 10, style: "fill:var(--alarm)"}, a.alarm));
   const names = [...new Set(points.map(p => `${p.link} by ${p.set}`))].sort();
+  let place = left, line = h; // of the next name below the chart
   names.forEach((name, i) => {
     const colour = colours[i % colours.length], kind = marks[i % marks.length];
     const mine = points.filter(p => `${p.link} by ${p.set}` === name).sort((a, b) => a.at - b.at);
@@ -152,15 +157,19 @@ function chart(points, alarms, healthy) {
         all.append(svg("path", {d: `M${x(p.at) - 4} ${y(low(p))}h8m-4 0V${y(high(p))}m-4 0h8`, fill: "none", stroke: colour}));
       all.append(mark(kind, x(p.at), y(p.compliance), colour));
     }
-    all.append(mark(kind, w - right + 18, top + 10 + 20 * i, colour), svg("text", {x: w - right + 30, y: top + 14 + 20 * i}, name));
+    const width = 30 + 8 * name.length;
+    if (place > left && place + width > w) { place = left; line += 20; }
+    all.append(mark(kind, place + 6, line + 6, colour), svg("text", {x: place + 16, y: line + 10}, name));
+    place += width;
   });
+  all.setAttribute("viewBox", `0 0 ${w} ${line + 20}`);
   const beside = [];
   links.forEach((link, i) => {
     let at = y(known[i]); // names do not lie on each other
     while (beside.some(other => Math.abs(other - at) < 12)) at -= 12;
     beside.push(at);
     all.append(svg("line", {x1: left, x2: w - right, y1: y(known[i]), y2: y(known[i]), "stroke-dasharray": "1 4", "stroke-width": 2, style: "stroke:var(--good)"}),
-      svg("text", {x: left + 4, y: at - 4, style: "fill:var(--good)"}, `${link} in health`));
+      svg("text", {x: w - right + 6, y: at + 4, style: "fill:var(--good)"}, `${link} in health`));
   });
   return all;
 }
@@ -170,7 +179,7 @@ async function showPast(now, healthy) {
   const d = await ask("history?machine=" + encodeURIComponent(chosen));
   by("chart").replaceChildren(d.estimates.length ? chart(d.estimates, d.alarms, healthy)
     : made("p", "no transient has ended yet, or the monitor has no state file", "faint"));
-  by("past").replaceChildren(table(alarmHeads, d.alarms.map(a => alarmRow(a, now)), "no alarm so far"));
+  by("past").replaceChildren(table(alarmHeads, d.alarms.map(a => alarmRow(a, now)), "no alarm so far, or the monitor has no state file"));
 }
 async function ask(path) {
   const answer = await fetch(path, {cache: "no-store"});

@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 using namespace placedpar;
 
@@ -37,6 +38,41 @@ std::set<std::string> dashes_in(const std::string& svg) {
         found.insert(svg.substr(from, svg.find('\'', from) - from));
     }
     return found;
+}
+
+/// A bar of an interval, in pixels.
+struct DrawnBar {
+    double x, top, bottom;
+};
+
+/// The upright bars with a cap at each end, from left to right. A plot has none if bars have no caps.
+std::vector<DrawnBar> bars_in(const std::string& svg) {
+    const std::string place = R"(([\d.]+),([\d.]+))", line = "M" + place + R"(\s+L)" + place, turn = R"(\s+L)" + place;
+    const std::regex bar(line + turn + R"(\s+)" + line + turn + R"(\s+)" + line);
+    std::vector<DrawnBar> bars;
+    for (std::sregex_iterator each(svg.begin(), svg.end(), bar), end; each != end; ++each) {
+        auto at = [&](std::size_t group) { return std::stod((*each)[group]); };
+        const bool upright = at(13) == at(15) && at(1) < at(3) && at(3) < at(5) && at(2) == at(4) && at(4) == at(6);
+        if (upright)
+            bars.push_back({at(13), std::min(at(14), at(16)), std::max(at(14), at(16))});
+    }
+    std::ranges::sort(bars, {}, &DrawnBar::x);
+    return bars;
+}
+
+/// Returns the places of symbols, in pixels, from left to right.
+std::vector<double> symbols_in(const std::string& svg) {
+    const std::regex symbol(R"(xlink:href='#gpPt\d+' transform='translate\(([\d.]+),)");
+    std::vector<double> places;
+    for (std::sregex_iterator each(svg.begin(), svg.end(), symbol), end; each != end; ++each)
+        places.push_back(std::stod((*each)[1]));
+    std::ranges::sort(places);
+    return places;
+}
+
+/// A curve of so many points from corner to corner of its panel.
+Series long_curve(int steps) {
+    return curve({.name = ""}, steps, [&](int i) { return Point{1. * i, 1. * i}; });
 }
 
 /// Returns how many pixels lie between the frame and the nearest symbol, in a plot of one panel without a legend.
@@ -144,6 +180,81 @@ TEST_CASE("no point lies on the frame, wherever the axes end") {
     CHECK(nearest_to_frame(draw_svg({"", {beyond}})) < 1); // what is cut off has no room
 }
 
+TEST_CASE("symbols and ends of long curves do not lie on the frame, nor close to it") {
+    Series fallen = long_curve(600);
+    for (Point& point : fallen.points)
+        point.y = 600 - point.y;
+    for (Axis axis : {Axis{}, Axis{.from = 0, .to = 600}, Axis{.from = -5, .to = 605}}) {
+        Panel panel{"", axis, axis, {long_curve(600), fallen}};
+        CHECK(nearest_to_frame(draw_svg({"", {panel}})) > 5);
+        panel.series.pop_back(); // one curve has no symbols, and its line ends before the frame all the same
+        const std::string svg = draw_svg({"", {panel}});
+        const std::regex line(R"(stroke='rgb\(  0, 114, 178\)'\s+d='M([\d.]+),([\d.]+))");
+        std::smatch found;
+        REQUIRE(std::regex_search(svg, found, line));
+        CHECK(std::stod(found[1]) > 104 + 5);
+        CHECK(std::stod(found[2]) < 368 - 5);
+    }
+}
+
+TEST_CASE("an interval is a bar with caps, which does not lie on the frame, and of which the point has a symbol") {
+    Plot plot{"", {{"", {}, {.from = 0, .to = 10}, {{.name = "", .points = {{0, 4}, {1, 6}}}}}}};
+    plot.panels[0].series[0].intervals = {{0, 6}, {5, 10}};
+    const std::string svg = draw_svg(plot);
+    const std::vector<DrawnBar> bars = bars_in(svg);
+    REQUIRE(bars.size() == 2);
+    CHECK(symbols_in(svg) == std::vector{bars[0].x, bars[1].x});
+    CHECK(bars[0].x > 104 + 5);
+    CHECK(bars[0].bottom < 368 - 5);
+    CHECK(bars[1].top > 84 + 5);
+    CHECK((bars[0].bottom - bars[0].top) / (bars[1].bottom - bars[1].top) == doctest::Approx(6. / 5).epsilon(.001));
+
+    plot.panels[0].series[0].intervals[0] = {std::numeric_limits<double>::quiet_NaN(), 6}; // is not known
+    CHECK(bars_in(draw_svg(plot)).size() == 1);
+    plot.panels[0].series[0].intervals.pop_back();
+    CHECK_THROWS_WITH_AS(draw_svg(plot), "in the panel \"\" the series \"\" has 2 points and 1 intervals",
+                         std::invalid_argument);
+}
+
+TEST_CASE("bars of several curves at one x stand beside each other with their points, and one alone where it is") {
+    for (bool logarithmic : {false, true}) {
+        Series series{.name = "", .points = {{10, 4}}, .stroke = Stroke::points, .intervals = {{3, 5}}};
+        Panel panel{"", {.from = 1, .to = 100, .logarithmic = logarithmic}, {}, {series, series, series}};
+        const std::string svg = draw_svg({"", {panel}});
+        const std::vector<DrawnBar> bars = bars_in(svg);
+        REQUIRE(bars.size() == 3);
+        CHECK(bars[1].x - bars[0].x > 4);
+        CHECK(bars[2].x - bars[1].x == doctest::Approx(bars[1].x - bars[0].x).epsilon(.01));
+        CHECK(symbols_in(svg) == std::vector{bars[0].x, bars[1].x, bars[2].x});
+
+        panel.series = {series};
+        const std::vector<DrawnBar> alone = bars_in(draw_svg({"", {panel}}));
+        REQUIRE(alone.size() == 1);
+        CHECK(alone[0].x == doctest::Approx(bars[1].x));
+
+        panel.series = {series, series};
+        panel.series[1].points[0].x = 50;
+        const std::vector<DrawnBar> apart = bars_in(draw_svg({"", {panel}}));
+        REQUIRE(apart.size() == 2);
+        CHECK(apart[0].x == doctest::Approx(alone[0].x));
+    }
+}
+
+TEST_CASE("what is at one value is in the middle of its axes") {
+    Plot plot{"", {{"", {}, {}, {{"", {{40, 7}}, Stroke::points}}}}};
+    const std::string svg = draw_svg(plot);
+    CHECK(symbols_in(svg) == std::vector{517.});
+    CHECK(has(svg, "> 20<"));
+    CHECK(has(svg, "> 60<"));
+}
+
+TEST_CASE("a limit in dashes has no symbols") {
+    Plot plot = small_plot();
+    const Series line = plot.panels[0].series[0];
+    plot.panels[0].series = {line, line, {.name = "limit", .points = {{1, 1}, {1, 2}}, .stroke = Stroke::dashes}};
+    CHECK(count(draw_svg(plot), "#gpPt8") == 0);
+}
+
 TEST_CASE("a label that is longer than its axis is in smaller letters") {
     Plot plot = small_plot();
     CHECK(count(draw_svg(plot), "font-size=\"15.00\"  text-anchor=\"middle\"") > 0);
@@ -152,6 +263,13 @@ TEST_CASE("a label that is longer than its axis is in smaller letters") {
     const std::size_t text = svg.find(plot.panels[0].y.label), group = svg.rfind("<g ", text);
     CHECK(has(svg.substr(group, text - group), "font-size=\"11.5"));
     CHECK(has(svg.substr(group, text - group), "rotate(270)"));
+}
+
+TEST_CASE("a title that is wider than the plot is in smaller letters") {
+    Plot plot = small_plot();
+    CHECK(count(draw_svg(plot), "font-size=\"18.00\"") == 1);
+    plot.title = "Figure 5.7: islands beside one genetic algorithm (experiment #5), medians of 240 seeds, all of them";
+    CHECK(count(draw_svg(plot), "font-size=\"18.00\"") == 0);
 }
 
 TEST_CASE("an axis from 0 begins there below a logarithmic one too") {
@@ -218,7 +336,7 @@ TEST_CASE("curves have dashes of their own, one alone, points and bars none") {
     plot.panels[0].series.resize(8, line);
     CHECK(dashes_in(draw_svg(plot)).size() == 7); // the first is not broken
     for (std::size_t i = 1; i < 8; ++i)
-        plot.panels[0].series[i].stroke = i % 2 ? Stroke::points : Stroke::bar;
+        plot.panels[0].series[i].stroke = i % 2 ? Stroke::points : Stroke::plain;
     CHECK(dashes_in(draw_svg(plot)).empty());
 }
 
@@ -243,4 +361,12 @@ TEST_CASE("the curves as comma-separated values: every point, with units") {
                               "\"a \"\"b\"\", c\",\"line\",\"x [s]\",2,\"y [psi]\",1.5\n"
                               "\"a \"\"b\"\", c\",\"band, lower end\",\"x [s]\",0,\"y [psi]\",1\n"
                               "\"a \"\"b\"\", c\",\"band, upper end\",\"x [s]\",0,\"y [psi]\",2\n");
+    plot.panels[0] = {"p", {"x"}, {"y"}, {{.name = "line", .points = {{3, 4}}, .intervals = {{1, 5}}}}};
+    plot.panels[0].series.push_back(plot.panels[0].series[0]);
+    plot.panels[0].series[1].x_intervals = {{2, 4}};
+    CHECK(has(curves_csv(plot), "\"p\",\"line\",\"x\",3,\"y\",4\n"
+                                "\"p\",\"line, lower end\",\"x\",3,\"y\",1\n"
+                                "\"p\",\"line, upper end\",\"x\",3,\"y\",5\n"
+                                "\"p\",\"line, left end\",\"x\",2,\"y\",4\n"
+                                "\"p\",\"line, right end\",\"x\",4,\"y\",4\n"));
 }

@@ -8,7 +8,7 @@ namespace {
 
 /// The best so far over the machines simulated: stairs.
 Series convergence_of(const SearchCourse& course) {
-    Series series{.name = course.way, .stroke = Stroke::bar};
+    Series series{.name = course.way, .stroke = Stroke::plain};
     double best = 0;
     for (std::size_t i = 0; i < course.merits.size(); ++i) {
         if (!course.merits[i].feasible)

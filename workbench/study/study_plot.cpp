@@ -78,52 +78,22 @@ bool is_drawn_by_decades(const StudySummary& summary, std::size_t over) {
     return least > 0 && greatest / least > wide && median < crowded * greatest;
 }
 
-/// A range with room beside what is drawn in it, so that no point lies on the frame.
-struct RoomyRange {
-    double least = std::numeric_limits<double>::max(), most = std::numeric_limits<double>::lowest();
-    bool logarithmic = false;
-
-    void add(double value) {
-        least = std::min(least, value);
-        most = std::max(most, value);
-    }
-    /// A value moved by a part of the range.
-    double moved(double value, double part) const {
-        return logarithmic ? value * std::pow(most / least, part) : value + part * (most - least);
-    }
-    void give_to(Axis& axis) const {
-        constexpr double room = .05;
-        bool wide = least < most;
-        double margin = least == 0 ? 1 : std::abs(least) / 2;
-        axis.from = wide ? moved(least, -room) : least - margin;
-        axis.to = wide ? moved(most, room) : most + margin;
-        if (least > 0 && !logarithmic)
-            axis.from = std::max(*axis.from, 0.);
-    }
-};
-
-/// The curves of one measure, by name in the order of the lines. Those that have intervals stand a little beside each
-/// other, so that one interval does not hide another.
+/// The curves of one measure, by name in the order of the lines.
 class PanelOfMeasure {
 public:
     PanelOfMeasure(const StudySummary& summary, std::size_t measure, std::size_t over)
         : summary_(summary), measure_(measure), over_(over) {
-        x_.logarithmic = is_drawn_by_decades(summary, over);
         for (const StudyLine& line : summary.lines)
             add(line);
-        set_beside();
+        for (Series& curve : curves_)
+            if (std::ranges::all_of(curve.intervals, [](const Interval& each) { return std::isnan(each.low); }))
+                curve.intervals.clear();
     }
 
     Panel panel() && {
-        curves_.insert(curves_.end(), bars_.begin(), bars_.end());
-        Panel panel{.x = {.label = summary_.axes[over_], .logarithmic = x_.logarithmic},
-                    .y = {.label = measure_with_unit(summary_, measure_)},
-                    .series = std::move(curves_)};
-        if (!panel.series.empty()) {
-            x_.give_to(panel.x);
-            y_.give_to(panel.y);
-        }
-        return panel;
+        return {.x = {.label = summary_.axes[over_], .logarithmic = is_drawn_by_decades(summary_, over_)},
+                .y = {.label = measure_with_unit(summary_, measure_)},
+                .series = std::move(curves_)};
     }
 
 private:
@@ -134,32 +104,14 @@ private:
         const StudyCell& cell = line.cells[measure_];
         double x = *number_of_setting(line.values[over_]);
         curves_[curve].points.push_back({x, cell.mean});
-        x_.add(x);
-        y_.add(cell.mean - std::max(cell.half_width, 0.));
-        y_.add(cell.mean + std::max(cell.half_width, 0.));
-        if (cell.half_width > 0)
-            bars_.push_back({.name = "",
-                             .points = {{x, cell.mean - cell.half_width}, {x, cell.mean + cell.half_width}},
-                             .stroke = Stroke::bar,
-                             .colour = static_cast<int>(curve)});
+        curves_[curve].intervals.push_back(interval_of(cell));
     }
 
-    void set_beside() {
-        if (bars_.empty())
-            return;
-        auto beside = [&](double x, int curve) {
-            return x_.moved(x, .008 * (curve - static_cast<double>(curves_.size() - 1) / 2));
-        };
-        for (Series& curve : curves_)
-            for (Point& point : curve.points)
-                point.x = beside(point.x, *curve.colour);
-        for (Series& bar : bars_)
-            bar.points = with_caps(beside(bar.points[0].x, *bar.colour), bar.points[0].y, bar.points[1].y);
-    }
-
-    std::vector<Point> with_caps(double x, double low, double high) const {
-        double left = x_.moved(x, -.005), right = x_.moved(x, .005);
-        return {{left, low}, {right, low}, {x, low}, {x, high}, {left, high}, {right, high}};
+    /// None where all runs give the same.
+    static Interval interval_of(const StudyCell& cell) {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        const double half = cell.half_width > 0 ? cell.half_width : none;
+        return {cell.mean - half, cell.mean + half};
     }
 
     std::size_t number_of(const std::string& curve) {
@@ -175,9 +127,8 @@ private:
 
     const StudySummary& summary_;
     std::size_t measure_, over_;
-    RoomyRange x_, y_;
     std::map<std::string, std::size_t> numbers_;
-    std::vector<Series> curves_, bars_;
+    std::vector<Series> curves_;
 };
 
 } // namespace

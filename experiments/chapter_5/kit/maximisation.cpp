@@ -64,26 +64,16 @@ double best_fitness(const IslandsResult& result, std::size_t generation) {
     return best;
 }
 
-/// A line through the points, with a bar for the interval of each.
-void add_with_bars(Panel& panel, const std::string& name, const std::vector<Point>& points,
-                   const std::vector<Interval>& intervals, int colour) {
-    for (std::size_t i = 0; i < points.size(); ++i)
-        panel.series.push_back(interval_bar(points[i].x, intervals[i], colour));
-    if (!points.empty())
-        panel.series.push_back({.name = name, .points = points, .colour = colour});
-}
-
-/// `add(points, intervals, study, size, x)` for each size of each study, moved aside a little by study.
+/// `add(series, study, size, x)` for each size of each study.
 template <class Add>
 Panel panel_by_size(Panel panel, const std::vector<TaskStudy>& studies, Add add) {
     int colour = 0;
     for (const TaskStudy& study : studies) {
-        std::vector<Point> points;
-        std::vector<Interval> intervals;
-        double aside = panel.x.to.value_or(0) / 250 * colour;
+        Series series{.name = study.task.problem, .colour = colour++};
         for (std::size_t i = 0; i < study.sizes.size(); ++i)
-            add(points, intervals, study, i, static_cast<double>(study.sizes[i]) + aside);
-        add_with_bars(panel, study.task.problem, points, intervals, colour++);
+            add(series, study, i, static_cast<double>(study.sizes[i]));
+        if (!series.points.empty())
+            panel.series.push_back(std::move(series));
     }
     return panel;
 }
@@ -145,21 +135,21 @@ ConvergenceCurve study_convergence(const ReplayContext& context, const StaticTas
 Panel taken_panel(std::string title, Axis x, Axis y, const std::vector<TaskStudy>& studies) {
     Panel panel{.title = std::move(title), .x = std::move(x), .y = std::move(y)};
     return panel_by_size(std::move(panel), studies,
-                         [](auto& points, auto& intervals, const TaskStudy& study, std::size_t size, double at) {
+                         [](Series& series, const TaskStudy& study, std::size_t size, double at) {
                              if (study.reached_percent(size) <= 90)
                                  return;
-                             points.push_back({at, study.median(size)});
-                             intervals.push_back(median_interval(study.taken[size]));
+                             series.points.push_back({at, study.median(size)});
+                             series.intervals.push_back(median_interval(study.taken[size]));
                          });
 }
 
 Panel reached_panel(std::string title, Axis x, const std::vector<TaskStudy>& studies) {
     Panel panel{.title = std::move(title), .x = std::move(x), .y = {"runs that reach the target [%]", 0, 105}};
-    return panel_by_size(std::move(panel), studies,
-                         [](auto& points, auto& intervals, const TaskStudy& study, std::size_t size, double at) {
-                             points.push_back({at, study.reached_percent(size)});
-                             intervals.push_back(success_interval(study.reached(size), study.taken[size].size()));
-                         });
+    return panel_by_size(
+        std::move(panel), studies, [](Series& series, const TaskStudy& study, std::size_t size, double at) {
+            series.points.push_back({at, study.reached_percent(size)});
+            series.intervals.push_back(success_interval(study.reached(size), study.taken[size].size()));
+        });
 }
 
 } // namespace placedpar

@@ -107,6 +107,29 @@ Band quartiles(const TrackRow& row, int colour, std::size_t points) {
     return band;
 }
 
+/// The rows' names, each with what a row that is set in has from the one above it: "traditional, an island at random".
+std::vector<std::string> full_names(const std::vector<TrackRow>& rows) {
+    std::vector<std::string> names;
+    std::string above;
+    for (const TrackRow& row : rows) {
+        const bool is_set_in = row.name.starts_with("  ");
+        if (!is_set_in)
+            above = row.name.substr(0, row.name.find(", "));
+        names.push_back(is_set_in ? above + ", " + row.name.substr(2) : row.name);
+    }
+    return names;
+}
+
+/// A legend says only what differs: "window 24" where all are "distributed".
+std::vector<std::string> names_in_legend(const std::vector<TrackRow>& rows) {
+    std::vector<std::string> names = full_names(rows);
+    const std::string common = names.front().substr(0, names.front().find(", ")) + ", ";
+    if (names.size() > 1 && std::ranges::all_of(names, [&](const auto& name) { return name.starts_with(common); }))
+        for (std::string& name : names)
+            name.erase(0, common.size());
+    return names;
+}
+
 template <class PoleAt>
 Panel panel_of(std::string title, const std::vector<TrackRow>& rows, PoleAt pole_at) {
     Panel panel{.title = std::move(title),
@@ -114,11 +137,13 @@ Panel panel_of(std::string title, const std::vector<TrackRow>& rows, PoleAt pole
                 .y = {"real part (lines), imaginary part (dashes)", 0, 1}};
     const PlantStudy& first = *rows.front().study;
     std::size_t points = first.runs.front().front().poles.size();
-    int colour = 0;
-    for (const TrackRow& row : rows) {
+    const std::vector<std::string> names = names_in_legend(rows);
+    for (std::size_t place = 0; place < rows.size(); ++place) {
+        const TrackRow& row = rows[place];
+        const auto colour = static_cast<int>(place);
         if (row.study->runs.size() > 1)
             panel.bands.push_back(quartiles(row, colour, points));
-        add_pole_series(panel, row.name, colour++, points, [&](std::size_t i) { return pole_at(row, i); });
+        add_pole_series(panel, names[place], colour, points, [&](std::size_t i) { return pole_at(row, i); });
     }
     add_pole_series(panel, "truth", truth_colour, points, [&](std::size_t i) {
         return pole_of(a1_at(first.islands.plant.change, generation_of(i)), Plant{}.a2);

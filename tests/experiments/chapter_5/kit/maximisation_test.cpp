@@ -33,3 +33,23 @@ TEST_CASE("every task can be reached") {
         CHECK(best < 500);
     }
 }
+
+TEST_CASE("curves by size have their points at the sizes, each with its interval") {
+    TaskStudy often{.task = {"foxholes", 1}, .sizes = {10, 20}, .limit = 100, .taken = {{4, 6, 5}, {3, 3, 3}}};
+    TaskStudy seldom{.task = {"foxholes", 1}, .sizes = {10, 20}, .limit = 100, .taken = {{100, 6, 100}, {3, 3, 3}}};
+    const Panel reached = reached_panel("", {.from = 0, .to = 30}, {often, seldom});
+    REQUIRE(reached.series.size() == 2);
+    for (const Series& series : reached.series) {
+        REQUIRE(series.points.size() == 2);
+        CHECK(series.points[0].x == 10);
+        CHECK(series.points[1].x == 20);
+        REQUIRE(series.intervals.size() == 2);
+        CHECK(series.intervals[0].contains(series.points[0].y));
+    }
+    const Panel taken = taken_panel("", {.from = 0, .to = 30}, {}, {often, seldom});
+    REQUIRE(taken.series.size() == 2);
+    CHECK(taken.series[0].intervals.size() == 2);
+    REQUIRE(taken.series[1].points.size() == 1); // the smaller size does not reach it often enough
+    CHECK(taken.series[1].points[0].x == 20);
+    CHECK(taken.series[1].intervals[0].low == 3);
+}
