@@ -1,7 +1,7 @@
 #include "experiments/kit/experiment.hpp"
+#include "explore/problems.hpp"
 #include "runtime/fingerprint.hpp"
 #include "runtime/hardware/constants.hpp"
-#include "workbench/problems.hpp"
 
 #include <algorithm>
 

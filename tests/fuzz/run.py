@@ -58,8 +58,8 @@ SEEDS = {
     "names": lambda: [b"localhost:8080", b"[::1]:80", b"127.0.0.1", b"dXNlcjpwYXNzd29yZA==", b"0123456789abcdef0123"],
     "searches": lambda: files("examples/**/*.cfs"),
     "wish": lambda: [b"torus\n4x4\n\n\nislands", b"tree\n7\n3\n\nfarm", b"chordal-ring\n8\n\n3\nislands", b"hypercube\n8\n\n\nga.island"],
-    "scenario": lambda: [b"bulk_modulus=4.1e-11 m^3/Pa", b"duration=3 s"] + texts_of("tests/workbench/*record*.cpp", "tests/app/record_test.py"),
-    "arguments": lambda: texts_of("tests/workbench/study/*.cpp", "tests/workbench/*.cpp"),
+    "scenario": lambda: [b"bulk_modulus=4.1e-11 m^3/Pa", b"duration=3 s"] + texts_of("tests/app/record_test.py"),
+    "arguments": lambda: texts_of("tests/explore/**/*.cpp", "tests/report/*.cpp"),
 }
 
 
