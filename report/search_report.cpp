@@ -81,7 +81,6 @@ std::string print_middle(const std::vector<std::vector<SearchSummary>>& runs, st
     std::vector<double> values;
     for (const auto& run : runs)
         values.push_back(static_cast<double>(figure(run[row])));
-    using namespace identification;
     return fmt::format("{:.6g} [{:.6g}, {:.6g}]", median(values), quantile(values, 0.25), quantile(values, 0.75));
 }
 

@@ -157,7 +157,7 @@ def check_taken(piece, words, top):
         for name in names:
             if not re.fullmatch(files, name) or name.startswith("tests/"):
                 continue
-            text = (top / name).read_text(encoding="utf-8", errors="replace")
+            text = re.sub(r"//.*", "", (top / name).read_text(encoding="utf-8", errors="replace"))  # without comments
             if found := wanted.search(text):
                 line = text[:found.start()].count("\n") + 1
                 raise Refusal(f'"{words["kebab"]}" is taken: {name}:{line} has {found[0].strip()}: take another name')
@@ -220,9 +220,9 @@ def write(texts, top):
 
 def put_back(before, folders, top):
     for path, content in before.items():
-        if content is None:
-            (top / path).unlink(missing_ok=True)
-        elif (top / path).read_bytes() != content:
+        if content is None and (top / path).exists():
+            (top / path).unlink()
+        elif content is not None and (top / path).read_bytes() != content:
             (top / path).write_bytes(content)
     for folder in sorted(set(folders), key=lambda each: len(each.parts), reverse=True):
         if folder.exists():
