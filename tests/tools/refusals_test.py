@@ -45,7 +45,7 @@ class Refusals(unittest.TestCase):
         self.refused("examples/31-sieve is there already: take another name", "kind", "sieve")
         self.refused('"buffer" is taken: classics/bounded_buffer.cpp:', "kind", "buffer")
         self.refused('"transputer" is taken: netlist/kinds/devices.hpp:', "device", "transputer")
-        self.refused('"clock" is taken: runtime/time.hpp:', "device", "clock")
+        self.refused('"clock" is a word of netlists, or a name', "device", "clock")
         self.refused('"hardware" is taken: ', "device", "hardware")
         self.refused('"sphere" is taken: problems/benchmark/functions.hpp:', "problem", "sphere")
         self.refused('"boom" is taken: explore/problems.cpp:', "problem", "boom")

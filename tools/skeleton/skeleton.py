@@ -28,6 +28,7 @@ RESERVED = set("""
     union unix unsigned using virtual void volatile wchar-t while xor xor-eq char8-t char16-t char32-t main std
 """.split())
 NETLIST_WORDS = set("val define connection input output process connect use place rep if else node fault".split())
+NAMES_IN_NETLISTS = set("a b c d p count clock producer consumer".split())  # of the templates of a device
 
 
 class Refusal(Exception):
@@ -63,7 +64,7 @@ class Piece:
 
 END_OF_NAMESPACE = "\n} // namespace placedpar\n"
 # A type, or a function at the scope of a namespace, of the same name.
-TYPE = (r"[a-z].*\.[ch]pp", r"\b(?:class|struct|enum|namespace|concept|using) (?:@Pascal@|@snake@)\b(?! = )")
+TYPE = (r"[a-z].*\.[ch]pp", r"\b(?:class|struct|enum|namespace|concept|using) (?:@Pascal@|@snake@)\b")
 FUNCTION = (r"[a-z].*\.hpp", r"(?m)^(?:[\w:<>,]+[ &*]+)+@snake@\(")
 PIECES = {
     "kind": Piece(
@@ -82,7 +83,7 @@ PIECES = {
          Insertion("runtime/README.md", "| the host's side of it |",
                    "| @article@ @words@: executes one process at a time | `hardware/@snake@` |\n")],
         [TYPE, FUNCTION, (r"netlist/kinds/.*\.cpp", r'"(?:@snake@|@words@)"')],
-        NETLIST_WORDS,
+        NETLIST_WORDS | NAMES_IN_NETLISTS,
         next="placedpar kinds @snake@"),
     "problem": Piece(
         "@kebab@: a valley of several numbers, and a genetic algorithm that searches for its bottom",
@@ -115,8 +116,8 @@ def check_name(name, piece):
     if len(name) > LONGEST:
         raise Refusal(f'"{name}" has {len(name)} characters: a name has at most {LONGEST}')
     if name in RESERVED or name in piece.reserved:
-        language = "C++" if name in RESERVED else "netlists"
-        raise Refusal(f'"{name}" is a word of {language}: take another, such as "my-{name}"')
+        where = "a word of C++" if name in RESERVED else "a word of netlists, or a name in the example's"
+        raise Refusal(f'"{name}" is {where}: take another, such as "my-{name}"')
 
 
 def free_number(top):
