@@ -10,8 +10,13 @@ import unittest
 from beside_build import BesideBuild, run
 from copied_tree import MADE, copy_tree, make_all
 
+ROOMS = ["classics", "experiments", "explore", "netlist", "problems", "runtime"]
+TESTED = ["classics", "netlist", "problems", "runtime"]
+
 
 class Made(unittest.TestCase):
+    """The four in a copy of the tree."""
+
     @classmethod
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
@@ -30,35 +35,36 @@ class Made(unittest.TestCase):
         self.assertEqual(done.returncode, 0, f"{arguments}\n{done.stdout}{done.stderr}")
         return done
 
-    def test_1_it_keeps_to_the_rules_of_the_house(self):
+    def test_the_rules_of_the_house_hold(self):
         self.succeeds("tests/tidy/tidy.py", ".")
         self.assertIn(self.python("tests/tidy/format.py", ".").returncode, (0, 77))  # 77: without clang-format
         self.succeeds("tests/docs/figures.py", ".")
         self.succeeds("tests/docs/map_test.py")
         self.succeeds("tests/docs/tables_test.py")
 
-    def test_2_it_compiles_and_passes_its_tests(self):
+    def test_it_compiles_and_passes_its_tests(self):
         build = BesideBuild(self.top, self.programs)
         rooms, tests = self.sources()
-        self.assertEqual(sorted(rooms), ["classics", "experiments", "explore", "netlist", "problems", "runtime"])
-        self.assertEqual(sorted(tests), ["classics", "netlist", "problems", "runtime"])
+        self.assertEqual((sorted(rooms), sorted(tests)), (ROOMS, TESTED))
         rooms["experiments"].append(build.list_experiments())
         objects = [build.compile(sources, f"placedpar_{room}") for room, sources in rooms.items()]
         of_tests = [build.compile(sources, f"test_{room}") for room, sources in tests.items()]
-        build.link("placedpar", objects)
         said = run([build.link("test", [*of_tests, *objects], "tests/libplacedpar_test_main.a", main=False)])
-        self.assertRegex(said, r"test cases: +1[0-9] \| +1[0-9] passed \| 0 failed")
+        self.assertRegex(said, r"test cases: +14 \| +14 passed \| 0 failed")
+        self.run_program(build.link("placedpar", objects))
 
-    def test_3_its_pages_and_the_program_s_tests_hold(self):
-        environment = {"PLACEDPAR": str(self.programs / "placedpar"), "PLACEDPAR_EXAMPLES": str(self.top / "examples")}
+    def run_program(self, program):
+        """The pages of the examples and the tests of the command line, with a program that knows the four."""
+        environment = {"PLACEDPAR": str(program), "PLACEDPAR_EXAMPLES": str(self.top / "examples")}
         pages = [name for name in self.changed if name.startswith("examples/") and name.endswith("README.md")]
         self.assertEqual(len(pages), len(MADE))
         for page in pages:
             done = self.succeeds("tests/docs/document.py", ".", self.programs, page, **environment)
             self.assertRegex(done.stdout, r"[12] commands, 0 failures")
-        script = next(name for name in self.changed if name.startswith("tests/app/"))
-        self.succeeds(script, **environment)
-        self.succeeds("tests/app/kinds_test.py", **environment)
+        for script in ("tests/app/one_way_test.py", "tests/app/kinds_test.py"):
+            self.succeeds(script, **environment)
+        experiments = run([program, "replay", "--help"], env={**os.environ, **environment})
+        self.assertLess(experiments.index("one-way"), experiments.index("evidence"))
 
     def sources(self):
         """The new and changed sources of rooms and those of tests: {room: [paths]} of each."""
