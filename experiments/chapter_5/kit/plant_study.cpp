@@ -78,7 +78,7 @@ std::vector<double> PlantStudy::of(std::size_t track, Tracking figure) const {
     return values;
 }
 
-double PlantStudy::median(std::size_t track, Tracking figure) const { return median(of(track, figure)); }
+double PlantStudy::median(std::size_t track, Tracking figure) const { return placedpar::median(of(track, figure)); }
 
 double PlantStudy::found_percent(std::size_t track) const {
     return percent_within(of(track, Tracking::error_after), found_pole);
