@@ -6,6 +6,7 @@ import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import unittest
 
@@ -69,4 +70,4 @@ class BesideBuild:
         script.write_text(f'list(APPEND CMAKE_MODULE_PATH "{self.top}/cmake")\n' + listing.replace("CONFIGURE_DEPENDS ", ""),
                           encoding="utf-8")
         run(["cmake", "-P", script], cwd=self.top / "experiments")
-        return self.top / "experiments" / "experiments.cpp"
+        return pathlib.Path(shutil.move(self.top / "experiments" / "experiments.cpp", self.folder))

@@ -43,7 +43,8 @@ int decimals_of(const Claim& claim) {
 void add_interval(Comparison& comparison, const Claim& claim) {
     Interval interval = median_interval(claim.values);
     int decimals = decimals_of(claim);
-    Cell median = cell_of(claim.text, "median", claim.unit, claim.bound(), placedpar::median(claim.values), {}, decimals);
+    Cell median =
+        cell_of(claim.text, "median", claim.unit, claim.bound(), placedpar::median(claim.values), {}, decimals);
     if (claim.at_least && claim.at_most)
         median.reference_to = claim.at_most;
     comparison.add(median);
