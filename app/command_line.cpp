@@ -1,5 +1,6 @@
 #include "app/command.hpp"
 
+#include "report/manifest.hpp"
 #include "runtime/kernel.hpp"
 #include "runtime/process.hpp"
 #include "runtime/user_code.hpp"
@@ -8,7 +9,6 @@
 #include "text/paint.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
-#include "workbench/manifest.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "app/program.hpp"
 
 #include "app/command.hpp"
-#include "workbench/problems.hpp"
+#include "explore/problems.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "workbench/page/run_page.hpp"
-#include "workbench/trace/trace_file.hpp"
-#include "workbench/trace/trace_fork.hpp"
+#include "observe/page/run_page.hpp"
+#include "observe/trace/trace_file.hpp"
+#include "observe/trace/trace_fork.hpp"
 
 #include <filesystem>
 #include <optional>

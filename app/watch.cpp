@@ -1,7 +1,7 @@
 #include "app/watch.hpp"
 
+#include "app/live_curve.hpp"
 #include "text/output_file.hpp"
-#include "workbench/live_curve.hpp"
 
 #include <fmt/format.h>
 

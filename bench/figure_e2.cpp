@@ -3,9 +3,9 @@
 // differ in their seeds the machine is simulated for the first one; of those with other links, for each.
 
 #include "bench/measure.hpp"
+#include "explore/study/measure.hpp"
+#include "explore/study/sweep.hpp"
 #include "text/user_error.hpp"
-#include "workbench/study/measure.hpp"
-#include "workbench/study/sweep.hpp"
 
 #include <fmt/format.h>
 

@@ -5,10 +5,10 @@
 //
 //     monitor_load [SAMPLES [CLIENTS]]      samples a client and part, clients of the last three parts
 
-#include "identification/statistics.hpp"
 #include "monitor/service/service.hpp"
 #include "runtime/fingerprint.hpp"
 #include "tests/identification/on_line/transient.hpp"
+#include "text/statistics.hpp"
 
 #include <CLI/CLI.hpp>
 #include <boost/asio.hpp>
@@ -212,9 +212,8 @@ void run(const Part& part, std::size_t samples, const std::string& state) {
     double count = static_cast<double>(latencies_ms.size());
     fmt::print("{:<22} {:>7} {:>10.0f} {:>9.1f} {:>9.1f} {:>11.1f} {:>9.2f} {:>9.2f} {:>9.2f} {:>10.2f}   {:016x}\n",
                part.name, part.clients, count / took_s, 100 * work_s / took_s, 100 * cpu_s / took_s,
-               1e6 * cpu_s / count, placedpar::identification::lower_median(latencies_ms),
-               placedpar::identification::quantile(latencies_ms, 0.99), latencies_ms.back(), 1e3 * turn_s,
-               fingerprint.value());
+               1e6 * cpu_s / count, placedpar::lower_median(latencies_ms), placedpar::quantile(latencies_ms, 0.99),
+               latencies_ms.back(), 1e3 * turn_s, fingerprint.value());
     std::fflush(stdout);
 }
 

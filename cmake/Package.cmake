@@ -18,7 +18,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "gnuplot-nox, libplacedpar-dev, placedpar-mpi")
 
-# Who links the rooms needs what they are built with, but for what only the workbench and MPI's ranks include.
+# Who links the rooms needs what they are built with, but for what only studies and MPI's ranks include.
 set(needed ${libraries})
 list(FILTER needed INCLUDE REGEX "-dev$")
 list(FILTER needed EXCLUDE REGEX "mpi|toml")

@@ -12,7 +12,7 @@ elseif(git AND EXISTS ${TREE}/.git) # the git of a project around this one knows
     execute_process(COMMAND ${git} -C ${TREE} describe --always --dirty --exclude=*
                     OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 endif()
-string(CONCAT text "// Made by cmake/commit.cmake.\n#include \"workbench/manifest.hpp\"\n\nnamespace placedpar {\n\n"
+string(CONCAT text "// Made by cmake/commit.cmake.\n#include \"report/manifest.hpp\"\n\nnamespace placedpar {\n\n"
        "const char* const commit = \"${commit}\";\n\n} // namespace placedpar\n")
 set(before "")
 if(EXISTS ${OUTPUT})

@@ -1,6 +1,6 @@
 #include "identification/spike.hpp"
 
-#include "identification/statistics.hpp"
+#include "text/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,15 +5,15 @@
 #include "app/recorders.hpp"
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
+#include "explore/explain/explanation.hpp"
+#include "explore/load.hpp"
+#include "explore/problems.hpp"
+#include "explore/study/ranks.hpp"
+#include "report/manifest.hpp"
+#include "report/search_log.hpp"
 #include "text/nearest.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
-#include "workbench/explain/explanation.hpp"
-#include "workbench/load.hpp"
-#include "workbench/manifest.hpp"
-#include "workbench/problems.hpp"
-#include "workbench/search_log.hpp"
-#include "workbench/study/ranks.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
-#include "workbench/generate/generate.hpp"
+#include "explore/generate/generate.hpp"
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
+#include "explore/generate/topology.hpp"
+#include "explore/problems.hpp"
 #include "text/output_file.hpp"
-#include "workbench/generate/topology.hpp"
-#include "workbench/problems.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 #include "app/command.hpp"
+#include "app/generation/generation_walk.hpp"
 #include "app/options/common_options.hpp"
 #include "text/output_file.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
-#include "workbench/generation_walk.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -2,10 +2,10 @@
 #include "app/identify/ways.hpp"
 #include "app/options/identify_options.hpp"
 #include "hydraulics/data/record.hpp"
+#include "report/manifest.hpp"
 #include "text/output_file.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
-#include "workbench/manifest.hpp"
 
 #include <CLI/CLI.hpp>
 #include <boost/json.hpp>

@@ -1,12 +1,12 @@
 #include "app/command.hpp"
+#include "explore/problems.hpp"
+#include "report/kinds_choice.hpp"
+#include "report/kinds_report.hpp"
+#include "report/manifest.hpp"
+#include "report/policies_report.hpp"
+#include "report/problems_report.hpp"
 #include "text/nearest.hpp"
 #include "text/output_file.hpp"
-#include "workbench/kinds_choice.hpp"
-#include "workbench/kinds_report.hpp"
-#include "workbench/manifest.hpp"
-#include "workbench/policies_report.hpp"
-#include "workbench/problems.hpp"
-#include "workbench/problems_report.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "app/command.hpp"
+#include "report/manifest.hpp"
 #include "text/output_file.hpp"
-#include "workbench/manifest.hpp"
 
 #include <CLI/CLI.hpp>
 #include <boost/algorithm/string/case_conv.hpp>

@@ -2,12 +2,12 @@
 #include "app/options/common_options.hpp"
 #include "app/options/link_options.hpp"
 #include "app/options/netlist_options.hpp"
+#include "app/record/scenario_record.hpp"
 #include "app/standard_error.hpp"
+#include "explore/load.hpp"
 #include "hydraulics/data/record_table.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
-#include "workbench/load.hpp"
-#include "workbench/scenario_record.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

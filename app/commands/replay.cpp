@@ -6,12 +6,12 @@
 #include "experiments/kit/examples_folder.hpp"
 #include "experiments/kit/experiment_runs.hpp"
 #include "experiments/kit/replay_report.hpp"
+#include "picture/gnuplot.hpp"
+#include "report/manifest.hpp"
 #include "text/nearest.hpp"
 #include "text/output_file.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
-#include "workbench/gnuplot.hpp"
-#include "workbench/manifest.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

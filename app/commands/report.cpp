@@ -1,15 +1,15 @@
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
 #include "app/options/netlist_options.hpp"
+#include "explore/study/results.hpp"
+#include "explore/study/study_file.hpp"
+#include "explore/study/study_report.hpp"
+#include "explore/study/summary_cells.hpp"
+#include "picture/gnuplot.hpp"
 #include "runtime/kernel.hpp"
 #include "text/nearest.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
-#include "workbench/gnuplot.hpp"
-#include "workbench/study/results.hpp"
-#include "workbench/study/study_file.hpp"
-#include "workbench/study/study_report.hpp"
-#include "workbench/study/summary_cells.hpp"
 
 #include <CLI/CLI.hpp>
 

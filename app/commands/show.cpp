@@ -1,12 +1,12 @@
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
 #include "app/options/netlist_options.hpp"
+#include "explore/problems.hpp"
 #include "netlist/print/print.hpp"
 #include "netlist/print/promela.hpp"
+#include "picture/svg.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
-#include "workbench/picture/svg.hpp"
-#include "workbench/problems.hpp"
 
 #include <CLI/CLI.hpp>
 

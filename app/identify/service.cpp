@@ -1,18 +1,18 @@
 #include "app/identify/ways.hpp"
 
 #include "app/identify/question.hpp"
+#include "app/identify/record_pieces.hpp"
 #include "app/options/link_options.hpp"
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
+#include "explore/load.hpp"
 #include "hydraulics/circuit/circuit.hpp"
 #include "identification/on_line/record_diagnosis.hpp"
+#include "identification/report/diagnosis_report.hpp"
 #include "text/counted.hpp"
 #include "text/output_file.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
-#include "workbench/diagnosis_report.hpp"
-#include "workbench/load.hpp"
-#include "workbench/record_pieces.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>

@@ -5,14 +5,14 @@
 #include "app/options/netlist_options.hpp"
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
+#include "explore/load.hpp"
+#include "explore/process_search.hpp"
 #include "identification/flags.hpp"
+#include "identification/report/identification_report.hpp"
+#include "report/run_report.hpp"
 #include "text/output_file.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
-#include "workbench/identification_report.hpp"
-#include "workbench/load.hpp"
-#include "workbench/process_search.hpp"
-#include "workbench/run_report.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-// The module that is loaded where mpirun started the program: workbench/study/ranks.hpp.
+// The module that is loaded where mpirun started the program: explore/study/ranks.hpp.
 
-#include "workbench/study/ranks.hpp"
+#include "explore/study/ranks.hpp"
 
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/environment.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "workbench/netlist_run.hpp"
+#include "explore/netlist_run.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,9 +2,9 @@
 
 #include "app/options/common_options.hpp"
 #include "app/standard_error.hpp"
+#include "explore/load.hpp"
+#include "explore/problems.hpp"
 #include "text/user_error.hpp"
-#include "workbench/load.hpp"
-#include "workbench/problems.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "explore/time_text.hpp"
 #include "runtime/time.hpp"
-#include "workbench/time_text.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -8,10 +8,10 @@
 #include "gaprocs/search_problem.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
-#include "identification/statistics.hpp"
 #include "runtime/fingerprint.hpp"
 #include "runtime/random.hpp"
 #include "runtime/vector_width.hpp"
+#include "text/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -24,9 +24,6 @@
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
-using identification::lower_median;
-using identification::quantile;
-
 namespace {
 
 /// Of the processor, not of the wall, so that other programs on the machine do not count. Nobody here uses threads.

@@ -1,7 +1,7 @@
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/experiment_runs.hpp"
+#include "explore/problems.hpp"
 #include "text/user_error.hpp"
-#include "workbench/problems.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include "experiments/kit/statistics.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "identification/compliance_fit.hpp"
-#include "identification/statistics.hpp"
+#include "text/statistics.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
 #include "experiments/kit/statistics.hpp"
-#include "identification/statistics.hpp"
+#include "text/statistics.hpp"
 
 #include <fmt/format.h>
 

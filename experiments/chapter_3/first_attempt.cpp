@@ -6,7 +6,7 @@
 #include "hydraulics/plant/excavator_motion.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
 #include "identification/offset_calibration.hpp"
-#include "identification/statistics.hpp"
+#include "text/statistics.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>

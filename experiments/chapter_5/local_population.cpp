@@ -2,7 +2,7 @@
 #include "experiments/chapter_5/kit/plant_study.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/interval.hpp"
-#include "identification/statistics.hpp"
+#include "text/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -86,7 +86,7 @@ Comparison diversity_of(const std::vector<PlantStudy>& studies, const std::strin
         auto add = [&](const char* column, double value, int decimals) {
             comparison.add(plain_cell(study.islands.name, column, "", value, decimals));
         };
-        add("diversity [bits of 37]", identification::median(study.diversity), 2);
+        add("diversity [bits of 37]", median(study.diversity), 2);
         add("lag", study.median(0, Tracking::lag), 1);
         add("error before", study.median(0, Tracking::error_before), 3);
         add("error after", study.median(0, Tracking::error_after), 3);

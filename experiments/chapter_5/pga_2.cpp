@@ -1,6 +1,6 @@
 #include "experiments/chapter_5/kit/plant_study.hpp"
 #include "experiments/kit/experiment.hpp"
-#include "identification/statistics.hpp"
+#include "text/statistics.hpp"
 
 #include <string>
 #include <utility>
@@ -61,7 +61,7 @@ Comparison diversity_comparison(const std::string& name, const BroadcastStudies&
     Comparison comparison{.name = name, .against = "known"};
     for (const PlantStudy* study : studies.all()) {
         auto add = [&](const char* column, const std::vector<double>& values) {
-            comparison.add(plain_cell(study->islands.name, column, "", identification::median(values), 2));
+            comparison.add(plain_cell(study->islands.name, column, "", median(values), 2));
         };
         add("diversity [bits of 37]", study->diversity);
         add("same best [share]", study->identical);
@@ -76,8 +76,8 @@ Comparison judged_diversity(const BroadcastStudies& noiseless) {
     const double known[]{3.8, 5.0, 4.2, 5.3};
     auto all = noiseless.all();
     for (std::size_t i = 0; i < all.size(); ++i)
-        comparison.add(judged_cell(all[i]->islands.name, "median", "bits", known[i],
-                                   identification::median(all[i]->diversity), 0.6, 2));
+        comparison.add(
+            judged_cell(all[i]->islands.name, "median", "bits", known[i], median(all[i]->diversity), 0.6, 2));
     return comparison;
 }
 

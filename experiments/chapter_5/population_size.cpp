@@ -2,7 +2,7 @@
 #include "experiments/chapter_5/kit/plant_study.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/interval.hpp"
-#include "identification/statistics.hpp"
+#include "text/statistics.hpp"
 
 #include <fmt/format.h>
 

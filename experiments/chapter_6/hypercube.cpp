@@ -1,6 +1,6 @@
+#include "picture/hypercube.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "gaprocs/policies/crossover.hpp"
-#include "workbench/hypercube_picture.hpp"
 
 #include <fmt/format.h>
 

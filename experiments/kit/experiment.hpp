@@ -2,10 +2,10 @@
 
 #include "experiments/kit/comparison.hpp"
 #include "experiments/kit/kept_runs.hpp"
+#include "explore/load.hpp"
+#include "explore/netlist_run.hpp"
+#include "picture/plot.hpp"
 #include "runtime/hardware/constants.hpp"
-#include "workbench/load.hpp"
-#include "workbench/netlist_run.hpp"
-#include "workbench/plot.hpp"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "experiments/kit/experiment_runs.hpp"
 
-#include "workbench/problems.hpp"
+#include "explore/problems.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "experiments/kit/interval.hpp"
 
-#include "identification/statistics.hpp"
 #include "runtime/random.hpp"
+#include "text/statistics.hpp"
 
 #include <boost/math/distributions/binomial.hpp>
 
@@ -35,7 +35,7 @@ Interval bootstrap(std::size_t count, Statistic statistic) {
             each = random.below(static_cast<std::uint32_t>(count));
         found.push_back(statistic(drawn));
     }
-    return {identification::quantile(found, outside / 2), identification::quantile(found, 1 - outside / 2)};
+    return {quantile(found, outside / 2), quantile(found, 1 - outside / 2)};
 }
 
 } // namespace
@@ -44,7 +44,7 @@ Interval median_interval(const std::vector<double>& values) {
     std::vector<double> sample(values.size());
     return bootstrap(values.size(), [&](const std::vector<std::size_t>& drawn) {
         std::ranges::transform(drawn, sample.begin(), [&](std::size_t i) { return values[i]; });
-        return identification::median(sample);
+        return median(sample);
     });
 }
 

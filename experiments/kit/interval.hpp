@@ -1,6 +1,6 @@
 #pragma once
 
-#include "workbench/plot.hpp"
+#include "picture/plot.hpp"
 
 #include <cstddef>
 #include <string>

@@ -1,7 +1,7 @@
 #include "experiments/kit/replay_report.hpp"
 
+#include "report/manifest.hpp"
 #include "text/paint.hpp"
-#include "workbench/manifest.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "experiments/kit/experiment.hpp"
+#include "explore/problems.hpp"
 #include "runtime/fingerprint.hpp"
 #include "runtime/hardware/constants.hpp"
-#include "workbench/problems.hpp"
 
 #include <algorithm>
 
@@ -91,7 +91,7 @@ extern const Experiment evidence_experiment{
     .name = evidence,
     .about = "every constant of a time with its source, and every published figure beside the model's",
     .chapter = machine,
-    .number = 4,
+    .number = 100, // the last of all
     .run = replay_evidence,
 };
 

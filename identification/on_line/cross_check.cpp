@@ -1,6 +1,6 @@
 #include "identification/on_line/cross_check.hpp"
 
-#include "identification/statistics.hpp"
+#include "text/statistics.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "identification/on_line/link_estimate.hpp"
 
-#include "identification/statistics.hpp"
+#include "text/statistics.hpp"
 
 #include <fmt/format.h>
 

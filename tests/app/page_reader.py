@@ -1,4 +1,4 @@
-"""Reads the page of a run: its data, and the slices and messages in its stretches (workbench/page/stretch.hpp)."""
+"""Reads the page of a run: its data, and the slices and messages in its stretches (observe/page/stretch.hpp)."""
 
 import base64
 import collections

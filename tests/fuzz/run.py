@@ -58,7 +58,7 @@ SEEDS = {
     "names": lambda: [b"localhost:8080", b"[::1]:80", b"127.0.0.1", b"dXNlcjpwYXNzd29yZA==", b"0123456789abcdef0123"],
     "searches": lambda: files("examples/**/*.cfs"),
     "wish": lambda: [b"torus\n4x4\n\n\nislands", b"tree\n7\n3\n\nfarm", b"chordal-ring\n8\n\n3\nislands", b"hypercube\n8\n\n\nga.island"],
-    "scenario": lambda: [b"bulk_modulus=4.1e-11 m^3/Pa", b"duration=3 s"] + texts_of("tests/workbench/*record*.cpp", "tests/app/record_test.py"),
+    "scenario": lambda: [b"bulk_modulus=4.1e-11 m^3/Pa", b"duration=3 s"] + texts_of("tests/app/record_test.py"),
     "mark": lambda: [b"placedpar-monitor-mark 00000000000000000003 0123456789abcdef\n"],
     "answer": lambda: matches(r'\{"type".*?\}(?=[\n\'"`)])', "docs/monitor.md", "tests/monitor/**/*.cpp"),
     "places": lambda: [b"127.0.0.1", b"::1", b"::ffff:127.0.0.1", b"localhost", b"0.0.0.0", b"monitor.sock", b"fe80::1%lo"],
@@ -67,7 +67,7 @@ SEEDS = {
                         for fields in ("", "Authorization: Basic dXNlcjpwYXNzd29yZA==\r\n", "Content-Length: 3\r\n",
                                        "Connection: close\r\nTransfer-Encoding: chunked\r\n")],
     "command": lambda: [b"\n".join(line.split()) for line in matches(r"^\$ placedpar ([^|<>$`\n]+)$", "docs/*.md", "examples/**/*.md")],
-    "arguments": lambda: texts_of("tests/workbench/study/*.cpp", "tests/workbench/*.cpp"),
+    "arguments": lambda: texts_of("tests/explore/**/*.cpp", "tests/report/*.cpp"),
 }
 
 

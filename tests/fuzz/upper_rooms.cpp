@@ -1,7 +1,16 @@
 // The readers of the monitor, of studies and of experiments. Fuzzing them is a study: all rooms have to be compiled.
 
 #include "app/command.hpp"
+#include "app/record/scenario_record.hpp"
 #include "experiments/kit/kept_runs.hpp"
+#include "explore/generate/generate.hpp"
+#include "explore/problems.hpp"
+#include "explore/study/measure.hpp"
+#include "explore/study/results.hpp"
+#include "explore/study/setting_value.hpp"
+#include "explore/study/study_file.hpp"
+#include "explore/study/summary.hpp"
+#include "explore/time_text.hpp"
 #include "gaprocs/initial_population.hpp"
 #include "gaprocs/policies/nouns.hpp"
 #include "gaprocs/representation/representation.hpp"
@@ -21,15 +30,6 @@
 #include "tests/fuzz/reader.hpp"
 #include "text/number.hpp"
 #include "text/user_error.hpp"
-#include "workbench/generate/generate.hpp"
-#include "workbench/problems.hpp"
-#include "workbench/scenario_record.hpp"
-#include "workbench/study/measure.hpp"
-#include "workbench/study/results.hpp"
-#include "workbench/study/setting_value.hpp"
-#include "workbench/study/study_file.hpp"
-#include "workbench/study/summary.hpp"
-#include "workbench/time_text.hpp"
 
 #include <CLI/CLI.hpp>
 #include <boost/asio/io_context.hpp>

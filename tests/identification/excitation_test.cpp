@@ -1,6 +1,6 @@
 // What becomes of the estimate when the motion no longer excites the compliance (thesis 3.2, the end).
 #include "boom_records.hpp"
-#include "identification/statistics.hpp"
+#include "text/statistics.hpp"
 
 #include <doctest/doctest.h>
 

@@ -4,7 +4,7 @@
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
 #include "identification/circuit_problem.hpp"
-#include "identification/statistics.hpp"
+#include "text/statistics.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,13 +1,13 @@
 // Policies of every step that a program adds: found by name, listed, checked, and as good as those of the house.
 
+#include "explore/problems.hpp"
 #include "gaprocs/islands.hpp"
 #include "gaprocs/objective_problem.hpp"
 #include "gaprocs/policies/initial_population.hpp"
 #include "gaprocs/policies/island_choice.hpp"
 #include "gaprocs/usual_settings.hpp"
+#include "report/policies_report.hpp"
 #include "text/user_error.hpp"
-#include "workbench/policies_report.hpp"
-#include "workbench/problems.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,8 @@
 // A kind whose processes do odd things, as often as their random numbers say: what a worker makes of runs with other
 // seeds is what each comes to alone.
 
+#include "explore/problems.hpp"
+#include "explore/study/sweep.hpp"
 #include "netlist/kinds/description.hpp"
 #include "netlist/kinds/environment.hpp"
 #include "runtime/alternation.hpp"
@@ -8,8 +10,6 @@
 #include "runtime/parallel.hpp"
 #include "runtime/timer.hpp"
 #include "text/user_error.hpp"
-#include "workbench/problems.hpp"
-#include "workbench/study/sweep.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>

@@ -1,6 +1,8 @@
 // Whatever the code of a program's own throws is that program's: a UserError that names process, moment and what was
 // said. What a process of PlacedPar throws stays a defect.
 
+#include "explore/netlist_run.hpp"
+#include "explore/problems.hpp"
 #include "gaprocs/objective_problem.hpp"
 #include "gaprocs/policies/initial_population.hpp"
 #include "gaprocs/policies/mutation.hpp"
@@ -10,13 +12,11 @@
 #include "netlist/print/promela.hpp"
 #include "netlist/read.hpp"
 #include "netlist/repeated_run.hpp"
+#include "report/policies_report.hpp"
 #include "runtime/executive.hpp"
 #include "runtime/parallel.hpp"
 #include "runtime/timer.hpp"
 #include "text/user_error.hpp"
-#include "workbench/netlist_run.hpp"
-#include "workbench/policies_report.hpp"
-#include "workbench/problems.hpp"
 
 #include <doctest/doctest.h>
 

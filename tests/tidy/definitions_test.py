@@ -12,8 +12,8 @@ def header(name, more=""):
 
 class Definitions(unittest.TestCase):
     def test_two_of_one_name(self):
-        found = list(definitions.faults({"app/a.hpp": header("Study"), "workbench/b.cpp": header("Study")}))
-        self.assertEqual(found, ["workbench/b.cpp: placedpar::Study is defined in app/a.hpp, too: "
+        found = list(definitions.faults({"app/a.hpp": header("Study"), "explore/b.cpp": header("Study")}))
+        self.assertEqual(found, ["explore/b.cpp: placedpar::Study is defined in app/a.hpp, too: "
                                  "another name for one of them"])
 
     def test_other_names_namespaces_and_what_is_hidden(self):
@@ -21,7 +21,7 @@ class Definitions(unittest.TestCase):
                       "namespace placedpar {\nnamespace {\nclass Study final : Base {\n};\n} // namespace\n"
                       "} // namespace placedpar\n",
                       "namespace placedpar {\nstruct Study;\n} // namespace placedpar\n"):
-            self.assertEqual(list(definitions.faults({"app/a.hpp": header("Study"), "workbench/b.cpp": other})), [])
+            self.assertEqual(list(definitions.faults({"app/a.hpp": header("Study"), "explore/b.cpp": other})), [])
         self.assertEqual(list(definitions.faults({"app/a.hpp": header("Study"), "tests/b.cpp": header("Study")})), [])
 
 

@@ -13,15 +13,16 @@ class Arrows(unittest.TestCase):
     def test_between_rooms(self):
         for folder, other in [("hydraulics/data", "text"), ("netlist", "runtime/hardware"), ("netlist/print", "text"),
                               ("gaprocs/processes", "netlist"), ("identification", "hydraulics/data"),
-                              ("monitor/service", "identification"), ("workbench", "runtime"),
+                              ("monitor/service", "identification"), ("report", "runtime"), ("explore", "identification"),
                               ("app/commands", "runtime"),
-                              ("experiments/chapter_3", "workbench"), ("app/commands", "hydraulics/circuit")]:
+                              ("experiments/chapter_3", "explore"), ("app/commands", "hydraulics/circuit")]:
             self.assertTrue(may_include(folder, other), (folder, other))
         for folder, other in [("text", "runtime"), ("runtime", "netlist"), ("netlist", "gaprocs"),
                               ("hydraulics/plant", "runtime"), ("hydraulics/circuit", "gaprocs"),
                               ("gaprocs/processes", "hydraulics/data"),
-                              ("identification", "monitor/protocol"), ("monitor/service", "workbench"),
-                              ("workbench", "monitor/service"), ("workbench", "experiments/kit"),
+                              ("identification", "monitor/protocol"), ("monitor/service", "report"), ("picture", "gaprocs"), ("report", "identification"),
+                              ("report", "observe/trace"), ("observe/page", "explore"), ("identification", "identification/report"),
+                              ("explore", "monitor/service"), ("explore", "experiments/kit"),
                               ("experiments/kit", "app"), ("app", "bench"), ("runtime", "tests/runtime")]:
             self.assertFalse(may_include(folder, other), (folder, other))
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "experiments/chapter_3/kit/boom_search.hpp"
-#include "workbench/plot.hpp"
+#include "picture/plot.hpp"
 
 #include <span>
 #include <string>

@@ -1,7 +1,7 @@
 #include "experiments/chapter_3/kit/fault_study.hpp"
 
 #include "experiments/kit/statistics.hpp"
-#include "identification/statistics.hpp"
+#include "text/statistics.hpp"
 
 namespace placedpar {
 

@@ -4,7 +4,7 @@
 #include "hydraulics/plant/measurement.hpp"
 #include "hydraulics/plant/record_scenario.hpp"
 #include "identification/identification.hpp"
-#include "workbench/plot.hpp"
+#include "picture/plot.hpp"
 
 #include <cstdint>
 #include <span>

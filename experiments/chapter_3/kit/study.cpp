@@ -5,8 +5,8 @@
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
 #include "identification/compliance_fit.hpp"
-#include "identification/statistics.hpp"
 #include "runtime/random.hpp"
+#include "text/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "experiments/chapter_3/kit/two_link_study.hpp"
-#include "workbench/plot.hpp"
+#include "picture/plot.hpp"
 
 namespace placedpar {
 

@@ -5,8 +5,8 @@
 #include "gaprocs/generation_log.hpp"
 #include "gaprocs/problem_registry.hpp"
 #include "gaprocs/usual_settings.hpp"
-#include "identification/statistics.hpp"
 #include "problems/benchmark/benchmark.hpp"
+#include "text/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -108,7 +108,7 @@ double TaskStudy::reached_percent(std::size_t size) const {
     return 100 * static_cast<double>(reached(size)) / static_cast<double>(taken[size].size());
 }
 
-double TaskStudy::median(std::size_t size) const { return identification::median(taken[size]); }
+double TaskStudy::median(std::size_t size) const { return placedpar::median(taken[size]); }
 
 std::vector<double> study_task(const ReplayContext& context, const StaticTask& task, std::size_t islands,
                                std::size_t population, std::size_t limit) {

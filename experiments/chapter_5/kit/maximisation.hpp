@@ -2,7 +2,7 @@
 
 #include "experiments/kit/experiment.hpp"
 #include "gaprocs/islands.hpp"
-#include "workbench/convergence.hpp"
+#include "report/convergence.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "experiments/chapter_5/kit/plant_study.hpp"
 
 #include "experiments/kit/statistics.hpp"
-#include "identification/statistics.hpp"
+#include "text/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -78,9 +78,7 @@ std::vector<double> PlantStudy::of(std::size_t track, Tracking figure) const {
     return values;
 }
 
-double PlantStudy::median(std::size_t track, Tracking figure) const {
-    return identification::median(of(track, figure));
-}
+double PlantStudy::median(std::size_t track, Tracking figure) const { return placedpar::median(of(track, figure)); }
 
 double PlantStudy::found_percent(std::size_t track) const {
     return percent_within(of(track, Tracking::error_after), found_pole);

@@ -1,6 +1,6 @@
 #include "experiments/chapter_5/kit/plant_study.hpp"
 #include "experiments/kit/interval.hpp"
-#include "identification/statistics.hpp"
+#include "text/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -44,7 +44,7 @@ void add_interval(Comparison& comparison, const Claim& claim) {
     Interval interval = median_interval(claim.values);
     int decimals = decimals_of(claim);
     Cell median =
-        cell_of(claim.text, "median", claim.unit, claim.bound(), identification::median(claim.values), {}, decimals);
+        cell_of(claim.text, "median", claim.unit, claim.bound(), placedpar::median(claim.values), {}, decimals);
     if (claim.at_least && claim.at_most)
         median.reference_to = claim.at_most;
     comparison.add(median);
@@ -89,15 +89,13 @@ std::vector<double> parts_of(const TrackRow& row, std::size_t point, double Pole
 }
 
 Pole median_pole(const TrackRow& row, std::size_t point) {
-    return {identification::median(parts_of(row, point, &Pole::alpha)),
-            identification::median(parts_of(row, point, &Pole::beta))};
+    return {median(parts_of(row, point, &Pole::alpha)), median(parts_of(row, point, &Pole::beta))};
 }
 
 /// The quartiles of the real part over the seeds.
 BandPoint quartiles_at(const TrackRow& row, std::size_t point) {
     auto real_parts = parts_of(row, point, &Pole::alpha);
-    return {generation_of(point), identification::quantile(real_parts, 0.25),
-            identification::quantile(real_parts, 0.75)};
+    return {generation_of(point), quantile(real_parts, 0.25), quantile(real_parts, 0.75)};
 }
 
 Band quartiles(const TrackRow& row, int colour, std::size_t points) {
@@ -158,7 +156,7 @@ std::string verdict(const Claim& claim) {
     bool low = agrees(claim, interval.low), high = agrees(claim, interval.high);
     if (low && high)
         return "holds";
-    return low || high || agrees(claim, identification::median(claim.values)) ? "undecided" : "does not hold";
+    return low || high || agrees(claim, median(claim.values)) ? "undecided" : "does not hold";
 }
 
 Comparison claims_comparison(std::string name, const std::vector<Claim>& claims) {

@@ -1,7 +1,7 @@
 #include "experiments/chapter_5/kit/tracking.hpp"
 
 #include "experiments/kit/statistics.hpp"
-#include "identification/statistics.hpp"
+#include "text/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ double running_median(std::span<const Pole> found, std::size_t generation) {
     std::vector<double> near;
     for (std::size_t g = first; g < end; ++g)
         near.push_back(found[g].alpha);
-    return identification::median(near);
+    return median(near);
 }
 
 /// Where alpha is when it has gone that share of its way.

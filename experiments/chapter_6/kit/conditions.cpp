@@ -1,6 +1,6 @@
 #include "experiments/chapter_6/kit/conditions.hpp"
 
-#include "identification/statistics.hpp"
+#include "text/statistics.hpp"
 
 #include <utility>
 
@@ -51,7 +51,7 @@ void add_tally(Comparison& comparison, const Tally& tally, const Expected& expec
     add_share(comparison, tally, "converged", tally.converged, expected.converged);
     add_share(comparison, tally, "followed", tally.followed, expected.followed);
     Interval interval = median_interval(tally.converged_at);
-    comparison.add(plain_cell(tally.name, "generation", "", identification::median(tally.converged_at), 0));
+    comparison.add(plain_cell(tally.name, "generation", "", median(tally.converged_at), 0));
     comparison.add(plain_cell(tally.name, "generation >=", "", interval.low, 0));
     comparison.add(plain_cell(tally.name, "generation <=", "", interval.high, 0));
 }

@@ -1,6 +1,7 @@
 // Two processes of a program that uses PlacedPar as a library, and something of every room.
 
 #include "placedpar/experiments/kit/experiment.hpp"
+#include "placedpar/explore/problems.hpp"
 #include "placedpar/gaprocs/objective_problem.hpp"
 #include "placedpar/gaprocs/representation/genome.hpp"
 #include "placedpar/gaprocs/traditional.hpp"
@@ -11,7 +12,6 @@
 #include "placedpar/runtime/channel.hpp"
 #include "placedpar/runtime/hardware/link.hpp"
 #include "placedpar/runtime/simulation.hpp"
-#include "placedpar/workbench/problems.hpp"
 #include "runtime/channel.hpp"
 
 #include <cstdio>

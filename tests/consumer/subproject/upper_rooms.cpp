@@ -1,6 +1,6 @@
+#include "placedpar/explore/load.hpp"
 #include "placedpar/identification/identification.hpp"
 #include "placedpar/monitor/service/service.hpp"
-#include "placedpar/workbench/load.hpp"
 
 /// What a program of its own would begin with.
 std::size_t samples_needed(const placedpar::monitor::ServiceSettings& service) {

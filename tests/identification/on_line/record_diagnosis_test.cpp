@@ -1,7 +1,7 @@
 #include "../boom_records.hpp"
 #include "hydraulics/plant/record_scenario.hpp"
 #include "identification/on_line/record_diagnosis.hpp"
-#include "identification/statistics.hpp"
+#include "text/statistics.hpp"
 
 #include <doctest/doctest.h>
 

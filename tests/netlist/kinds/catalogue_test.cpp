@@ -5,6 +5,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 using namespace placedpar;
 
 TEST_CASE("a name stands for one kind") {
@@ -36,8 +40,8 @@ TEST_CASE("the catalogue lists device kinds, and each says all that the stages a
             CHECK_FALSE(attribute.value.about.empty());
         }
     }
-    CHECK(names ==
-          std::vector<std::string>{"bus master", "c004", "edge", "link adapter", "processor", "vme", "workstation"});
+    for (const char* name : {"bus master", "c004", "edge", "link adapter", "processor", "vme", "workstation"})
+        CHECK(std::ranges::count(names, name) == 1);
 }
 
 TEST_CASE("models preset the attributes of their kind") {

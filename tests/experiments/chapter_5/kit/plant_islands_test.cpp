@@ -3,7 +3,7 @@
 #include "experiments/chapter_5/kit/plant_islands.hpp"
 
 #include "experiments/chapter_5/kit/tracking.hpp"
-#include "identification/statistics.hpp"
+#include "text/statistics.hpp"
 
 #include <doctest/doctest.h>
 
@@ -19,7 +19,7 @@ double median_of(const PlantIslands& islands, Tracking figure, std::uint64_t see
     for (std::uint64_t seed = 0; seed < seeds; ++seed)
         values.push_back(
             track(search_plant(islands, seed).islands.front(), islands.plant.change)[static_cast<std::size_t>(figure)]);
-    return identification::median(values);
+    return median(values);
 }
 
 PlantIslands one_island(std::size_t population, std::size_t window, std::size_t per_sample = 3) {

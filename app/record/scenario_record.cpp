@@ -1,0 +1,111 @@
+#include "app/record/scenario_record.hpp"
+
+#include "hydraulics/data/units.hpp"
+#include "runtime/random.hpp"
+#include "text/program_name.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace placedpar {
+
+using namespace hydraulics;
+
+namespace {
+
+/// What a sensor could not have read is no record: the motion ran away, or the noise did.
+void require_measurable(const Record& record, const RecordScenario& scenario) {
+    auto reading = first_unmeasurable(record);
+    if (!reading)
+        return;
+    std::string value = std::isnan(reading->value) ? "nan" : fmt::format("{:.3g}", reading->value);
+    throw UserError(fmt::format(
+        "{} cannot be simulated with these parameters: {}.{} would be {} {} at {:.3f} s; one of them is far too large "
+        "or far too small",
+        scenario.name, name_of(reading->link), name_of(reading->sensor), value,
+        units_of(quantity_of(reading->sensor)).front().name, reading->time_s));
+}
+
+/// Parameters that make the pressures run away may do so within a step, before there is a reading.
+Record simulated(const RecordScenario& scenario, const LinksInMotion& moving, const Parameters& parameters,
+                 RandomStream noise) {
+    try {
+        return scenario.make(parameters, moving, [&] { return noise.uniform(); });
+    } catch (const std::domain_error&) { // of Boost's solver: the flows at its ends are of one sign
+        throw UserError(fmt::format("{} cannot be simulated with these parameters: no pressure balances the flows; one "
+                                    "of them is far too large or far too small",
+                                    scenario.name));
+    }
+}
+
+/// The options of `placedpar record` that say so.
+std::string options_of(const LinksInMotion& moving) {
+    std::vector<std::string_view> names;
+    for (Link link : all_links)
+        if (moving.links.contains(link))
+            names.push_back(name_of(link));
+    return fmt::format(" --link {} --configuration {}", fmt::join(names, ","), name_of(moving.configuration));
+}
+
+/// The scenario's parameters that are not the program's own, as options, and with their former values.
+struct ChangedParameters {
+    std::string options, lines;
+};
+
+ChangedParameters changes_of(const RecordScenario& scenario, const Parameters& parameters) {
+    const Parameters own = scenario.parameters(Parameters::excavator());
+    ChangedParameters changed;
+    for (const Parameter& parameter : parameters.all()) {
+        const Parameter& before = *own.find(parameter.name);
+        if (!scenario.uses(parameter.name) || parameter.value == before.value)
+            continue;
+        changed.options += fmt::format(" --set {}={}", parameter.name, parameter.value);
+        changed.lines +=
+            fmt::format("{} = {} {}, not {}\n", parameter.name, parameter.value, parameter.unit, before.value);
+    }
+    return changed;
+}
+
+/// Is it the compliance of a link that moves?
+bool is_compliance_of(const LinksInMotion& moving, const Parameter& parameter, const RecordScenario& scenario) {
+    if (!scenario.uses(parameter.name) || !parameter.name.ends_with("let_compliance"))
+        return false;
+    auto link = [&] { return *link_named(parameter.name.substr(0, parameter.name.find('.'))); };
+    return !scenario.any_links || moving.links.contains(link());
+}
+
+std::string true_compliances(const RecordScenario& scenario, const LinksInMotion& moving,
+                             const Parameters& parameters) {
+    std::vector<std::string> all;
+    for (const Parameter& parameter : parameters.all())
+        if (is_compliance_of(moving, parameter, scenario))
+            all.push_back(fmt::format("true {} {} {}", parameter.name, parameter.value, parameter.unit));
+    return fmt::format("{}", fmt::join(all, ", "));
+}
+
+std::string description_of(const RecordScenario& scenario, const LinksInMotion& moving, const Parameters& parameters,
+                           std::uint64_t seed) {
+    auto [options, lines] = changes_of(scenario, parameters);
+    std::string command = fmt::format("{} record {}{} --seed {}{}", program_name(), scenario.name,
+                                      scenario.any_links ? options_of(moving) : "", seed, options);
+    return fmt::format("{}: {}\nmade by: {}\nseed {}; {}\n{}{}\n", scenario.name, scenario.about, command, seed,
+                       lines.empty() ? "every parameter is the program's own" : "parameters that were set:", lines,
+                       true_compliances(scenario, moving, parameters));
+}
+
+} // namespace
+
+Record scenario_record(const RecordScenario& scenario, const LinksInMotion& moving, const Parameters& parameters,
+                       std::uint64_t seed) {
+    Record record = simulated(scenario, moving, parameters, RandomStream(seed, "sensors"));
+    require_measurable(record, scenario);
+    record.description = description_of(scenario, moving, parameters, seed);
+    return record;
+}
+
+} // namespace placedpar

@@ -1,0 +1,354 @@
+#include "explore/explain/changes.hpp"
+
+#include "netlist/kinds/device_kind.hpp"
+#include "text/number.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <regex>
+#include <set>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::int64_t fastest = 1'000'000'000; ///< that the language takes
+constexpr std::size_t most_alone = 10;          ///< of a sort
+
+/// What a bus takes time for. Its time-out is none of these: it says when to give up who does not answer.
+constexpr std::array bus_times{"cycle", "bytecycle", "grant"};
+
+/// Of an access. Of none there is no such thing: 0 stands for what is usual of the processor.
+constexpr const char* memory_cycles = "memorycycles";
+constexpr const char* cycles_on_chip = "1";
+
+struct Factor {
+    const char* faster;
+    const char* less;
+    double by; ///< 0: as fast as can be said
+};
+constexpr std::array<Factor, 3> factors{{
+    {.faster = "10 % faster", .less = "a tenth less", .by = 1.1},
+    {.faster = "twice as fast", .less = "half", .by = 2},
+    {.faster = "as fast as can be", .less = "none", .by = 0},
+}};
+
+std::string faster(std::int64_t rate, const Factor& factor) {
+    auto wanted = static_cast<std::int64_t>(std::llround(static_cast<double>(rate) * factor.by));
+    return std::to_string(factor.by == 0 ? fastest : std::min(wanted, fastest));
+}
+
+/// A tenth faster is a time of 1 / 1.1; here it is said of the constant itself.
+std::string less(std::int64_t constant, const Factor& factor) {
+    double share = factor.by == 0 ? 0 : factor.by == 2 ? 0.5 : 0.9;
+    return std::to_string(std::llround(static_cast<double>(constant) * share));
+}
+
+/// In ns; the least is what the netlist takes.
+std::string shorter(std::int64_t time, std::int64_t least, const Factor& factor) {
+    auto wanted = factor.by == 0 ? least : std::llround(static_cast<double>(time) / factor.by);
+    return std::to_string(std::max<std::int64_t>(wanted, least));
+}
+
+std::string array_of(const std::string& name) { return name.substr(0, name.find('[')); }
+
+std::string as_array(const std::string& name) { return array_of(name) + (name.find('[') < name.size() ? "[]" : ""); }
+
+/// The names of those with the greatest times, the greatest first.
+template <class Uses, class Name, class Spent>
+std::vector<std::string> busiest(const Uses& uses, Name name, Spent spent) {
+    std::vector<std::pair<Time, std::string>> by_time;
+    for (const auto& use : uses)
+        if (Time time = spent(use); time > Time{0})
+            by_time.emplace_back(-time, name(use));
+    std::ranges::sort(by_time);
+    std::vector<std::string> names;
+    for (const auto& [time, each] : by_time)
+        if (names.size() < most_alone && std::ranges::find(names, each) == names.end())
+            names.push_back(each);
+    return names;
+}
+
+/// Gathers changes.
+class Changes {
+public:
+    Changes(const Network& network, const RunReport& report, const DeclaredWith& declared)
+        : network_(network), report_(report), declared_(declared), now_(declared({})) {}
+
+    std::vector<Change> all() && {
+        add_processors();
+        add_memory();
+        add_links();
+        add_buses();
+        add_processes();
+        add_constants();
+        add_vals();
+        return std::move(changes_);
+    }
+
+private:
+    void add_clocks(Change::Of of, const std::string& what, const std::set<std::size_t>& nodes) {
+        if (nodes.empty() || !clocks_known_.insert(nodes).second)
+            return;
+        for (const Factor& factor : factors) {
+            Change change{of, what, factor.faster, {}};
+            for (std::size_t node : nodes)
+                change.set[network_.nodes[node].name + ".clock"] =
+                    faster(network_.nodes[node].integer("clock"), factor);
+            changes_.push_back(std::move(change));
+        }
+    }
+
+    bool has_clock(std::size_t node) const {
+        return node != nowhere && network_.nodes[node].attributes.contains("clock");
+    }
+
+    void add_processors() {
+        std::set<std::size_t> all;
+        std::map<std::string, std::set<std::size_t>> arrays, alone;
+        for (std::size_t node = 0; node < network_.nodes.size(); ++node)
+            if (has_clock(node)) {
+                all.insert(node);
+                alone[network_.nodes[node].name] = {node};
+            }
+        for (const ProcessInstance& process : network_.processes)
+            if (has_clock(process.node))
+                arrays[as_array(process.name)].insert(process.node);
+        add_clocks(Change::Of::all, "all processors", all);
+        for (const auto& [name, nodes] : arrays)
+            add_clocks(nodes.size() == 1 ? Change::Of::alone : Change::Of::array,
+                       (nodes.size() == 1 ? "processor of " : "processors of ") + name, nodes);
+        for (const std::string& name :
+             busiest(report_.processors, std::mem_fn(&ProcessorUse::name), std::mem_fn(&ProcessorUse::busy)))
+            add_clocks(Change::Of::alone, "processor " + name, alone[name]);
+    }
+
+    void add_memory() {
+        if (std::ranges::any_of(network_.nodes,
+                                [](const Node& node) { return node.attributes.contains(memory_cycles); }))
+            changes_.push_back({Change::Of::all,
+                                "memory of all processors",
+                                "as fast as on the chip",
+                                {{memory_cycles, cycles_on_chip}}});
+    }
+
+    void add_speeds(Change::Of of, const std::string& what, const std::string& set, std::int64_t speed) {
+        for (const Factor& factor : factors)
+            changes_.push_back({of, what, factor.faster, {{set, faster(speed, factor)}}});
+    }
+
+    /// Those that --set knows by one name: as wired, or wire[0], wire[1] ...
+    std::map<std::string, const LinkConnection*> wires_by_end() const {
+        std::map<std::string, const LinkConnection*> wires;
+        for (std::size_t i = 0; i < network_.count_wires(); ++i)
+            wires[link_name(network_.nodes, network_.connections[i].a)] =
+                wires[link_name(network_.nodes, network_.connections[i].b)] = &network_.connections[i];
+        return wires;
+    }
+
+    std::string name_for_set(const LinkConnection& wanted) const {
+        std::size_t without_name = 0;
+        for (const LinkConnection& connection : network_.connections) {
+            if (&connection == &wanted)
+                break;
+            without_name += connection.name.empty();
+        }
+        return wanted.name.empty() ? fmt::format("wire[{}]", without_name) : wanted.name;
+    }
+
+    /// Where a switch is on the way a link is made of several wires, and is varied with all of them only.
+    bool switched() const {
+        return std::ranges::any_of(network_.connections,
+                                   [](const auto& each) { return each.at_run_time || !each.crossings.empty(); });
+    }
+
+    void add_links() {
+        std::set<std::int64_t> speeds;
+        for (std::size_t i = 0; i < network_.count_wires(); ++i)
+            speeds.insert(network_.connections[i].bits_per_second);
+        if (speeds.size() == 1 && network_.count_wires() > 1)
+            add_speeds(Change::Of::all, "all links", "linkspeed", *speeds.begin());
+        if (switched())
+            return;
+        auto wires = wires_by_end();
+        for (const std::string& from :
+             busiest(report_.links, std::mem_fn(&LinkUse::from), std::mem_fn(&LinkUse::occupied)))
+            add_link(*wires.at(from));
+    }
+
+    /// Either of its directions may have been among the busiest.
+    void add_link(const LinkConnection& wire) {
+        if (links_known_.insert(&wire).second)
+            add_speeds(
+                Change::Of::alone,
+                fmt::format("link {} - {}", link_name(network_.nodes, wire.a), link_name(network_.nodes, wire.b)),
+                name_for_set(wire) + ".linkspeed", wire.bits_per_second);
+    }
+
+    void add_bus_times(Change::Of of, const std::string& what, const std::map<std::string, const Node*>& buses) {
+        for (const Factor& factor : factors) {
+            Change change{of, what, factor.faster, {}};
+            for (const auto& [name, bus] : buses)
+                for (const char* time : bus_times)
+                    change.set[name + "." + time] = shorter(bus->integer(time), least_of(*bus, time), factor);
+            changes_.push_back(std::move(change));
+        }
+    }
+
+    static std::int64_t least_of(const Node& node, const char* attribute) {
+        return static_cast<std::int64_t>(node.kind->attribute(attribute)->value.least.value_or(0));
+    }
+
+    static bool is_bus(const Node& node) {
+        return std::ranges::all_of(bus_times, [&](const char* time) { return node.attributes.contains(time); });
+    }
+
+    void add_buses() {
+        std::map<std::string, const Node*> buses;
+        for (const Node& node : network_.nodes)
+            if (is_bus(node))
+                buses[node.name] = &node;
+        if (buses.size() > 1)
+            add_bus_times(Change::Of::all, "all buses", buses);
+        for (const std::string& name : busiest(report_.buses, std::mem_fn(&BusUse::name), std::mem_fn(&BusUse::busy)))
+            if (auto bus = buses.find(name); bus != buses.end())
+                add_bus_times(Change::Of::alone, "bus " + name, {*bus});
+    }
+
+    static bool is_cost(const std::string& name) {
+        return name == "channelcall" || name == "conversion" || name.find("bytes") != std::string::npos ||
+               (name.find("cycles") != std::string::npos && name != memory_cycles);
+    }
+
+    static std::optional<std::int64_t> cost_of(const std::string& name, const Value& value) {
+        const auto* integer = std::get_if<std::int64_t>(&value);
+        return integer && is_cost(name) && *integer > 0 ? std::optional(*integer) : std::nullopt;
+    }
+
+    /// What it computes, by its own parameters. One that has a processor for itself is varied with that.
+    void add_process(const ProcessInstance& process) {
+        for (const Factor& factor : factors) {
+            Change change{Change::Of::alone, "what " + process.name + " computes", factor.less, {}};
+            for (const auto& [name, value] : process.parameters)
+                if (auto cost = cost_of(name, value); cost && name.find("cycles") != std::string::npos)
+                    change.set[process.name + "." + name] = less(*cost, factor);
+            if (!change.set.empty())
+                changes_.push_back(std::move(change));
+        }
+    }
+
+    bool shares_processor(const ProcessInstance& process) const {
+        return process.node != nowhere &&
+               std::ranges::count(network_.processes, process.node, &ProcessInstance::node) > 1;
+    }
+
+    void add_processes() {
+        std::map<std::string, Time> busy;
+        for (const ProcessorUse& processor : report_.processors)
+            busy[processor.name] = processor.busy;
+        auto name = [](const ProcessInstance& process) { return process.name; };
+        auto spent = [&](const ProcessInstance& process) {
+            return shares_processor(process) ? busy[network_.nodes[process.node].name] : Time{0};
+        };
+        std::vector<std::string> names = busiest(network_.processes, name, spent);
+        for (const ProcessInstance& process : network_.processes)
+            if (std::ranges::find(names, process.name) != names.end())
+                add_process(process);
+    }
+
+    /// By what has it: a node, a process.
+    using Costs = std::map<std::string, std::int64_t>;
+
+    template <class Map>
+    static void note_costs(const std::string& owner, const Map& values, std::map<std::string, Costs>& costs) {
+        for (const auto& [name, value] : values)
+            if (auto cost = cost_of(name, value))
+                costs[name][owner] = *cost;
+    }
+
+    void add_constants() {
+        std::map<std::string, Costs> costs;
+        for (const Node& node : network_.nodes)
+            note_costs(node.name, node.attributes, costs);
+        for (const ProcessInstance& process : network_.processes)
+            note_costs(process.name, process.parameters, costs);
+        for (const auto& [name, by_owner] : costs)
+            for (const Factor& factor : factors)
+                add_constant(name, by_owner, factor);
+    }
+
+    /// By its name where it is the same everywhere, else of each that has it. Of 4 cycles none is a tenth.
+    void add_constant(const std::string& name, const Costs& costs, const Factor& factor) {
+        const std::int64_t one = costs.begin()->second;
+        const bool same = std::ranges::all_of(costs, [one](const auto& cost) { return cost.second == one; });
+        Change change{Change::Of::constant, name, factor.less, {}};
+        for (const auto& [owner, cost] : costs)
+            if (std::string lesser = less(cost, factor); lesser != std::to_string(cost))
+                change.set[same ? name : owner + "." + name] = lesser;
+        if (!change.set.empty())
+            changes_.push_back(std::move(change));
+    }
+
+    static std::string text_of(const std::string& path) {
+        std::ifstream file(path);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+
+    /// The vals that a file gives a plain number.
+    static std::map<std::string, std::int64_t> plain_vals(const std::string& text) {
+        static const std::regex declaration(R"((?:^|\n)\s*val\s+(\w+)\s+(\d{1,9})\s*;)");
+        std::map<std::string, std::int64_t> vals;
+        for (std::sregex_iterator found(text.begin(), text.end(), declaration), end; found != end; ++found)
+            vals[(*found)[1]] = std::stoll((*found)[2]);
+        return vals;
+    }
+
+    /// A machine that is refused is worth an answer too: why there cannot be one more.
+    bool makes_more(const Overrides& set) const {
+        Declared then = declared_(set);
+        return then.processes > now_.processes || then.processors > now_.processors;
+    }
+
+    std::int64_t as_set(const std::string& name, std::int64_t otherwise) const {
+        for (const SetByOption& set : network_.set)
+            if (set.name == name)
+                return parse_number<std::int64_t>(set.value).value_or(otherwise);
+        return otherwise;
+    }
+
+    void add_vals() {
+        std::vector<std::string> paths = network_.included_paths;
+        paths.push_back(network_.source_path);
+        for (const std::string& path : paths)
+            for (auto [name, value] : plain_vals(text_of(path))) {
+                value = as_set(name, value);
+                Overrides more{{name, std::to_string(value + 1)}};
+                if (makes_more(more))
+                    changes_.push_back({Change::Of::number, "one more of " + name + ":",
+                                        fmt::format("{} instead of {}", value + 1, value), more});
+            }
+    }
+
+    const Network& network_;
+    const RunReport& report_;
+    const DeclaredWith& declared_;
+    const Declared now_;
+    std::vector<Change> changes_;
+    std::set<std::set<std::size_t>> clocks_known_;
+    std::set<const LinkConnection*> links_known_;
+};
+
+} // namespace
+
+std::vector<Change> changes_of(const Network& network, const RunReport& report, const DeclaredWith& declared) {
+    return Changes(network, report, declared).all();
+}
+
+} // namespace placedpar

@@ -1,0 +1,324 @@
+#include "explore/explain/explanation.hpp"
+
+#include "text/paint.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace placedpar {
+
+namespace {
+
+std::string percent(Time part, Time whole) {
+    return whole == Time{0} ? "-" : fmt::format("{:.1f} %", 100 * in_milliseconds(part) / in_milliseconds(whole));
+}
+
+template <class Map, class Name>
+std::size_t width_of_names(const Map& rows, Name name, std::size_t least) {
+    for (const auto& row : rows)
+        least = std::max(least, name(row).size());
+    return least;
+}
+
+std::string print_accounts(const Explanation& explanation) {
+    auto name = [](const auto& each) { return each.first; };
+    std::size_t width = width_of_names(explanation.accounts, name, 7);
+    std::string out = painted(
+        Paint::heading, fmt::format("\n{:<{}}  {:>9}  {:>13}  {:>7}  {:>7}  {:>7}  most waited for (ms)\n", "process",
+                                    width, "computing", "communicating", "waiting", "ready", "delayed"));
+    for (const auto& [process, account] : explanation.accounts) {
+        std::string partner = account.most_waited_for();
+        out += fmt::format(
+            "{:<{}}  {:>9}  {:>13}  {:>7}  {:>7}  {:>7}{}\n", process, width,
+            percent(account.computing, account.life()), percent(account.communicating, account.life()),
+            percent(account.waiting, account.life()), percent(account.ready, account.life()),
+            percent(account.delayed, account.life()),
+            partner.empty() ? ""
+                            : fmt::format("  {} ({:.3f})", partner, in_milliseconds(account.waiting_for.at(partner))));
+    }
+    return out;
+}
+
+std::string link_direction(const LinkUse& link) { return link.from + " -> " + link.to; }
+
+std::string print_use(const std::string& name, std::size_t width, Time used, Time whole,
+                      const std::string& waiting = "") {
+    return fmt::format("{:<{}}  {:>8}  {:>8}{}\n", name, width, percent(used, whole), percent(whole - used, whole),
+                       waiting);
+}
+
+/// All together.
+Time masters_waited(const BusUse& bus) {
+    Time waited{};
+    for (const BusMasterUse& master : bus.masters)
+        waited += master.waited;
+    return waited;
+}
+
+/// On an average as many masters at a time.
+std::string print_waiting(const BusUse& bus, Time whole) {
+    return fmt::format("  its masters waited {}", percent(masters_waited(bus), whole));
+}
+
+Time waited_to(const LinkUse& link, const Explanation& explanation) {
+    auto found = explanation.waits_at_links.find(link_direction(link));
+    return found == explanation.waits_at_links.end() ? Time{0} : found->second;
+}
+
+std::string print_waiting(const LinkUse& link, const Explanation& explanation) {
+    return fmt::format("  {:>7}", percent(waited_to(link, explanation), explanation.report.result.time));
+}
+
+std::string print_machine(const Explanation& explanation) {
+    const RunReport& report = explanation.report;
+    Time whole = report.result.time;
+    std::size_t width = width_of_names(report.links, link_direction, 24);
+    std::string out = painted(Paint::heading, fmt::format("\n{:<{}}  {:>8}  {:>8}  {:>7}\n", "processor, link or bus",
+                                                          width, "busy", "idle", "waits to"));
+    for (const ProcessorUse& processor : report.processors)
+        out += print_use(processor.name, width, processor.busy, whole);
+    for (const LinkUse& link : report.links)
+        if (link.bytes > 0)
+            out += print_use(link_direction(link), width, link.occupied, whole, print_waiting(link, explanation));
+    for (const BusUse& bus : report.buses)
+        out += print_use(bus.name, width, bus.busy, whole, print_waiting(bus, whole));
+    return out;
+}
+
+/// The rows with the greatest times, and the others in one.
+std::string print_shares(const std::vector<PathShare>& shares, std::size_t most, Time whole) {
+    Time rest = whole;
+    std::string out;
+    for (std::size_t i = 0; i < std::min(most, shares.size()); ++i) {
+        rest -= shares[i].time;
+        out += fmt::format("{:>12.6f}  {:>7}  {}\n", in_milliseconds(shares[i].time), percent(shares[i].time, whole),
+                           name_of(shares[i]));
+    }
+    if (shares.size() > most)
+        out += fmt::format("{:>12.6f}  {:>7}  {} more\n", in_milliseconds(rest), percent(rest, whole),
+                           shares.size() - most);
+    return out;
+}
+
+std::string path_heading(const std::string& title) {
+    return painted(Paint::heading, fmt::format("\n{:>12}  {:>7}  {}\n", "ms", "share", title));
+}
+
+std::string why_not_kept() {
+    return fmt::format("it has more than {} parts; end the run earlier with --until, or make it shorter with --set",
+                       most_path_points);
+}
+
+std::string print_path(const Explanation& explanation) {
+    if (explanation.path_too_long)
+        return fmt::format("\ncritical path: not kept: {}\n", why_not_kept());
+    Time whole = explanation.report.result.time;
+    std::vector<PathShare> by_array = shares_by_array(explanation.path), alone = shares_of(explanation.path);
+    std::string out = path_heading("critical path") + print_shares(by_array, 12, whole);
+    out += fmt::format("{:>12.6f}  {:>7}  in all: the run's length to the picosecond\n", in_milliseconds(whole),
+                       "100.0 %");
+    if (alone.size() > by_array.size())
+        out += path_heading("of it, the longest alone") + print_shares(alone, 8, whole);
+    return out;
+}
+
+std::string settings(const Overrides& set) {
+    if (set.size() > 3)
+        return fmt::format("--set {}={} and {} more", set.begin()->first, set.begin()->second, set.size() - 1);
+    std::string out;
+    for (const auto& [name, value] : set)
+        out += fmt::format("{}--set {}={}", out.empty() ? "" : " ", name, value);
+    return out;
+}
+
+std::string name_of(const Change& change) { return change.what + " " + change.change; }
+
+std::string print_answer(const Answer& answer, Time whole) {
+    std::string result =
+        answer.completed()
+            ? fmt::format("{:>12.6f}  {:>8}", in_milliseconds(answer.time), percent(whole - answer.time, whole))
+            : fmt::format("{:>22}", answer.refused.empty() ? name_of(answer.ending) : "refused");
+    std::string out = fmt::format("{}  {}  [{}]\n", result, name_of(answer.change), settings(answer.change.set));
+    return answer.why.empty() ? out : out + fmt::format("{:>24}slower by {}\n", "", answer.why);
+}
+
+bool differs(const Answer& answer, Time whole) {
+    return !answer.completed() || std::chrono::abs(answer.time - whole) >= whole / 1000;
+}
+
+std::string remark_on_slower(bool any) {
+    return any ? "Slower though a part is faster: messages then come in another order, and what has to share a "
+                 "processor, "
+                 "a link or\na bus takes turns in another order (Graham's anomaly, Braess's paradox); or more "
+                 "processes "
+                 "share the work.\n"
+               : "";
+}
+
+/// The greatest gains, then all that is slower; what makes hardly a difference is counted.
+std::string print_answers(const Explanation& explanation) {
+    constexpr std::size_t most = 24;
+    Time whole = explanation.report.result.time;
+    if (!explanation.not_tried.empty())
+        return fmt::format("\nwhat if: no change was tried: {}\n", explanation.not_tried);
+    if (explanation.answers.empty())
+        return "";
+    std::string out = painted(Paint::heading, fmt::format("\n{:>12}  {:>8}  {}\n", "ms", "gain", "what if"));
+    std::size_t gains = 0, same = 0;
+    bool slower = false;
+    for (const Answer& answer : explanation.answers) {
+        bool gains_here = answer.completed() && answer.time < whole;
+        if (!differs(answer, whole))
+            ++same;
+        else if (!gains_here || ++gains <= most)
+            out += print_answer(answer, whole);
+        slower = slower || (differs(answer, whole) && !answer.why.empty());
+    }
+    if (gains > most)
+        out += fmt::format("{} more gain less than these (--json has all)\n", gains - most);
+    if (same > 0)
+        out += fmt::format("{} more make a difference of less than 0.1 %\n", same);
+    if (explanation.left_out > 0)
+        out += fmt::format("{} more were not tried: interrupted\n", explanation.left_out);
+    return out + remark_on_slower(slower);
+}
+
+/// The answer with the greatest gain of those that the condition takes; none if none gains .1 %.
+template <class Condition>
+const Answer* best(const Explanation& explanation, Condition takes) {
+    for (const Answer& answer : explanation.answers)
+        if (answer.completed() && takes(answer.change))
+            return answer.time < explanation.report.result.time && differs(answer, explanation.report.result.time)
+                       ? &answer
+                       : nullptr;
+    return nullptr;
+}
+
+std::string print_gain(const Answer* answer, Time whole) {
+    return answer ? fmt::format("  {} {}: {} less time\n", answer->change.what, answer->change.change,
+                                percent(whole - answer->time, whole))
+                  : "";
+}
+
+std::string print_numbers(const Explanation& explanation) {
+    std::string out;
+    for (const Answer& answer : explanation.answers)
+        if (answer.completed() && answer.change.of == Change::Of::number &&
+            answer.time < explanation.report.result.time && differs(answer, explanation.report.result.time))
+            out += print_gain(&answer, explanation.report.result.time);
+    return out;
+}
+
+/// The part that gains most by twice the speed, one more of things, and the links, which everybody asks about.
+std::string print_verdict(const Explanation& explanation) {
+    Time whole = explanation.report.result.time;
+    auto of_a_part = [](const Change& change) {
+        return change.change == "twice as fast" && (change.of == Change::Of::array || change.of == Change::Of::alone);
+    };
+    std::string out = print_gain(best(explanation, of_a_part), whole);
+    out += print_numbers(explanation);
+    out += print_gain(
+        best(explanation,
+             [](const Change& change) { return change.what == "all links" && change.change == "as fast as can be"; }),
+        whole);
+    return out.empty() ? "" : painted(Paint::heading, "what holds it back\n") + out;
+}
+
+boost::json::object account_json(const std::string& process, const Account& account) {
+    boost::json::object waiting_for;
+    for (const auto& [partner, time] : account.waiting_for)
+        waiting_for[partner] = time.count();
+    return {{"process", process},
+            {"computing_ps", account.computing.count()},
+            {"communicating_ps", account.communicating.count()},
+            {"waiting_ps", account.waiting.count()},
+            {"ready_ps", account.ready.count()},
+            {"delayed_ps", account.delayed.count()},
+            {"waiting_for_ps", std::move(waiting_for)}};
+}
+
+boost::json::array processors_json(const RunReport& report) {
+    boost::json::array processors;
+    for (const ProcessorUse& processor : report.processors)
+        processors.push_back({{"processor", processor.name},
+                              {"busy_ps", processor.busy.count()},
+                              {"idle_ps", (report.result.time - processor.busy).count()}});
+    return processors;
+}
+
+boost::json::array links_json(const Explanation& explanation) {
+    boost::json::array links;
+    for (const LinkUse& link : explanation.report.links)
+        if (link.bytes > 0)
+            links.push_back({{"link", link_direction(link)},
+                             {"busy_ps", link.occupied.count()},
+                             {"idle_ps", (explanation.report.result.time - link.occupied).count()},
+                             {"waits_to_ps", waited_to(link, explanation).count()}});
+    return links;
+}
+
+boost::json::array buses_json(const RunReport& report) {
+    boost::json::array buses;
+    for (const BusUse& bus : report.buses)
+        buses.push_back({{"bus", bus.name},
+                         {"busy_ps", bus.busy.count()},
+                         {"idle_ps", (report.result.time - bus.busy).count()},
+                         {"masters_waited_ps", masters_waited(bus).count()}});
+    return buses;
+}
+
+boost::json::object answer_json(const Answer& answer) {
+    boost::json::object set;
+    for (const auto& [name, value] : answer.change.set)
+        set[name] = value;
+    boost::json::object json{{"what", name_of(answer.change)}, {"set", std::move(set)}};
+    if (!answer.refused.empty()) {
+        json["refused"] = answer.refused;
+        return json;
+    }
+    json["ended"] = name_of(answer.ending);
+    json["time_ps"] = answer.time.count();
+    if (!answer.why.empty())
+        json["slower_by"] = answer.why;
+    return json;
+}
+
+} // namespace
+
+std::string print_explanation(const Explanation& explanation, const Network& network) {
+    const RunResult& result = explanation.report.result;
+    return fmt::format("{}: {} at {}\n", network.source_path, name_of(result.ending), to_string(result.time)) +
+           print_verdict(explanation) + print_path(explanation) + print_answers(explanation) +
+           print_accounts(explanation) + print_machine(explanation);
+}
+
+boost::json::object explanation_json(const Explanation& explanation, const Network& network) {
+    boost::json::array accounts, path, answers;
+    for (const auto& [process, account] : explanation.accounts)
+        accounts.push_back(account_json(process, account));
+    for (const PathPart& part : explanation.path)
+        path.push_back(boost::json::object{{"step", name_of(part.step)},
+                                           {"subject", part.subject},
+                                           {"begin_ps", part.begin.count()},
+                                           {"end_ps", part.end.count()}});
+    for (const Answer& answer : explanation.answers)
+        answers.push_back(answer_json(answer));
+    const RunResult& result = explanation.report.result;
+    boost::json::object json{{"netlist", network.source_path},
+                             {"ended", name_of(result.ending)},
+                             {"time_ps", result.time.count()},
+                             {"processes", std::move(accounts)},
+                             {"processors", processors_json(explanation.report)},
+                             {"links", links_json(explanation)},
+                             {"buses", buses_json(explanation.report)},
+                             {"critical_path", std::move(path)},
+                             {"what_if", std::move(answers)}};
+    if (explanation.path_too_long)
+        json["not_kept"] = why_not_kept();
+    if (!explanation.not_tried.empty())
+        json["not_tried"] = explanation.not_tried;
+    return json;
+}
+
+} // namespace placedpar

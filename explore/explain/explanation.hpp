@@ -1,0 +1,31 @@
+#pragma once
+
+#include "explore/explain/what_if.hpp"
+#include "observe/critical_path/critical_path.hpp"
+
+#include <boost/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// Why a run took as long as it did.
+struct Explanation {
+    RunReport report;
+    std::map<std::string, Account> accounts; ///< by process
+    /// By direction of a link, "a.link[0] -> b.link[1]": how long outputters were in it before their inputters came.
+    std::map<std::string, Time> waits_at_links;
+    std::vector<PathPart> path;
+    bool path_too_long = false;  ///< to be kept
+    std::vector<Answer> answers; ///< the greatest gain first
+    std::size_t left_out = 0;    ///< changes that an interruption left untried
+    std::string not_tried = "";  ///< why no change was, though it was wanted; "" otherwise
+};
+
+/// For people.
+std::string print_explanation(const Explanation&, const Network&);
+/// The same for machines; times in picoseconds.
+boost::json::object explanation_json(const Explanation&, const Network&);
+
+} // namespace placedpar

@@ -1,0 +1,123 @@
+#include "explore/generate/job.hpp"
+
+#include "explore/generate/statements.hpp"
+
+#include <fmt/format.h>
+
+namespace placedpar::generate {
+
+namespace {
+
+/// As examples/thesis/workload.inc, under the first reading of Table E.1.
+constexpr const char* workload = R"(val samples 0;                  /* of the record; 0: all */
+val cycles_per_error 1440;      /* Table E.1: one individual's error at one sample */
+val cycles_per_individual 1750; /* the genetic operators, for one individual */
+)";
+
+/// Parameters that masters and islands share.
+constexpr const char* costs = R"(population = population, cycles_per_error = cycles_per_error,
+        cycles_per_individual = cycles_per_individual, cycles_per_measurement_word = 134, string_bytes = 2)";
+
+constexpr const char* host_process = R"(process host;
+use "ga.host" for host;
+host (samples = samples);
+)";
+
+const std::vector<std::string> each_processor{"rep i = 0 for nodes"};
+
+std::string use(const char* kind, const char* process) { return fmt::format("use \"{}\" for {};\n", kind, process); }
+
+/// The split of a population of 120, of which an island needs as many as can come at once from four neighbours, and
+/// more than it has slaves.
+std::string population_of(const char* islands, const char* least) {
+    return fmt::format("val population 120 / {0} > {1} ? 120 / {0} : {1}; /* of each island */\n"
+                       "val exchange_every 3;           /* generations between exchanges */\n",
+                       islands, least);
+}
+
+} // namespace
+
+Job farm(const Topology& topology) {
+    std::string statements = host_process;
+    statements += "process master;\n" + use("ga.master", "master");
+    statements += fmt::format("master ({});\n", costs);
+    statements += "connect host.to_masters[0] to master.from_host;\n";
+    statements += fmt::format("place master on t{};\n", topology.first);
+    statements +=
+        "if nodes > 1 {\n    process slave[nodes - 1];\n    use \"ga.slave\" for slave;\n"
+        "    master (slaves = nodes - 1);\n    slave (cycles_per_error = cycles_per_error);\n"
+        "    rep i = 1 for nodes - 1 {\n        connect master.to_slaves[i - 1] to slave[i - 1].from_master;\n"
+        "        connect slave[i - 1].to_master to master.from_slaves[i - 1];\n";
+    statements += fmt::format("        place slave[i - 1] on t{};\n    }}\n}}\n", topology.at);
+    return {.has_host = true,
+            .about = "A farm: a master on the first processor, slaves on all others. What is no neighbour of the "
+                     "master is led through others.",
+            .vals = std::string("val population nodes > 120 ? nodes : 120;\n") + workload,
+            .statements = statements};
+}
+
+Job islands(const Topology& topology) {
+    std::string statements = host_process;
+    statements += fmt::format("process island{};\n", topology.array) + use("ga.island", "island");
+    statements += fmt::format("island ({});\n", costs);
+    statements += "if nodes > 1\n    island (exchange_every = exchange_every);\n";
+    statements += within(each_processor, {fmt::format("connect host.to_masters[i] to island{}.from_host;", topology.at),
+                                          fmt::format("place island{0} on t{0};", topology.at)});
+    statements += print_channels(topology, "island", "to_neighbours", "from_neighbours");
+    return {.has_host = true,
+            .about = "Islands: one on every processor, which exchanges individuals with its neighbours.",
+            .vals = workload + population_of("nodes", "4"),
+            .statements = statements};
+}
+
+Job islands_with_slaves() {
+    std::string statements = host_process;
+    statements += "process island[clusters];\n" + use("ga.island", "island");
+    statements += fmt::format("island ({});\n", costs);
+    statements += "rep c = 0 for clusters {\n"
+                  "    connect host.to_masters[c] to island[c].from_host;\n"
+                  "    place island[c] on t[c][0];\n"
+                  "    if clusters > 1 {\n"
+                  "        island[c] (exchange_every = exchange_every);\n"
+                  "        connect island[c].to_neighbours[0] to island[(c + 1) % clusters].from_neighbours[0];\n"
+                  "    }\n"
+                  "}\n"
+                  "if slaves > 0 {\n"
+                  "    process slave[clusters][slaves];\n"
+                  "    use \"ga.slave\" for slave;\n"
+                  "    slave (cycles_per_error = cycles_per_error);\n"
+                  "    island (slaves = slaves);\n"
+                  "    rep c = 0 for clusters {\n"
+                  "        connect island[c].to_slaves to slave[c][0].from_master;\n"
+                  "        connect slave[c][0].to_master to island[c].from_slaves;\n"
+                  "        rep i = 0 for slaves\n"
+                  "            place slave[c][i] on t[c][i + 1];\n"
+                  "        rep i = 0 for slaves - 1 {\n"
+                  "            connect slave[c][i].to_slaves to slave[c][i + 1].from_master;\n"
+                  "            connect slave[c][i + 1].to_master to slave[c][i].from_slaves;\n"
+                  "        }\n"
+                  "    }\n"
+                  "}\n";
+    return {.has_host = true,
+            .about = "Islands that are masters: one at the head of each chain, its slaves along it; each sends "
+                     "individuals to the next one in the ring.",
+            .vals = workload + population_of("clusters", "slaves + 4"),
+            .statements = statements};
+}
+
+Job processes_of(const std::string& kind, bool has_host, const std::string& output, const std::string& input,
+                 const Topology& topology) {
+    std::string statements = has_host ? host_process : "";
+    statements += fmt::format("process node{};\n", topology.array) + use(kind.c_str(), "node");
+    std::vector<std::string> of_each{fmt::format("place node{0} on t{0};", topology.at)};
+    if (has_host)
+        of_each.push_back(fmt::format("connect host.to_masters[i] to node{}.from_host;", topology.at));
+    statements += within(each_processor, of_each);
+    statements += print_channels(topology, "node", output, input);
+    return {.has_host = has_host,
+            .about = fmt::format("A {} on every processor, connected with its neighbours.", kind),
+            .vals = has_host ? "val samples 0;                  /* of the record; 0: all */\n" : "",
+            .statements = statements};
+}
+
+} // namespace placedpar::generate

@@ -1,0 +1,267 @@
+#include "explore/generate/topology.hpp"
+
+#include "explore/generate/size.hpp"
+#include "text/nearest.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace placedpar::generate {
+
+namespace {
+
+std::string val(const char* name, std::size_t value) { return fmt::format("val {} {};", name, value); }
+
+/// Throws UserError when a processor has more neighbours than links.
+void require_links(const Wish& wish, std::size_t needed, const char* who, const char* instead) {
+    if (needed > links_of_a_node)
+        refuse_size(
+            wish, fmt::format("{} needs {} links, and a transputer has {}; {}", who, needed, links_of_a_node, instead));
+}
+
+/// What it says where every processor has four neighbours.
+constexpr const char* all_links_taken = "every processor has four neighbours and four links";
+
+Topology pipeline(const Wish& wish) {
+    std::size_t nodes = count_of(wish, 1);
+    return {.about = fmt::format("A pipeline of {}", nodes),
+            .vals = {val("nodes", nodes)},
+            .array = "[nodes]",
+            .first = "[0]",
+            .at = "[i]",
+            .wires = {{{"rep i = 0 for nodes - 1"}, {"[i]", "2", "i > 0"}, {"[i + 1]", "1", "0"}}},
+            .host = {"", "0", "[0]", "0"}};
+}
+
+Wires around_the_ring() { return {{"rep i = 0 for nodes"}, {"[i]", "2", "0"}, {"[(i + 1) % nodes]", "1", "1"}}; }
+
+Topology ring(const Wish& wish) {
+    std::size_t nodes = count_of(wish, 3);
+    return {.about = fmt::format("A ring of {}", nodes),
+            .vals = {val("nodes", nodes)},
+            .array = "[nodes]",
+            .first = "[0]",
+            .at = "[i]",
+            .wires = {around_the_ring()},
+            .host = {"", "0", "[0]", "0"}};
+}
+
+Topology tree(const Wish& wish) {
+    std::size_t nodes = count_of(wish, 1), branches = wish.branches.value_or(2);
+    if (branches == 0)
+        refuse_size(wish, "a tree has --branches 1, 2 or 3");
+    require_links(wish, branches + 1, "a processor with one above it and its branches below", "say --branches 3");
+    return {.about = fmt::format("A tree of {}, each with up to {} below it", nodes, branches),
+            .vals = {val("nodes", nodes), val("branches", branches)},
+            .array = "[nodes]",
+            .first = "[0]",
+            .at = "[i]",
+            .wires = {{{"rep i = 1 for nodes - 1"},
+                       {"[(i - 1) / branches]", "1 + (i - 1) % branches", "(i - 1) % branches + (i > branches)"},
+                       {"[i]", "0", "0"}}},
+            .host = {"", "0", "[0]", "0"}};
+}
+
+Topology mesh(const Wish& wish) {
+    Grid grid = grid_of(wish, 1, 1);
+    return {.about = fmt::format("A mesh of {} rows and {} columns", grid.rows, grid.columns),
+            .vals = {val("rows", grid.rows), val("columns", grid.columns), "val nodes rows * columns;"},
+            .array = "[rows][columns]",
+            .first = "[0][0]",
+            .at = "[i / columns][i % columns]",
+            .wires = {{{"rep r = 0 for rows", "rep c = 0 for columns - 1"},
+                       {"[r][c]", "0", "(c > 0) + (r > 0)"},
+                       {"[r][c + 1]", "1", "0"}},
+                      {{"rep r = 0 for rows - 1", "rep c = 0 for columns"},
+                       {"[r][c]", "2", "(c > 0) + (r > 0) + (c + 1 < columns)"},
+                       {"[r + 1][c]", "3", "c > 0"}}},
+            .host = {"", "0", "[0][0]", "1"}};
+}
+
+/// Two processors side by side are joined by one wire, not by two.
+Topology torus(const Wish& wish) {
+    Grid grid = grid_of(wish, 2, 2);
+    bool full = grid.rows > 2 && grid.columns > 2;
+    return {.about = fmt::format("A torus of {} rows and {} columns", grid.rows, grid.columns),
+            .vals = {val("rows", grid.rows), val("columns", grid.columns), "val nodes rows * columns;"},
+            .array = "[rows][columns]",
+            .first = "[0][0]",
+            .at = "[i / columns][i % columns]",
+            .wires = {{{"rep r = 0 for rows", "rep c = 0 for columns > 2 ? columns : 1"},
+                       {"[r][c]", "0", "0"},
+                       {"[r][(c + 1) % columns]", "1", "columns > 2"}},
+                      {{"rep r = 0 for rows > 2 ? rows : 1", "rep c = 0 for columns"},
+                       {"[r][c]", "2", "1 + (columns > 2)"},
+                       {"[(r + 1) % rows][c]", "3", "1 + (columns > 2) + (rows > 2)"}}},
+            .host = {"", "0", "[0][0]", "columns > 2 ? 3 : 1"},
+            .no_host = full ? all_links_taken : ""};
+}
+
+Topology hypercube(const Wish& wish) {
+    std::size_t nodes = count_of(wish, 1);
+    if (!std::has_single_bit(nodes))
+        refuse_size(wish, fmt::format("its number of processors is a power of two: {} or {}", std::bit_floor(nodes),
+                                      std::bit_ceil(nodes)));
+    auto dimensions = static_cast<std::size_t>(std::countr_zero(nodes));
+    require_links(wish, dimensions, "every processor", "size 16 is the largest; cube-connected-cycles go on");
+    return {.about = fmt::format("A hypercube of {} dimensions", dimensions),
+            .vals = {val("dimensions", dimensions), "val nodes 1 << dimensions;"},
+            .array = "[nodes]",
+            .first = "[0]",
+            .at = "[i]",
+            .wires = {{{"rep d = 0 for dimensions", "rep i = 0 for nodes", "if (i & 1 << d) == 0"},
+                       {"[i]", "d", "d"},
+                       {"[i ^ 1 << d]", "d", "d"}}},
+            .host = {"", "0", "[0]", "dimensions"},
+            .no_host = dimensions == links_of_a_node ? all_links_taken : ""};
+}
+
+/// F. P. Preparata, J. Vuillemin: The cube-connected cycles, Communications of the ACM 24 (1981): a corner of the cube
+/// is a cycle of as many processors as the cube has dimensions, and each of them has the wire of one dimension.
+Topology cube_connected_cycles(const Wish& wish) {
+    std::size_t nodes = count_of(wish, 1), dimensions = 3;
+    while (dimensions << dimensions < nodes)
+        ++dimensions;
+    if (dimensions << dimensions != nodes)
+        refuse_size(wish, "d dimensions have d * 2^d processors: 24, 64, 160, 384, 896 or 2048");
+    return {.about = fmt::format("Cube-connected cycles of {} dimensions", dimensions),
+            .vals = {val("dimensions", dimensions), "val corners 1 << dimensions;", "val nodes corners * dimensions;"},
+            .array = "[corners][dimensions]",
+            .first = "[0][0]",
+            .at = "[i / dimensions][i % dimensions]",
+            .wires = {{{"rep w = 0 for corners", "rep d = 0 for dimensions"},
+                       {"[w][d]", "0", "0"},
+                       {"[w][(d + 1) % dimensions]", "1", "1"}},
+                      {{"rep w = 0 for corners", "rep d = 0 for dimensions", "if (w & 1 << d) == 0"},
+                       {"[w][d]", "2", "2"},
+                       {"[w ^ 1 << d][d]", "2", "2"}}},
+            .host = {"", "0", "[0][0]", "3"}};
+}
+
+Topology star(const Wish& wish) {
+    std::size_t nodes = count_of(wish, 1);
+    require_links(wish, nodes - 1, "its centre", "size 5 is the largest; a tree has more");
+    return {.about = fmt::format("A star of {}: a centre and what is around it", nodes),
+            .vals = {val("nodes", nodes)},
+            .array = "[nodes]",
+            .first = "[0]",
+            .at = "[i]",
+            .wires = {{{"rep i = 1 for nodes - 1"}, {"[0]", "i - 1", "i - 1"}, {"[i]", "0", "0"}}},
+            .host = {"", "0", "[nodes == 5]", "nodes == 5 ? 1 : 3"}};
+}
+
+/// The odd number next to the square root: about the best.
+std::size_t usual_chord(std::size_t nodes) {
+    std::size_t chord = 3;
+    while ((chord + 2) * (chord + 2) <= nodes)
+        chord += 2;
+    return chord;
+}
+
+/// B. W. Arden, H. Lee: Analysis of chordal ring network, IEEE Transactions on Computers C-30 (1981): from each even
+/// processor one to an odd one.
+Topology chordal_ring_of_three(const Wish& wish, std::size_t nodes, std::size_t chord) {
+    if (nodes % 2 == 1 || chord % 2 == 0)
+        refuse_size(wish, fmt::format("with three links each, chords lead from the even to the odd: size and chord {} "
+                                      "are to be even and odd, or say --degree 4",
+                                      chord));
+    return {.about = fmt::format("A chordal ring of {}, with chords of {} from the even to the odd", nodes, chord),
+            .vals = {val("nodes", nodes), val("chord", chord)},
+            .array = "[nodes]",
+            .first = "[0]",
+            .at = "[i]",
+            .wires = {around_the_ring(),
+                      {{"rep k = 0 for nodes / 2"}, {"[2 * k]", "3", "2"}, {"[(2 * k + chord) % nodes]", "3", "2"}}},
+            .host = {"", "0", "[0]", "0"}};
+}
+
+Topology chordal_ring_of_four(const Wish& wish, std::size_t nodes, std::size_t chord) {
+    if (2 * chord >= nodes)
+        refuse_size(wish, fmt::format("with four links each, chord {} is to be less than half of the ring", chord));
+    return {
+        .about = fmt::format("A chordal ring of {}, with chords of {} from each", nodes, chord),
+        .vals = {val("nodes", nodes), val("chord", chord)},
+        .array = "[nodes]",
+        .first = "[0]",
+        .at = "[i]",
+        .wires = {around_the_ring(), {{"rep i = 0 for nodes"}, {"[i]", "3", "2"}, {"[(i + chord) % nodes]", "0", "3"}}},
+        .host = {},
+        .no_host = all_links_taken};
+}
+
+Topology chordal_ring(const Wish& wish) {
+    std::size_t nodes = count_of(wish, 6), chord = wish.chord.value_or(usual_chord(nodes));
+    std::size_t degree = wish.degree.value_or(3);
+    if (degree != 3 && degree != 4)
+        refuse_size(
+            wish, fmt::format("--degree {}: a processor has 3 links to others, or 4; of more there are none", degree));
+    if (chord < 2 || chord + 1 >= nodes)
+        refuse_size(wish, fmt::format("chord {} leads to a neighbour, or beyond the ring", chord));
+    return degree == 3 ? chordal_ring_of_three(wish, nodes, chord) : chordal_ring_of_four(wish, nodes, chord);
+}
+
+/// Of the masters each has a link of its own to the host.
+Topology figure_e2(const Wish& wish) {
+    Grid grid = grid_of(wish, 1, 1);
+    return {.about = fmt::format("Figure E.2 of the thesis: a ring of {}, each the head of a chain of {}", grid.rows,
+                                 grid.columns),
+            .vals = {val("clusters", grid.rows), val("slaves", grid.columns - 1), "val nodes clusters * (slaves + 1);"},
+            .array = "[clusters][slaves + 1]",
+            .first = "[0][0]",
+            .at = "[i / (slaves + 1)][i % (slaves + 1)]",
+            .wires = {{{"rep c = 0 for clusters > 2 ? clusters : clusters - 1"},
+                       {"[c][0]", "1", "0"},
+                       {"[(c + 1) % clusters][0]", "2", "clusters > 2"}},
+                      {{"rep c = 0 for clusters", "rep i = 0 for slaves"},
+                       {"[c][i]", "3", "i > 0 ? 1 : (clusters > 1) + (clusters > 2)"},
+                       {"[c][i + 1]", "1", "0"}}},
+            .host = {"rep c = 0 for clusters", "c", "[c][0]", "0"}};
+}
+
+struct NamedTopology {
+    const char* name;
+    Topology (*make)(const Wish&);
+};
+constexpr std::array<NamedTopology, 10> topologies{{
+    {.name = "pipeline", .make = pipeline},
+    {.name = "ring", .make = ring},
+    {.name = "tree", .make = tree},
+    {.name = "mesh", .make = mesh},
+    {.name = "torus", .make = torus},
+    {.name = "hypercube", .make = hypercube},
+    {.name = "cube-connected-cycles", .make = cube_connected_cycles},
+    {.name = "star", .make = star},
+    {.name = "chordal-ring", .make = chordal_ring},
+    {.name = "figure-e2", .make = figure_e2},
+}};
+
+void require_own_options(const Wish& wish) {
+    if (wish.branches && wish.topology != "tree")
+        throw UserError("--branches is for tree");
+    if ((wish.chord || wish.degree) && wish.topology != "chordal-ring")
+        throw UserError("--chord and --degree are for chordal-ring");
+}
+
+} // namespace
+
+std::vector<std::string> names_of_topologies() {
+    std::vector<std::string> names;
+    for (const NamedTopology& each : topologies)
+        names.emplace_back(each.name);
+    return names;
+}
+
+Topology topology_of(const Wish& wish) {
+    const auto* found = std::ranges::find(topologies, wish.topology, &NamedTopology::name);
+    if (found == topologies.end())
+        throw UserError(fmt::format("topology \"{}\" is not known; expected one of: {}", wish.topology,
+                                    fmt::join(names_of_topologies(), ", ")));
+    require_own_options(wish);
+    return found->make(wish);
+}
+
+} // namespace placedpar::generate

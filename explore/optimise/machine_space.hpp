@@ -1,0 +1,43 @@
+#pragma once
+
+#include "explore/study/study.hpp"
+#include "gaprocs/representation/genome.hpp"
+#include "gaprocs/representation/parameter_coding.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// The machines that a search chooses from: a study's combinations, each by its number in the study's product. A genome
+/// has a field of bits for each setting that has several values; its codes are spread over them.
+class MachineSpace {
+public:
+    /// Throws UserError: further products, which a genome could not stand for, nothing to choose from, or more than 64
+    /// bits hold. REQUIRES: the study outlives it, and has a product.
+    explicit MachineSpace(const Study&);
+
+    /// Those for which the study's condition does not hold among them.
+    std::uint64_t count() const { return count_; }
+    /// Whether the study's condition holds.
+    bool holds(std::uint64_t machine) const { return product_.where.holds(settings(machine)); }
+    Overrides settings(std::uint64_t machine) const { return product_.at(machine); }
+
+    /// The settings that have several values.
+    std::vector<std::string> names() const;
+    /// What all machines set to the same.
+    Overrides fixed() const;
+
+    std::size_t bits() const { return coding_.bits(); }
+    /// REQUIRES: a string of bits().
+    std::uint64_t machine_of(const Genome&) const;
+
+private:
+    const StudyProduct& product_;
+    std::uint64_t count_;
+    ParameterCoding coding_;
+};
+
+} // namespace placedpar

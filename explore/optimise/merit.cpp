@@ -1,0 +1,83 @@
+#include "explore/optimise/merit.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace placedpar {
+
+namespace {
+
+using Indices = std::vector<std::size_t>;
+
+/// By feasibility and cost: whoever dominates comes before whom it dominates.
+void sort_by_costs(Indices& indices, std::span<const Merit> merits) {
+    std::ranges::stable_sort(indices, [&](std::size_t a, std::size_t b) {
+        return merits[a].feasible != merits[b].feasible ? merits[a].feasible : merits[a].costs < merits[b].costs;
+    });
+}
+
+/// Takes those whom none of `left` dominates out of it. REQUIRES: left is sorted by costs.
+Indices take_front(Indices& left, std::span<const Merit> merits) {
+    Indices front, rest;
+    for (std::size_t each : left) {
+        bool dominated =
+            std::ranges::any_of(front, [&](std::size_t other) { return dominates(merits[other], merits[each]); });
+        (dominated ? rest : front).push_back(each);
+    }
+    left = std::move(rest);
+    return front;
+}
+
+/// Adds to each of the front how far its neighbours in one cost are apart, as a part of the whole front; to its ends
+/// more than any sum.
+void add_distances(const Indices& front, std::span<const Merit> merits, std::size_t cost,
+                   std::vector<double>& distances) {
+    Indices order = front;
+    auto value = [&](std::size_t index) { return merits[index].costs[cost]; };
+    std::ranges::stable_sort(order, {}, value);
+    double range = value(order.back()) - value(order.front());
+    for (std::size_t end : {order.front(), order.back()})
+        distances[end] = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i + 1 < order.size() && range > 0; ++i)
+        distances[order[i]] += (value(order[i + 1]) - value(order[i - 1])) / range;
+}
+
+Indices all_of(std::span<const Merit> merits) {
+    Indices indices(merits.size());
+    std::iota(indices.begin(), indices.end(), std::size_t{0});
+    sort_by_costs(indices, merits);
+    return indices;
+}
+
+} // namespace
+
+bool dominates(const Merit& a, const Merit& b) {
+    if (!a.feasible || !b.feasible)
+        return a.feasible && !b.feasible;
+    return a.costs != b.costs &&
+           std::equal(a.costs.begin(), a.costs.end(), b.costs.begin(), [](double x, double y) { return x <= y; });
+}
+
+Indices front_of(std::span<const Merit> merits) {
+    Indices all = all_of(merits);
+    Indices front = take_front(all, merits);
+    std::erase_if(front, [&](std::size_t each) { return !merits[each].feasible; });
+    return front;
+}
+
+Indices order_of(std::span<const Merit> merits) {
+    Indices left = all_of(merits), order;
+    std::vector<double> distances(merits.size());
+    while (!left.empty()) {
+        Indices front = take_front(left, merits);
+        for (std::size_t cost = 0; cost < merits[front.front()].costs.size(); ++cost)
+            add_distances(front, merits, cost, distances);
+        std::ranges::sort(front);
+        std::ranges::stable_sort(front, std::greater(), [&](std::size_t each) { return distances[each]; });
+        order.insert(order.end(), front.begin(), front.end());
+    }
+    return order;
+}
+
+} // namespace placedpar

@@ -1,0 +1,116 @@
+#include "explore/problems.hpp"
+
+#include "classics/kinds.hpp"
+#include "gaprocs/guarded_problem.hpp"
+#include "gaprocs/processes/kinds.hpp"
+#include "gaprocs/remembered_problem.hpp"
+#include "gaprocs/search_problem.hpp"
+#include "hydraulics/plant/excavator_record.hpp"
+#include "hydraulics/plant/excavator_values.hpp"
+#include "identification/circuit_problem.hpp"
+#include "netlist/kinds/csp_kinds.hpp"
+#include "problems/benchmark/benchmark.hpp"
+#include "problems/plant/plant_family.hpp"
+#include "runtime/random.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace placedpar {
+
+using namespace hydraulics;
+
+namespace {
+
+/// A circuit whose record was made with known compliances.
+struct SimulatedCircuit : CircuitProblem {
+    std::vector<double> compliance_in3_per_psi;
+
+    std::vector<double> true_parameters() const { return compliance_in3_per_psi; }
+};
+
+/// The same for all seeds, which decide the noise alone: simulated once.
+const ExcavatorMotion& motion_of_boom() {
+    static const ExcavatorMotion motion = simulate_excavator(single_boom_scenario());
+    return motion;
+}
+
+/// The boom of chapter 3 in the motion of scenario A, measured with the lowest of the noise levels studied. The valve
+/// stays open to the end of the motion, so that the record has as many samples as are asked for.
+void add_boom(ProblemRegistry& problems, std::uint64_t seed) {
+    ExcavatorScenario scenario = single_boom_scenario();
+    SimulatedCircuit boom{CircuitProblem(boom_circuit(), scenario.flow),
+                          {scenario.links.front().mechanics.inlet_compliance_in3_per_psi}};
+    UsableSamples usable;
+    auto make = [=] {
+        RandomStream noise(seed, "record of the boom");
+        return boom_record(
+            motion_of_boom(), scenario, low_noise, [&] { return noise.uniform(); }, usable);
+    };
+    problems.add_to_make("boom", make_search_problem(std::move(boom)), {usable.count, make});
+}
+
+std::vector<ProcessKind>& own_kinds() {
+    static std::vector<ProcessKind> kinds;
+    return kinds;
+}
+
+std::vector<ProblemFamily>& own_problems() {
+    static std::vector<ProblemFamily> problems;
+    return problems;
+}
+
+/// Throws UserError.
+[[noreturn]] void refuse_taken(const char* what, const std::string& name) {
+    throw UserError(fmt::format("this program adds a {0} \"{1}\", but that name is taken: give the {0} another, such "
+                                "as \"own.{2}\"",
+                                what, name, name.substr(name.rfind('.') + 1)));
+}
+
+void add_own_problem(ProblemRegistry& problems, const ProblemFamily& family) {
+    const std::string& name = family.description.name;
+    if (auto known = problems.names(); std::ranges::count(known, name) > 0)
+        refuse_taken("search problem", name);
+    problems.add(family);
+}
+
+void add_own_kind(Catalogue& catalogue, const ProcessKind& kind) {
+    if (catalogue.find(kind.name) != nullptr)
+        refuse_taken("process kind", kind.name);
+    ProcessKind added = kind;
+    added.is_own = true;
+    catalogue.add(std::move(added));
+}
+
+} // namespace
+
+void add_own_kinds(std::vector<ProcessKind> kinds) { std::ranges::move(kinds, std::back_inserter(own_kinds())); }
+
+void add_own_problems(std::vector<ProblemFamily> problems) {
+    std::ranges::move(problems, std::back_inserter(own_problems()));
+}
+
+ProblemRegistry known_problems(std::uint64_t seed, RememberedProblems* remembered) {
+    ProblemRegistry problems;
+    add_boom(problems, seed);
+    problems.add(plant_family(seed));
+    add_benchmark_problems(problems);
+    for (const ProblemFamily& family : own_problems())
+        add_own_problem(problems, remembered != nullptr ? remembered->around(guarded(family)) : guarded(family));
+    return problems;
+}
+
+Catalogue known_kinds(const ProblemRegistry& problems, SearchObserver* observer) {
+    Catalogue catalogue;
+    add_csp_kinds(catalogue);
+    add_classical_kinds(catalogue);
+    add_genetic_algorithm_kinds(catalogue, problems, observer);
+    for (const ProcessKind& kind : own_kinds())
+        add_own_kind(catalogue, kind);
+    return catalogue;
+}
+
+} // namespace placedpar

@@ -1,0 +1,119 @@
+#include "explore/study/condition.hpp"
+
+#include "explore/study/setting_value.hpp"
+#include "netlist/elaborate/evaluator.hpp"
+#include "netlist/elaborate/overrides.hpp"
+#include "netlist/language/parser.hpp"
+#include "text/user_error.hpp"
+
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+ExpressionPointer parsed_expression(const std::shared_ptr<const SourceFile>& source, Reporter& reporter) {
+    ExpressionPointer expression;
+    attempt([&] {
+        TokenStream tokens(source, "", reporter);
+        expression = Parser(tokens, reporter).parse_whole_expression();
+    });
+    return reporter.failed() ? nullptr : std::move(expression);
+}
+
+/// "master.trials" is also "trials", unless something else is called so.
+Overrides named_plainly(const Overrides& set) {
+    Overrides named = set;
+    for (const auto& [name, text] : set)
+        named.emplace(name.substr(name.rfind('.') + 1), text);
+    return named;
+}
+
+template <class Visit>
+void visit_operands(Expression& expression, Visit visit) {
+    std::visit(
+        [&](auto& form) {
+            if constexpr (requires { form.operand; })
+                visit(*form.operand);
+            if constexpr (requires { form.left; })
+                visit(*form.left), visit(*form.right);
+            if constexpr (requires { form.otherwise; })
+                visit(*form.condition), visit(*form.then), visit(*form.otherwise);
+        },
+        expression.form);
+}
+
+bool has_frequency(Expression& expression) {
+    const auto* use = std::get_if<NameUse>(&expression.form);
+    bool found = use && is_frequency(use->name);
+    visit_operands(expression, [&](Expression& operand) { found |= has_frequency(operand); });
+    return found;
+}
+
+void read_as_frequency(Expression& expression) {
+    if (auto* literal = std::get_if<IntegerLiteral>(&expression.form))
+        literal->value.value = literal->value.decimal;
+    visit_operands(expression, read_as_frequency);
+}
+
+/// What a clock or the speed of a link is compared with is one, too: 20M is 20 million there.
+void read_frequencies(Expression& expression) {
+    const auto* operation = std::get_if<BinaryOperation>(&expression.form);
+    if (operation && operation->symbol != "&&" && operation->symbol != "||" && has_frequency(expression))
+        read_as_frequency(expression);
+    else
+        visit_operands(expression, read_frequencies);
+}
+
+Constant constant_of(const std::string& name, const std::string& text) {
+    Constant constant = constant_of_setting(text).value_or(Constant{text});
+    if (auto* integer = std::get_if<Integer>(&constant.value); integer && is_frequency(name))
+        integer->value = integer->decimal;
+    return constant;
+}
+
+[[noreturn]] void refuse_condition(Reporter& reporter) { throw RefusedInput(render(reporter.take())); }
+
+} // namespace
+
+struct StudyCondition::Parsed {
+    ExpressionPointer expression;
+    Scopes scopes{Catalogue()};
+
+    void declare(const Overrides& set) {
+        for (const auto& [name, text] : named_plainly(set))
+            scopes.declare(name, {constant_of(name, text), {}});
+    }
+};
+
+StudyCondition::StudyCondition(const std::string& text) {
+    if (text.empty())
+        return;
+    Reporter reporter;
+    ExpressionPointer expression = parsed_expression(std::make_shared<const SourceFile>("where", text), reporter);
+    if (!expression)
+        refuse_condition(reporter);
+    parsed_ = std::make_unique<Parsed>();
+    parsed_->expression = std::move(expression);
+    read_frequencies(*parsed_->expression);
+}
+
+StudyCondition::~StudyCondition() = default;
+StudyCondition::StudyCondition(StudyCondition&&) noexcept = default;
+StudyCondition& StudyCondition::operator=(StudyCondition&&) noexcept = default;
+
+bool StudyCondition::holds(const Overrides& set) const {
+    if (!parsed_)
+        return true;
+    Reporter reporter;
+    bool holds = false;
+    parsed_->scopes.open();
+    parsed_->declare(set);
+    attempt([&] { holds = Evaluator(parsed_->scopes, reporter).condition(*parsed_->expression); });
+    parsed_->scopes.close();
+    if (reporter.failed())
+        refuse_condition(reporter);
+    return holds;
+}
+
+} // namespace placedpar

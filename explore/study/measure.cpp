@@ -1,0 +1,228 @@
+#include "explore/study/measure.hpp"
+
+#include "explore/problems.hpp"
+#include "text/nearest.hpp"
+#include "text/user_error.hpp"
+
+#include <boost/json.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+constexpr double picoseconds_in_ms = 1e9;
+
+void add_figure(StudyFigures& figures, const std::string& name, double value, const std::string& unit = "") {
+    if (std::isfinite(value))
+        figures[name] = {value, unit};
+}
+
+/// "t[0][1].busy" of an array is also "t.busy".
+std::string name_of_array(const std::string& figure) {
+    std::size_t bracket = figure.find('['), dot = figure.rfind('.');
+    return bracket == figure.npos || dot == figure.npos || dot < bracket
+               ? figure
+               : figure.substr(0, bracket) + figure.substr(dot);
+}
+
+std::string say_there_is_no(const std::string& measure, const std::set<std::string>& known) {
+    std::vector<std::string> names(known.begin(), known.end());
+    return there_is_no("measure", measure, names, fmt::format("the runs have {}", fmt::join(names, ", ")));
+}
+
+/// How many of these it describes.
+std::ptrdiff_t count_described(const ProcessKind& kind, const std::set<std::string>& measured) {
+    return std::ranges::count_if(kind.measurements, [&](const auto& each) { return measured.contains(each.name); });
+}
+
+/// As the kind of a process describes it that measured some other things: the figures do not say which kind that is,
+/// but one that describes most of them. "" where none of these does.
+std::string description_of(const std::string& name, const std::set<std::string>& measured, const Catalogue& kinds) {
+    std::ptrdiff_t most = 1;
+    for (const auto& each : kinds.kinds())
+        most = std::max(most, count_described(each.second, measured));
+    for (const auto& each : kinds.kinds())
+        if (count_described(each.second, measured) == most)
+            for (const MeasurementDescription& described : each.second.measurements)
+                if (described.name == name)
+                    return described.about;
+    return "";
+}
+
+/// What no process of this name has come to measure. "" where some did, or none is known that could.
+std::string not_come_to(const StudyMeasure& measure, const StudyFigures& figures) {
+    std::string name = measure.name_without_subscripts(), process = name.substr(0, name.rfind('.') + 1);
+    name = name.substr(process.size());
+    std::set<std::string> measured;
+    for (const auto& each : figures)
+        if (std::string figure = name_of_array(each.first); !process.empty() && figure.starts_with(process))
+            measured.insert(figure.substr(process.size()));
+    const ProblemRegistry problems = known_problems(0); // which the kinds know
+    return measured.empty() || measured.contains(name) ? "" : description_of(name, measured, known_kinds(problems));
+}
+
+/// Boost.JSON 1.81 reads some numbers a last bit off.
+std::vector<double> numbers_outside_of_strings(const std::string& json) {
+    std::vector<double> numbers;
+    bool quoted = false;
+    for (const char *at = json.data(), *end = at + json.size(); at < end; ++at) {
+        if (quoted && *at == '\\')
+            ++at;
+        else if (*at == '"')
+            quoted = !quoted;
+        else if (double number = 0; !quoted && (*at == '-' || std::isdigit(static_cast<unsigned char>(*at)))) {
+            auto [stop, error] = std::from_chars(at, end, number);
+            if (error != std::errc())
+                throw std::out_of_range("a number is beyond the range of a double");
+            numbers.push_back(number);
+            at = stop - 1;
+        }
+    }
+    return numbers;
+}
+
+} // namespace
+
+StudyFigures figures_of(const RunReport& report, const Network& network) {
+    StudyFigures figures;
+    add_figure(figures, "time", static_cast<double>(report.result.time.count()) / picoseconds_in_ms, "ms");
+    add_figure(figures, "processors", static_cast<double>(report.processors.size()));
+    add_figure(figures, "links", static_cast<double>(network.count_wires()));
+    for (const Measurement& each : report.measurements)
+        if (const auto* value = std::get_if<double>(&each.value))
+            add_figure(figures, each.process + "." + each.name, *value, each.unit);
+    for (const ProcessorUse& each : report.processors)
+        if (auto share = report.share(each.busy))
+            add_figure(figures, each.name + ".busy", 100 * *share, "%");
+    return figures;
+}
+
+boost::json::value read_kept_json(const std::string& text) {
+    return boost::json::parse(text, {}, {.allow_invalid_utf8 = true});
+}
+
+std::string figures_text(const StudyFigures& figures) {
+    boost::json::object json;
+    for (const auto& [name, figure] : figures)
+        json[name] = boost::json::array{figure.value, figure.unit};
+    return boost::json::serialize(json);
+}
+
+StudyFigures figures_from(const std::string& text) {
+    const std::vector<double> numbers = numbers_outside_of_strings(text);
+    const boost::json::value json = read_kept_json(text);
+    StudyFigures figures;
+    std::size_t number = 0;
+    for (const auto& [name, value] : json.as_object()) {
+        const boost::json::array& figure = value.as_array();
+        if (figure.size() != 2 || !figure[0].is_number())
+            throw std::out_of_range("a figure is a number and its unit");
+        figures[std::string(name)] = {numbers.at(number++), std::string(figure[1].as_string())};
+    }
+    if (number != numbers.size())
+        throw std::out_of_range("a figure is there twice");
+    return figures;
+}
+
+StudyMeasure::StudyMeasure(const std::string& text) : text_(text), name_(text) {
+    constexpr std::array<std::pair<const char*, Way>, 4> ways{
+        {{"mean(", Way::mean}, {"min(", Way::least}, {"max(", Way::greatest}, {"sum(", Way::sum}}};
+    for (const auto& [word, way] : ways)
+        if (text.starts_with(word) && text.ends_with(')')) {
+            way_ = way;
+            name_ = text.substr(std::string(word).size());
+            name_.pop_back();
+        }
+    if (name_.empty() || name_.find_first_of("(),") != name_.npos)
+        throw UserError(fmt::format("\"{}\" is no measure: it takes PROCESS.NAME or time, or the min, max, mean or sum "
+                                    "of an array of processes, such as master.T_exe or max(master.T_exe)",
+                                    text));
+}
+
+bool StudyMeasure::matches(const std::string& figure) const {
+    return figure == name_ || name_of_array(figure) == name_;
+}
+
+std::optional<StudyFigure> StudyMeasure::of(const StudyFigures& figures) const {
+    std::vector<double> values;
+    std::string unit;
+    for (const auto& [name, figure] : figures)
+        if (matches(name)) {
+            values.push_back(figure.value);
+            unit = figure.unit;
+        }
+    if (values.empty())
+        return std::nullopt;
+    double sum = 0;
+    for (double value : values)
+        sum += value;
+    switch (way_) {
+    case Way::mean: return StudyFigure{sum / static_cast<double>(values.size()), unit};
+    case Way::least: return StudyFigure{std::ranges::min(values), unit};
+    case Way::greatest: return StudyFigure{std::ranges::max(values), unit};
+    case Way::sum: break;
+    }
+    return StudyFigure{sum, unit};
+}
+
+std::string StudyMeasure::name_without_subscripts() const { return name_of_array(name_); }
+
+std::string there_is_no_measure(const StudyMeasure& measure, const StudyFigures& figures) {
+    if (std::string about = not_come_to(measure, figures); !about.empty())
+        return fmt::format("no run has come to a figure for \"{}\": {}", measure.text(), about);
+    std::set<std::string> names;
+    for (const auto& each : figures)
+        names.insert(name_of_array(each.first));
+    return say_there_is_no(measure.text(), names);
+}
+
+void PossibleMeasures::add(const Network& network, const Catalogue& kinds, const ProblemRegistry& problems) {
+    names_.insert({"time", "processors", "links"});
+    for (const Node& node : network.nodes)
+        names_.insert(name_of_array(node.name + ".busy"));
+    for (const ProcessInstance& process : network.processes) {
+        const ProcessKind* kind = kinds.find(process.kind);
+        if (!kind || kind->measurements.empty())
+            unknown_.insert(name_of_array(process.name + "."));
+        else
+            for (const MeasurementDescription& each : kind->measurements)
+                add(process, each.name, problems);
+    }
+}
+
+/// A kind describes names that depend on the process in words: "the problem's parameters".
+void PossibleMeasures::add(const ProcessInstance& process, const std::string& described,
+                           const ProblemRegistry& problems) {
+    auto problem = process.parameters.find("problem");
+    if (described.find(' ') == described.npos)
+        names_.insert(name_of_array(process.name + "." + described));
+    else if (problem == process.parameters.end())
+        unknown_.insert(name_of_array(process.name + "."));
+    else
+        for (const std::string& each :
+             problems.find(std::get<std::string>(problem->second)).problem()->parameter_names())
+            names_.insert(name_of_array(process.name + "." + each));
+}
+
+bool PossibleMeasures::has(const StudyMeasure& measure) const {
+    std::string name = measure.name_without_subscripts();
+    return names_.contains(name) || unknown_.contains(name.substr(0, name.rfind('.') + 1));
+}
+
+std::string PossibleMeasures::there_is_no(const StudyMeasure& measure) const {
+    return say_there_is_no(measure.name_without_subscripts(), names_);
+}
+
+} // namespace placedpar

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "explore/study/study.hpp"
+
+#include <string>
+
+namespace placedpar {
+
+/// Reads a study from a file of TOML: see docs/studies.md. Its netlist and folders are relative to it. Throws
+/// RefusedInput, with the place of what is wrong.
+Study read_study(const std::string& path);
+
+} // namespace placedpar

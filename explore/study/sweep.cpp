@@ -1,0 +1,369 @@
+#include "explore/study/sweep.hpp"
+
+#include "explore/load.hpp"
+#include "explore/problems.hpp"
+#include "explore/study/ranks.hpp"
+#include "explore/workers.hpp"
+#include "text/paint.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <functional>
+#include <numeric>
+#include <set>
+#include <string>
+#include <thread>
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::uint64_t most_read = 100;          ///< netlists that are looked at, of very many
+constexpr std::uint64_t most_refused = 300;       ///< the same where each is refused for another reason
+constexpr std::uint64_t most_counted = 1'000'000; ///< runs that are looked up one by one
+
+/// Combinations that cannot be read.
+class Refusals {
+public:
+    /// The one that is being caught.
+    void add(const UserError& refused) {
+        if (count_++ == 0)
+            first_ = std::current_exception();
+        said_.insert(refused.what());
+    }
+    std::uint64_t count() const { return count_; }
+    /// Whether others may well be read: these are few, or what is wrong with them is not the same.
+    bool leave_hope() const { return count_ < most_read || (said_.size() > 1 && count_ < most_refused); }
+    void rethrow_first() const { std::rethrow_exception(first_); }
+
+private:
+    std::uint64_t count_ = 0;
+    std::exception_ptr first_;
+    std::set<std::string> said_;
+};
+
+/// Reads netlists of a study, with the same kinds.
+class NetworkReader {
+public:
+    explicit NetworkReader(const Study& study) : study_(study), netlist_(study.netlist, study.read) {}
+    NetworkReader(const NetworkReader&) = delete; // the kinds know the problems
+
+    /// None where the condition does not hold for that combination, or where it is refused, which is noted.
+    std::optional<Network> at(std::uint64_t combination, Refusals& refusals) const {
+        std::optional<StudyRun> run = study_.at(combination * study_.seeds);
+        try {
+            return run ? std::optional(load_network(netlist_, run->set, kinds_, [](const std::string&) {}))
+                       : std::nullopt;
+        } catch (const UserError& refused) {
+            refusals.add(refused);
+            return std::nullopt;
+        }
+    }
+
+private:
+    const Study& study_;
+    const ParsedNetlist netlist_;
+    const ProblemRegistry problems_ = known_problems(0);
+    const Catalogue kinds_ = known_kinds(problems_);
+};
+
+/// All combinations of a study: the first, the last, and then so that however few are taken they are spread evenly. A
+/// step in the golden ratio keeps time with no axis, as one of a round number would.
+class SpreadCombinations {
+public:
+    explicit SpreadCombinations(const Study& study) : count_(study.count() / study.seeds) {
+        constexpr double golden = 0.6180339887498949;
+        step_ = std::max<std::uint64_t>(static_cast<std::uint64_t>(golden * static_cast<double>(count_)), 1);
+        while (std::gcd(step_, count_) != 1)
+            ++step_;
+    }
+    /// None after all; the last one comes twice.
+    std::optional<std::uint64_t> next() {
+        if (given_ > count_)
+            return std::nullopt;
+        if (given_++ == 1)
+            return count_ - 1;
+        std::uint64_t left = count_ - at_; // so that no sum passes the greatest number
+        return std::exchange(at_, step_ < left ? at_ + step_ : step_ - left);
+    }
+
+private:
+    std::uint64_t count_, step_ = 1, at_ = 0, given_ = 0;
+};
+
+/// Calls `look` with networks of the study until it has seen enough: all that there are, or some of very many.
+void look_at_networks(const Study& study, const std::function<bool(const Network&)>& look) {
+    const NetworkReader reader(study);
+    SpreadCombinations combinations(study);
+    Refusals refusals; // there is no such machine
+    for (std::uint64_t looked_at = 0; looked_at <= most_read; ++looked_at) {
+        std::optional<std::uint64_t> combination = combinations.next();
+        std::optional<Network> network = combination ? reader.at(*combination, refusals) : std::nullopt;
+        if (!combination || (network && look(*network)))
+            return;
+    }
+}
+
+template <class Then, class Work>
+void on_exception(Then then, Work work) {
+    try {
+        work();
+    } catch (...) {
+        then();
+        throw;
+    }
+}
+
+} // namespace
+
+/// Their place stays the same: the kinds know it.
+void StudyWorker::go_to_seed(std::uint64_t seed) {
+    constexpr std::size_t most = 100;
+    if (seed == seed_)
+        return;
+    if (of_others_.size() == most)
+        of_others_.clear();
+    auto next = of_others_.extract(seed);
+    of_others_.emplace(std::exchange(seed_, seed), std::move(problems_));
+    problems_ = next ? std::move(next.mapped()) : known_problems(seed, &remembered_);
+}
+
+void StudyWorker::go_to_network(const Overrides& set) {
+    if (set_ && *set_ == set)
+        return;
+    set_.reset();
+    go_to_seed(0); // of all netlists
+    network_ = load_network(netlist_, set, kinds_, [](const std::string&) {});
+    set_ = set;
+    record_.reset();
+    departed_ = 0;
+}
+
+/// Where courses depend on the seed, or cannot be repeated, that is given up after a few.
+bool StudyWorker::is_worth_recording() const {
+    constexpr std::uint64_t departures_at_most = 3;
+    return study_.seeds > 1 && departed_ < departures_at_most && is_determinate(network_, kinds_);
+}
+
+std::optional<RunReport> StudyWorker::repeat(const RunSettings& settings) {
+    std::optional<RunReport> report = repeat_netlist(network_, kinds_, *record_, settings);
+    if (!report)
+        ++departed_;
+    else if (report->result.ending == Ending::completed)
+        ++repeated_;
+    return report;
+}
+
+/// A run that departs is recorded in place of the one before: the next ones may be as this one.
+RunReport StudyWorker::report_of(const StudyRun& run, Interruption& interruption) {
+    RunSettings settings{.seed = run.seed, .until = study_.until, .interruption = &interruption};
+    if (record_ && record_->can_be_repeated())
+        if (auto report = repeat(settings))
+            return *report;
+    record_.reset();
+    if (!is_worth_recording())
+        return run_netlist(network_, kinds_, settings);
+    settings.record = &record_.emplace();
+    RunReport report = run_netlist(network_, kinds_, settings);
+    departed_ += !record_->can_be_repeated();
+    return report;
+}
+
+std::optional<StudyOutcome> StudyWorker::outcome_of(const StudyRun& run, Interruption& interruption) {
+    try {
+        go_to_network(run.set);
+        go_to_seed(run.seed);
+        RunReport report = report_of(run, interruption);
+        if (report.result.ending == Ending::interrupted)
+            return std::nullopt;
+        return StudyOutcome{.ended = name_of(report.result.ending),
+                            .time = report.result.time,
+                            .fingerprint = report.result.fingerprint,
+                            .netlist_hash = network_.hash,
+                            .figures = figures_of(report, network_)};
+    } catch (const UserError& refused) {
+        return StudyOutcome{.ended = "refused", .refused = unpainted(refused.what())};
+    }
+}
+
+Network readable_network(const Study& study) {
+    const std::uint64_t count = study.count() / study.seeds; // a network is that of all seeds
+    const NetworkReader reader(study);
+    Refusals refusals;
+    SpreadCombinations combinations(study);
+    for (std::uint64_t looked_at = 0; looked_at < most_refused && refusals.leave_hope(); ++looked_at) {
+        std::optional<std::uint64_t> combination = combinations.next();
+        if (!combination)
+            break;
+        if (auto network = reader.at(*combination, refusals))
+            return *network;
+    }
+    const bool none_held = refusals.count() == 0; // what the condition leaves may lie between those
+    for (std::uint64_t i = 0; none_held && i < std::min(count, most_counted) && refusals.leave_hope(); ++i)
+        if (auto network = reader.at(i, refusals))
+            return *network;
+    if (refusals.count() > 0)
+        refusals.rethrow_first();
+    throw UserError(count > most_counted
+                        ? fmt::format("the study's condition leaves none of the first {} combinations", most_counted)
+                        : "the study's condition leaves nothing to be run");
+}
+
+void require_possible(const std::vector<std::string>& measures, const Study& study, const Network& network) {
+    const ProblemRegistry problems = known_problems(0);
+    const Catalogue kinds = known_kinds(problems);
+    std::vector<StudyMeasure> missing(measures.begin(), measures.end());
+    PossibleMeasures possible;
+    auto all_found_with = [&](const Network& another) {
+        possible.add(another, kinds, problems);
+        std::erase_if(missing, [&](const StudyMeasure& each) { return possible.has(each); });
+        return missing.empty();
+    };
+    if (!all_found_with(network))
+        look_at_networks(study, all_found_with);
+    if (!missing.empty())
+        throw UserError(possible.there_is_no(missing.front()));
+}
+
+/// Makes it, keeps it, and notes how long it took. None when it was interrupted.
+std::optional<StudyOutcome> StudySweep::timed_outcome(const StudyRun& run, Interruption& interruption) {
+    if (!trier_)
+        trier_.emplace(study_);
+    auto begun = std::chrono::steady_clock::now();
+    std::optional<StudyOutcome> outcome = trier_->outcome_of(run, interruption);
+    if (outcome) {
+        seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+        tried_ = run;
+        results_.keep(run, *outcome);
+    }
+    return outcome;
+}
+
+/// Of the first run from there on, or back, that completes. Looks at few.
+std::optional<StudyFigures> StudySweep::figures_near(std::uint64_t index, bool forwards, Interruption& interruption) {
+    constexpr int few = 3;
+    std::uint64_t count = study_.count();
+    for (int tries = 0; tries < few && index < count && !interruption.requested(); forwards ? ++index : --index) {
+        std::optional<StudyRun> run = study_.at(index);
+        if (!run)
+            continue;
+        ++tries;
+        std::optional<StudyOutcome> outcome = results_.find(*run);
+        if (!outcome && !(outcome = timed_outcome(*run, interruption)))
+            return std::nullopt;
+        if (outcome->ended == name_of(Ending::completed))
+            return outcome->figures;
+    }
+    return std::nullopt;
+}
+
+void StudySweep::try_measures(Interruption& interruption) {
+    std::vector<StudyMeasure> missing(study_.measures.begin(), study_.measures.end());
+    std::optional<StudyFigures> figures;
+    for (bool forwards : {true, false}) {
+        std::uint64_t from = forwards ? 0 : study_.count() - 1;
+        if (missing.empty() || interruption.requested())
+            return;
+        if (auto found = figures_near(from, forwards, interruption)) {
+            figures = std::move(found);
+            std::erase_if(missing, [&](const StudyMeasure& each) { return each.of(*figures).has_value(); });
+        }
+    }
+    if (figures && !missing.empty() && !interruption.requested())
+        throw UserError(there_is_no_measure(missing.front(), *figures));
+}
+
+StudySweep::Missing StudySweep::missing() {
+    std::uint64_t count = study_.count(), found = 0;
+    if (count > most_counted)
+        return {count, false};
+    for (std::uint64_t i = 0; i < count; ++i)
+        if (std::optional<StudyRun> run = study_.at(i); run && !results_.has(*run))
+            ++found;
+    return {found, true};
+}
+
+/// One that is refused takes no time: another is tried, but not very many.
+std::optional<double> StudySweep::seconds_a_run(Interruption& interruption) {
+    bool was_run = false;
+    std::uint64_t refused = 0;
+    for (std::uint64_t i = 0; !was_run && refused < most_read && i < study_.count() && !interruption.requested(); ++i)
+        if (std::optional<StudyRun> run = study_.at(i))
+            if (std::optional<StudyOutcome> outcome = timed_outcome(*run, interruption)) {
+                was_run = outcome->refused.empty();
+                refused += !was_run;
+            }
+    if (seconds_ && study_.seeds > 1 && !interruption.requested())
+        time_another_seed(interruption);
+    return seconds_;
+}
+
+/// The first of a combination may take longer than the others, which repeat it.
+void StudySweep::time_another_seed(Interruption& interruption) {
+    const double first = *seconds_, others = static_cast<double>(study_.seeds - 1);
+    StudyRun another = *tried_;
+    another.seed = another.seed == study_.first_seed ? another.seed + 1 : another.seed - 1;
+    timed_outcome(another, interruption);
+    seconds_ = (first + others * *seconds_) / (others + 1);
+}
+
+std::optional<StudyRun> StudySweep::next() {
+    std::lock_guard lock(mutex_);
+    for (std::uint64_t count = study_.count(); next_ < count && !stop_;) {
+        std::optional<StudyRun> run = study_.at(next_++);
+        if (run && !results_.has(*run))
+            return run;
+    }
+    return std::nullopt;
+}
+
+void StudySweep::keep(const StudyRun& run, const StudyOutcome& outcome) {
+    std::lock_guard lock(mutex_);
+    results_.keep(run, outcome);
+    ++ended_;
+}
+
+void StudySweep::work(Interruption& interruption) {
+    StudyWorker worker(study_);
+    while (!interruption.requested()) {
+        std::optional<StudyRun> run = next();
+        std::optional<StudyOutcome> outcome;
+        if (!run || !(outcome = worker.outcome_of(*run, interruption)))
+            return;
+        keep(*run, *outcome);
+    }
+}
+
+void StudySweep::run(std::size_t workers, Interruption& interruption,
+                     const std::function<void(std::uint64_t ended)>& show,
+                     const std::function<bool(bool stopped)>& others) {
+    trier_.reset();
+    std::vector<Interruption> each(workers); // of one run at a time
+    auto stop = [&] {
+        stop_ = true;
+        std::ranges::for_each(each, &Interruption::request);
+    };
+    bool others_work = others != nullptr;
+    auto attend = [&] {
+        if (interruption.requested() || stop_)
+            stop();
+        show(ended_);
+        if (others_work)
+            on_exception(stop, [&] { others_work = others(stop_); });
+    };
+    const std::chrono::milliseconds often = others ? rank_patience : std::chrono::milliseconds(100);
+    on_workers(
+        workers, [&](std::size_t worker) { on_exception([&] { stop_ = true; }, [&] { work(each[worker]); }); }, attend,
+        often);
+    while (others_work) {
+        std::this_thread::sleep_for(often);
+        attend();
+    }
+}
+
+} // namespace placedpar

@@ -1,0 +1,24 @@
+#include "explore/workers.hpp"
+
+#include <algorithm>
+#include <future>
+#include <thread>
+#include <vector>
+
+namespace placedpar {
+
+std::size_t count_cores() { return std::max(std::thread::hardware_concurrency(), 1U); }
+
+void on_workers(std::size_t workers, const std::function<void(std::size_t)>& work,
+                const std::function<void()>& meanwhile, std::chrono::milliseconds often) {
+    std::vector<std::future<void>> running; // each waits for its thread when it is destroyed
+    for (std::size_t i = 0; i < workers; ++i)
+        running.push_back(std::async(std::launch::async, work, i));
+    for (std::future<void>& each : running)
+        while (each.wait_for(often) != std::future_status::ready)
+            meanwhile();
+    for (std::future<void>& each : running)
+        each.get();
+}
+
+} // namespace placedpar

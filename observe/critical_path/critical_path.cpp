@@ -1,0 +1,366 @@
+#include "observe/critical_path/critical_path.hpp"
+
+#include "runtime/channel.hpp"
+#include "runtime/executive.hpp"
+#include "runtime/kernel.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <regex>
+#include <stdexcept>
+#include <string_view>
+
+namespace placedpar {
+
+namespace {
+
+std::string with_executive(const Process& process) {
+    std::string name = process.outermost().path();
+    return process.executive() ? name + " on " + process.executive()->name() : name;
+}
+
+std::string executive_of(const Process& process) { return process.executive() ? process.executive()->name() : ""; }
+
+Time sum_of(const std::vector<PathPart>& parts) {
+    return std::accumulate(parts.begin(), parts.end(), Time{0},
+                           [](Time sum, const PathPart& part) { return sum + (part.end - part.begin); });
+}
+
+} // namespace
+
+CriticalPath::CriticalPath(std::size_t most_points) : points_(most_points) { add(0, Time{0}, Step::starting, "", ""); }
+
+CriticalPath::Lane* CriticalPath::lane_of(std::uint32_t ordinal) {
+    auto found = lanes_.find(ordinal);
+    return found == lanes_.end() ? nullptr : &found->second;
+}
+
+CriticalPath::Lane* CriticalPath::lane_of(const Process& process) { return lane_of(process.ordinal()); }
+
+std::uint32_t CriticalPath::number_of(const std::string& subject) {
+    auto [found, is_new] = numbers_.emplace(subject, static_cast<std::uint32_t>(subjects_.size()));
+    if (is_new)
+        subjects_.push_back(subject);
+    return found->second;
+}
+
+/// What took no time needs no point.
+CriticalPath::Number CriticalPath::add(Number before, Time at, Step step, const std::string& subject,
+                                       const std::string& place) {
+    if (!points_.empty() && points_[before].at == at)
+        return before;
+    return points_.add({at, before, step, number_of(subject), number_of(place)});
+}
+
+CriticalPath::Number CriticalPath::add(Number before, Time at, Step step, const Process& process) {
+    return add(before, at, step, with_executive(process), executive_of(process));
+}
+
+/// It took its link, or the processor that both of its processes are on. A packet is a part of a channel's message.
+CriticalPath::Number CriticalPath::add_message(Number before, const Lane& lane, const AnyChannel& channel, Time now) {
+    auto link = carried_by_.find(&channel);
+    const AnyChannel* packets_of = channel.cargo().channel;
+    return add(before, now, Step::communicating, (packets_of ? packets_of : &channel)->name(),
+               link == carried_by_.end() ? executive_of(*lane.process) : link->second);
+}
+
+CriticalPath::Number CriticalPath::later(Number a, Number b) const { return points_[a].at >= points_[b].at ? a : b; }
+
+std::vector<CriticalPath::Number*> CriticalPath::numbers_in_use() {
+    std::vector<Number*> numbers{&end_};
+    for (auto& [ordinal, lane] : lanes_) {
+        numbers.push_back(&lane.last);
+        for (std::optional<Number>* number : {&lane.cause, &lane.together})
+            if (*number)
+                numbers.push_back(&**number);
+    }
+    auto add_all = [&](auto& by_key) {
+        for (auto& [key, number] : by_key)
+            numbers.push_back(&number);
+    };
+    add_all(held_);
+    add_all(bus_held_);
+    add_all(came_);
+    return numbers;
+}
+
+/// No turn begins any more at a moment that has passed.
+void CriticalPath::forget(Time now) {
+    if (!points_.should_forget())
+        return;
+    std::erase_if(held_, [&](const auto& held) { return points_[held.second].at < now; });
+    points_.forget_but(numbers_in_use());
+}
+
+void CriticalPath::turn(Lane& lane, Activeness to, Time now) {
+    if (!lane.process->serves_machine())
+        accounts_.turn(lane.process->outermost().name(), lane.does, to, now);
+    lane.does = to;
+}
+
+/// A component of a PAR begins when its process has come to it.
+void CriticalPath::began(const Process& process, Time now) {
+    forget(now);
+    Lane* parent = process.parent() ? lane_of(*process.parent()) : nullptr;
+    Lane lane{add(parent ? parent->last : 0, now, Step::starting, process), &process};
+    lane.does = Activeness::gone;
+    turn(lanes_.emplace(process.ordinal(), lane).first->second, Activeness::ready, now);
+}
+
+/// What it did last, or what its executive did, until it gets its turn.
+CriticalPath::Number CriticalPath::turn_of(const Lane& lane, Number made_ready, Time now) {
+    if (points_[made_ready].at == now)
+        return made_ready;
+    auto held = held_.find(lane.process->executive());
+    if (held != held_.end() && points_[held->second].at == now)
+        return held->second;
+    return add(made_ready, now, Step::ready, *lane.process);
+}
+
+void CriticalPath::has_turn(Lane& lane, Time now) {
+    lane.last = turn_of(lane, lane.cause.value_or(lane.last), now);
+    lane.cause.reset();
+}
+
+void CriticalPath::hold_executive(const Lane& lane) {
+    if (const Executive* executive = lane.process->executive())
+        held_[executive] = lane.last;
+}
+
+void CriticalPath::waits(const Process& process, Time now) {
+    forget(now);
+    Lane* lane = lane_of(process);
+    if (!lane)
+        return;
+    has_turn(*lane, now);
+    hold_executive(*lane);
+    lane->together.reset();
+    turn(*lane, Activeness::waiting, now);
+    Activity activity = process.activity();
+    if (activity == Activity::outputting || activity == Activity::inputting)
+        for (const AnyChannel* channel : process.awaited_channels())
+            came_[{channel, activity == Activity::outputting}] = lane->last;
+}
+
+/// What is left of their waits began when the later one came.
+void CriticalPath::communicated(const AnyChannel& channel, Time) {
+    Lane *from = lane_of(*channel.outputter()), *to = lane_of(*channel.inputter());
+    if (!from || !to)
+        return;
+    from->together = to->together = later(from->last, to->last);
+    if (auto link = carried_by_.find(&channel); link != carried_by_.end())
+        waits_at_links_[link->second] += points_[*from->together].at - points_[from->last].at;
+}
+
+void CriticalPath::carries(const std::string& direction, const AnyChannel& channel, Time, Time) {
+    carried_by_[&channel] = direction;
+}
+
+/// Null while an event happens.
+const CriticalPath::Lane* CriticalPath::who_runs(const Process& any, Time now) {
+    const Process* process = any.kernel().who_runs();
+    const Lane* lane = process ? lane_of(*process) : nullptr;
+    bool runs = lane && lane->does == Activeness::ready && !lane->cause && points_[lane->last].at == now;
+    return runs ? lane : nullptr;
+}
+
+/// What comes over a link of its own is over by itself. All else is when a process says so: the partner in a soft
+/// channel, a router with a packet.
+CriticalPath::Number CriticalPath::message_over(const Lane& lane, const AnyChannel& channel, bool outputs, Time now) {
+    if (lane.together && carried_by_.contains(&channel))
+        return add_message(*lane.together, lane, channel, now);
+    if (const Lane* other = who_runs(*lane.process, now))
+        return other->last;
+    if (lane.together)
+        return add_message(*lane.together, lane, channel, now);
+    auto came = came_.find({&channel, !outputs});
+    return add_message(came == came_.end() ? lane.last : later(lane.last, came->second), lane, channel, now);
+}
+
+CriticalPath::Number CriticalPath::cause_of(const Lane& lane, Time now) {
+    const Process& process = *lane.process;
+    Activity activity = process.activity();
+    const auto channels = process.awaited_channels();
+    if (activity == Activity::outputting || activity == Activity::inputting)
+        if (!channels.empty())
+            return message_over(lane, *channels.front(), activity == Activity::outputting, now);
+    if (activity == Activity::alternating)
+        for (const AnyChannel* channel : channels)
+            if (channel->message_waits())
+                return message_over(lane, *channel, false, now);
+    if (const Lane* other = process.serves_machine() ? who_runs(process, now) : nullptr)
+        return other->last; // has a packet for this router to send
+    return add(lane.last, now, Step::delayed, process);
+}
+
+/// With whom it communicated, since both were there.
+void CriticalPath::explain_wait(const Lane& lane, Time now) {
+    const Process& process = *lane.process;
+    if (process.serves_machine())
+        return;
+    std::string partner;
+    Time together = now;
+    for (const AnyChannel* channel : process.awaited_channels())
+        if (process.activity() != Activity::alternating || channel->message_waits()) {
+            bool outputs = process.activity() == Activity::outputting;
+            const AnyChannel::User& user = outputs ? channel->last_inputter() : channel->last_outputter();
+            partner = user.outermost ? user.outermost->name() : channel->name();
+            if (const Point& cause = points_[*lane.cause]; lane.together)
+                together = points_[*lane.together].at;
+            else if (cause.step == Step::communicating && cause.at == now)
+                together = points_[cause.before].at;
+            break;
+        }
+    accounts_.explain(process.outermost().name(), partner, together, now);
+}
+
+void CriticalPath::made_ready(const Process& process, Time now) {
+    Lane* lane = lane_of(process);
+    if (!lane || lane->does != Activeness::waiting || lane->cause)
+        return;
+    lane->cause = cause_of(*lane, now);
+    explain_wait(*lane, now);
+    turn(*lane, Activeness::ready, now);
+}
+
+void CriticalPath::goes_on(const Process& process, Time now) {
+    Lane* lane = lane_of(process);
+    if (!lane)
+        return;
+    if (lane->does == Activeness::waiting && !lane->cause)
+        made_ready(process, now);
+    if (lane->does == Activeness::waiting) // for its PAR
+        turn(*lane, Activeness::ready, now);
+    has_turn(*lane, now);
+}
+
+void CriticalPath::computes(const Process& process, Time now) {
+    if (Lane* lane = lane_of(process)) {
+        has_turn(*lane, now);
+        turn(*lane, Activeness::computing, now);
+    }
+}
+
+void CriticalPath::stops_computing(const Process& process, Time now) {
+    forget(now);
+    Lane* lane = lane_of(process);
+    if (!lane)
+        return;
+    lane->last = add(lane->last, now, Step::computing, process);
+    hold_executive(*lane);
+    turn(*lane, Activeness::ready, now);
+}
+
+void CriticalPath::moves(const Process& process, Time now) {
+    if (Lane* lane = lane_of(process)) {
+        has_turn(*lane, now);
+        turn(*lane, Activeness::moving, now);
+    }
+}
+
+/// Until the bus was its own, the path leads over what held the bus before.
+void CriticalPath::moved(const Process& process, const std::string& bus, Time since, Time now) {
+    Lane* lane = lane_of(process);
+    if (!lane)
+        return;
+    auto held = bus_held_.find(bus);
+    Number before = held == bus_held_.end() ? lane->last : later(lane->last, held->second);
+    lane->last = add(add(before, since, Step::arbitrating, bus, bus), now, Step::moving,
+                     fmt::format("{} over {}", with_executive(process), bus), bus);
+    bus_held_[bus] = lane->last;
+}
+
+/// The last component that ends lets its PAR's process go on.
+void CriticalPath::ended(const Process& process, Time now) {
+    Lane* lane = lane_of(process);
+    if (!lane)
+        return;
+    has_turn(*lane, now);
+    hold_executive(*lane);
+    turn(*lane, Activeness::gone, now);
+    end_ = later(lane->last, end_);
+    if (Lane* parent = process.parent() ? lane_of(*process.parent()) : nullptr; parent)
+        parent->cause = lane->last;
+    lanes_.erase(process.ordinal());
+}
+
+/// Where the work did not end with a process, the path leads to what was done last.
+void CriticalPath::over(Time now) {
+    for (auto& [ordinal, lane] : lanes_)
+        if (lane.does == Activeness::computing)
+            lane.last = add(lane.last, now, Step::computing, *lane.process);
+    for (const auto& [ordinal, lane] : lanes_)
+        if (points_[lane.last].at > points_[end_].at)
+            end_ = lane.last;
+    end_ = add(end_, now, Step::left, "", "");
+    accounts_.close(now);
+    over_ = now;
+}
+
+std::vector<PathPart> CriticalPath::parts() const {
+    std::vector<PathPart> parts;
+    if (too_long())
+        return parts;
+    for (Number number = end_; number != 0; number = points_[number].before) {
+        const Point& point = points_[number];
+        const std::string& subject = subjects_[point.subject];
+        if (!parts.empty() && parts.back().step == point.step && parts.back().subject == subject)
+            parts.back().begin = points_[point.before].at;
+        else
+            parts.push_back({point.step, subject, subjects_[point.place], points_[point.before].at, point.at});
+    }
+    std::ranges::reverse(parts);
+    if (sum_of(parts) != over_)
+        throw std::logic_error(
+            fmt::format("the critical path lasts {} ps of {}", sum_of(parts).count(), over_.count()));
+    return parts;
+}
+
+namespace {
+
+/// "master[1].out[0] -> slave[1][0].in" as "master[].out[] -> slave[][].in".
+std::string with_empty_subscripts(const std::string& subject) {
+    static const std::regex subscript(R"(\[\d+\])");
+    return std::regex_replace(subject, subscript, "[]");
+}
+
+template <class Name>
+std::vector<PathShare> as_shares(const std::map<std::pair<Step, Name>, Time>& times) {
+    std::vector<PathShare> shares;
+    for (const auto& [what, time] : times)
+        shares.push_back({what.first, std::string(what.second), time});
+    std::ranges::stable_sort(shares, std::greater<>{}, &PathShare::time);
+    return shares;
+}
+
+} // namespace
+
+std::string name_of(const PathShare& share) {
+    return std::string(name_of(share.step)) + (share.subject.empty() ? "" : ": ") + share.subject;
+}
+
+std::vector<PathMark> marks_of(const std::vector<PathPart>& parts) {
+    std::vector<PathMark> marks;
+    for (const PathPart& part : parts)
+        marks.push_back({name_of(PathShare{part.step, part.subject, {}}), part.place, part.begin, part.end});
+    return marks;
+}
+
+std::vector<PathShare> shares_of(const std::vector<PathPart>& parts) {
+    std::map<std::pair<Step, std::string_view>, Time> times;
+    for (const PathPart& part : parts)
+        times[{part.step, part.subject}] += part.end - part.begin;
+    return as_shares(times);
+}
+
+std::vector<PathShare> shares_by_array(const std::vector<PathPart>& parts) {
+    std::map<std::pair<Step, std::string>, Time> times;
+    for (const PathShare& share : shares_of(parts))
+        times[{share.step, with_empty_subscripts(share.subject)}] += share.time;
+    return as_shares(times);
+}
+
+} // namespace placedpar

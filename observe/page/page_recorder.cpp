@@ -1,0 +1,131 @@
+#include "observe/page/page_recorder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <utility>
+
+namespace placedpar::page {
+
+namespace {
+
+/// Of all tracks together: each takes two bytes of the page.
+constexpr std::size_t most_bins_together = 2'000'000;
+/// Where every slice is there at once, bins are only looked at from far away.
+constexpr std::size_t bins_beside_slices = 1024;
+
+std::size_t bins_for(std::size_t tracks) {
+    return std::clamp<std::size_t>(std::bit_floor(most_bins_together / std::max<std::size_t>(tracks, 1)), 16, 8192);
+}
+
+bool is_running(Doing doing) { return doing == Doing::executes || doing == Doing::carries || doing == Doing::computes; }
+
+const char* name_of(Track::Kind kind) {
+    switch (kind) {
+    case Track::Kind::processor: return "processor";
+    case Track::Kind::process: return "process";
+    case Track::Kind::machine_process: return "machine process";
+    case Track::Kind::link: return "link";
+    case Track::Kind::bus: return "bus";
+    }
+    return "";
+}
+
+/// In the order of Doing.
+constexpr std::array<const char*, static_cast<std::size_t>(Doing::stopped) + 1> names_of_doing{
+    "executes", "carries",    "ready", "computes",   "delayed", "outputs",
+    "inputs",   "alternates", "joins", "after work", "stopped"};
+static_assert(names_of_doing.back() != nullptr, "each has a name");
+
+} // namespace
+
+PageRecorder::PageRecorder(const Tracks& tracks, Time from)
+    : tracks_(tracks), bins_(bins_for(tracks.all().size()), from), stretches_(tracks, from) {}
+
+void PageRecorder::write(const Slice& slice) {
+    if (is_running(slice.doing))
+        bins_.add(slice.track, LoadBins::State::running, slice.begin, slice.end);
+    else if (slice.doing == Doing::ready)
+        bins_.add(slice.track, LoadBins::State::ready, slice.begin, slice.end);
+    stretches_.add(slice);
+}
+
+void PageRecorder::write(const Passage& passage) { stretches_.add(passage); }
+
+void PageRecorder::finish(Time begin, Time end, const std::string& why) {
+    begin_ = begin;
+    end_ = end;
+    why_ = why;
+    stretches_.finish();
+}
+
+boost::json::object PageRecorder::json() {
+    if (!stretches_.are_deflated())
+        bins_.merge_to(bins_beside_slices);
+    TextTable texts;
+    boost::json::array path = path_json(texts);
+    boost::json::object json{{"begin", begin_.count()},
+                             {"end", end_.count()},
+                             {"why", why_},
+                             {"bin", bins_.width().count()},
+                             {"left_out", stretches_.left_out()},
+                             {"doing", boost::json::array(names_of_doing.begin(), names_of_doing.end())},
+                             {"nodes", boost::json::array(tracks_.nodes().begin(), tracks_.nodes().end())},
+                             {"tracks", tracks_json()},
+                             {"deflated", stretches_.are_deflated()},
+                             {"stretches", stretches_json()},
+                             {"texts", texts.json()},
+                             {"path", std::move(path)}};
+    if (std::optional<Period> lost = stretches_.lost())
+        json["lost"] = {lost->begin.count(), lost->end.count()};
+    return json;
+}
+
+boost::json::array PageRecorder::stretches_json() const {
+    boost::json::array flat;
+    for (const PackedStretch* each : stretches_.all())
+        flat.insert(flat.end(), {each->begin.count(), each->end.count(), each->entries});
+    return flat;
+}
+
+boost::json::array PageRecorder::tracks_json() const {
+    boost::json::array tracks(tracks_.all().size());
+    for (std::size_t i = 0; i < tracks.size(); ++i)
+        tracks[i] = track_json(i);
+    std::vector<std::size_t> drawn = tracks_.drawn();
+    for (std::size_t place = 0; place < drawn.size(); ++place)
+        tracks[drawn[place]].as_object()["place"] = place;
+    return tracks;
+}
+
+boost::json::object PageRecorder::track_json(std::size_t number) const {
+    const Track& track = tracks_.all()[number];
+    return {{"name", track.name},
+            {"node", track.place.node},
+            {"kind", name_of(track.place.kind)},
+            {"outermost", track.outermost},
+            {"running", bins_.levels(number, LoadBins::State::running)},
+            {"ready", bins_.levels(number, LoadBins::State::ready)}};
+}
+
+void PageRecorder::draw_path(std::span<const PathMark> path) {
+    constexpr std::size_t most = 50'000;
+    path_.assign(path.begin(), path.end());
+    std::erase_if(path_, [this](const PathMark& mark) { return tracks_.of_place(mark.place) == Tracks::none; });
+    if (path_.size() <= most)
+        return;
+    auto length = [](const PathMark& mark) { return mark.begin - mark.end; };
+    std::ranges::nth_element(path_, path_.begin() + most, {}, length);
+    path_.resize(most);
+    std::ranges::sort(path_, {}, &PathMark::begin);
+}
+
+boost::json::array PageRecorder::path_json(TextTable& texts) const {
+    boost::json::array flat;
+    for (const PathMark& mark : path_)
+        flat.insert(flat.end(), {tracks_.of_place(mark.place), mark.begin.count(), (mark.end - mark.begin).count(),
+                                 texts.number_of(mark.name)});
+    return flat;
+}
+
+} // namespace placedpar::page

@@ -1,0 +1,97 @@
+#include "observe/page/stretch.hpp"
+
+#include "observe/page/encoding.hpp"
+#include "text/utf8.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace placedpar::page {
+
+namespace {
+
+/// The subject of what runs; of a wait a line for each channel, with the partner behind a tabulator.
+std::string note_of(const Slice& slice) {
+    std::string note = slice.subject;
+    for (const Awaited& each : slice.awaited)
+        note += (note.empty() ? "" : "\n") + each.channel + "\t" + each.partner;
+    if (slice.awaits_timer)
+        note += note.empty() ? "its timer" : "\nits timer";
+    return note;
+}
+
+template <class Entry, class Number>
+void append_column(std::string& bytes, const std::vector<Entry>& entries, Number number_of) {
+    for (const Entry& each : entries)
+        append_number(bytes, static_cast<std::uint64_t>(number_of(each)));
+}
+
+} // namespace
+
+void Stretch::add(const Slice& slice) {
+    end_ = std::max(end_, slice.end);
+    slices_.push_back({static_cast<std::uint32_t>(slice.track), texts_.number_of(note_of(slice)),
+                       static_cast<std::uint8_t>(slice.doing), slice.open, slice.begin, slice.end});
+}
+
+void Stretch::add(const Passage& passage) {
+    end_ = std::max(end_, passage.arrived);
+    passages_.push_back({static_cast<std::uint32_t>(passage.from), static_cast<std::uint32_t>(passage.to),
+                         texts_.number_of(passage.channel), passage.left, passage.arrived});
+}
+
+/// What is cleared keeps its room: a new one would be asked for from the system each time.
+PackedStretch Stretch::pack() {
+    std::string texts = as_json(boost::json::serialize(texts_.json())), bytes;
+    append_number(bytes, texts.size());
+    bytes += texts;
+    append_slices(bytes);
+    append_passages(bytes);
+    PackedStretch packed{begin_, end_, entries(), std::move(bytes)};
+    begin_ = end_;
+    slices_.clear();
+    passages_.clear();
+    texts_ = {};
+    return packed;
+}
+
+void Stretch::append_slices(std::string& bytes) {
+    std::ranges::stable_sort(slices_, {}, &KeptSlice::track);
+    append_tracks(bytes);
+    append_column(bytes, slices_,
+                  [this, before = static_cast<const KeptSlice*>(nullptr)](const KeptSlice& each) mutable {
+                      const KeptSlice* last = std::exchange(before, &each);
+                      return (each.begin - (last && last->track == each.track ? last->end : begin_)).count();
+                  });
+    append_column(bytes, slices_, [](const KeptSlice& each) { return (each.end - each.begin).count(); });
+    append_column(bytes, slices_, [](const KeptSlice& each) { return each.doing + (each.open ? 16 : 0); });
+    append_column(bytes, slices_, [](const KeptSlice& each) { return each.note; });
+}
+
+/// REQUIRES: they are sorted by track.
+void Stretch::append_tracks(std::string& bytes) const {
+    std::uint64_t tracks = 0;
+    std::string each_track;
+    for (auto slice = slices_.begin(); slice != slices_.end(); ++tracks) {
+        auto behind = std::ranges::upper_bound(slice, slices_.end(), slice->track, {}, &KeptSlice::track);
+        append_number(each_track, slice->track);
+        append_number(each_track, static_cast<std::uint64_t>(behind - slice));
+        slice = behind;
+    }
+    append_number(bytes, tracks);
+    bytes += each_track;
+}
+
+void Stretch::append_passages(std::string& bytes) {
+    std::ranges::stable_sort(passages_, {}, &KeptPassage::left);
+    append_number(bytes, passages_.size());
+    append_column(bytes, passages_, [](const KeptPassage& each) { return each.from; });
+    append_column(bytes, passages_, [](const KeptPassage& each) { return each.to; });
+    append_column(bytes, passages_, [before = begin_](const KeptPassage& each) mutable {
+        return (each.left - std::exchange(before, each.left)).count();
+    });
+    append_column(bytes, passages_, [](const KeptPassage& each) { return (each.arrived - each.left).count(); });
+    append_column(bytes, passages_, [](const KeptPassage& each) { return each.channel; });
+}
+
+} // namespace placedpar::page

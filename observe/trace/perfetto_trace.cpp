@@ -1,0 +1,221 @@
+#include "observe/trace/perfetto_trace.hpp"
+
+#include "text/utf8.hpp"
+
+#include <boost/json.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+std::string json_text(const std::string& text) { return as_json(boost::json::serialize(boost::json::string(text))); }
+
+/// The format counts microseconds; six digits more keep every picosecond.
+std::string microseconds(Time t) {
+    constexpr std::int64_t picoseconds = 1'000'000;
+    return fmt::format("{}.{:06}", t.count() / picoseconds, t.count() % picoseconds);
+}
+
+/// The viewers colour slices by their names.
+const char* category(const Slice& slice) {
+    switch (slice.doing) {
+    case Doing::executes: return "processor";
+    case Doing::carries: return "link";
+    case Doing::ready: return "ready";
+    case Doing::computes: return "compute";
+    default: return "wait";
+    }
+}
+
+/// Where nobody is known yet, the channel.
+std::string partners_of(const Slice& slice, const char* joined_by) {
+    std::vector<std::string> partners;
+    for (const Awaited& awaited : slice.awaited)
+        partners.push_back(awaited.partner.empty() ? awaited.channel : awaited.partner);
+    return fmt::format("{}", fmt::join(partners, joined_by));
+}
+
+/// More than a few partners are listed among the arguments only.
+std::string name_of_alternation(const Slice& slice) {
+    constexpr std::size_t most_named = 3;
+    std::size_t count = slice.awaited.size();
+    std::string name = count > most_named ? fmt::format("alternates between {} channels", count)
+                                          : "alternates: input from " + partners_of(slice, " or ");
+    return count == 0 ? "waits for its timer" : name + (slice.awaits_timer ? ", or its timer" : "");
+}
+
+/// A process of the machine waits on no channel while it has no packet to send.
+std::string name_of_wait(const Slice& slice) {
+    switch (slice.doing) {
+    case Doing::outputs: return "outputs to " + partners_of(slice, " ");
+    case Doing::inputs:
+        return slice.awaited.empty() ? "waits for packets to send" : "inputs from " + partners_of(slice, " ");
+    case Doing::alternates: return name_of_alternation(slice);
+    case Doing::joins: return "waits for its components";
+    case Doing::after_work: return "waits for the end of the work";
+    case Doing::stopped: return "has stopped";
+    default: return "waits for its timer";
+    }
+}
+
+std::string name_of(const Slice& slice) {
+    switch (slice.doing) {
+    case Doing::executes:
+    case Doing::carries: return slice.subject;
+    case Doing::ready: return "waits for its processor";
+    case Doing::computes: return "computes";
+    default: return name_of_wait(slice);
+    }
+}
+
+std::string described(const Awaited& awaited) {
+    return fmt::format(R"({{"channel":{},"partner":{}}})", json_text(awaited.channel),
+                       json_text(awaited.partner.empty() ? "nobody yet" : awaited.partner));
+}
+
+/// What more is to be said: the bytes that a link carries, the channels of a wait. "" for nothing.
+std::string arguments(const Slice& slice) {
+    if (slice.doing == Doing::carries && !slice.open)
+        return fmt::format(R"({{"bytes":{}}})", slice.bytes);
+    if (slice.awaited.empty())
+        return "";
+    if (slice.doing != Doing::alternates)
+        return described(slice.awaited.front());
+    std::vector<std::string> channels;
+    for (const Awaited& awaited : slice.awaited)
+        channels.push_back(described(awaited));
+    return fmt::format(R"({{"channels":[{}]}})", fmt::join(channels, ","));
+}
+
+std::string name_of(const Track& track) {
+    return (track.place.kind == Track::Kind::processor ? "processor " : "") + track.name;
+}
+
+} // namespace
+
+PerfettoTrace::PerfettoTrace(OutputFile& file, const Tracks& tracks) : file_(file), tracks_(tracks) {
+    file_.write("{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n");
+}
+
+void PerfettoTrace::add(const std::string& event) {
+    if (!std::exchange(is_first_, false))
+        file_.write(",\n");
+    file_.write(event);
+}
+
+/// Nodes and tracks have numbers above 0, which the viewers keep for themselves, and no two the same: a thread with the
+/// number of its process would be drawn first.
+std::string PerfettoTrace::place(std::size_t track) const {
+    return fmt::format(R"("pid":{},"tid":{})", tracks_.all()[track].place.node + 1, tracks_.nodes().size() + 1 + track);
+}
+
+void PerfettoTrace::write(const Slice& slice) {
+    std::string event =
+        fmt::format(R"({{"ph":"{}","name":{},"cat":"{}",{},"ts":{})", slice.open ? 'B' : 'X', json_text(name_of(slice)),
+                    category(slice), place(slice.track), microseconds(slice.begin));
+    if (!slice.open)
+        event += fmt::format(R"(,"dur":{})", microseconds(slice.end - slice.begin));
+    if (std::string more = arguments(slice); !more.empty())
+        event += R"(,"args":)" + more;
+    add(event + "}");
+}
+
+void PerfettoTrace::write(const Passage& passage) {
+    std::string common = fmt::format(R"("name":{},"cat":"message","id":{})", json_text(passage.channel), ++passages_);
+    add(fmt::format(R"({{"ph":"s",{},{},"ts":{}}})", common, place(passage.from), microseconds(passage.left)));
+    add(fmt::format(R"({{"ph":"f","bp":"e",{},{},"ts":{}}})", common, place(passage.to),
+                    microseconds(passage.arrived)));
+}
+
+/// Behind the numbers of all tracks; thread 0 is the whole path.
+std::string PerfettoTrace::place_on_path(std::size_t thread) const {
+    std::size_t pid = tracks_.nodes().size() + tracks_.all().size() + 1;
+    return fmt::format(R"("pid":{},"tid":{})", pid, pid + 1 + thread);
+}
+
+void PerfettoTrace::write_mark(const PathMark& mark, std::size_t thread) {
+    add(fmt::format(R"({{"ph":"X","name":{},"cat":"critical path","cname":"terrible",{},"ts":{},"dur":{}}})",
+                    json_text(mark.name), place_on_path(thread), microseconds(mark.begin),
+                    microseconds(mark.end - mark.begin)));
+}
+
+/// From the last picosecond of one to the first of the other.
+void PerfettoTrace::write_step(const PathMark& from, std::size_t from_thread, const PathMark& to,
+                               std::size_t to_thread) {
+    std::string common = fmt::format(R"("name":"critical path","cat":"critical path","id":{})", ++passages_);
+    add(fmt::format(R"({{"ph":"s",{},{},"ts":{}}})", common, place_on_path(from_thread),
+                    microseconds(from.end - Time{1})));
+    add(fmt::format(R"({{"ph":"f","bp":"e",{},{},"ts":{}}})", common, place_on_path(to_thread),
+                    microseconds(to.begin)));
+}
+
+void PerfettoTrace::draw_path(std::span<const PathMark> path) {
+    auto thread = [this](const PathMark& mark) { return tracks_.of_place(mark.place) + 1; }; // 0 for no place
+    const PathMark* before = nullptr;
+    for (const PathMark& mark : path) {
+        write_mark(mark, 0);
+        if (thread(mark) == 0)
+            continue;
+        write_mark(mark, thread(mark));
+        if (before && thread(*before) != thread(mark))
+            write_step(*before, thread(*before), mark, thread(mark));
+        before = &mark;
+    }
+    if (!path.empty())
+        write_path_names(path);
+}
+
+/// The places in the order in which their tracks are drawn.
+void PerfettoTrace::write_path_names(std::span<const PathMark> path) {
+    std::set<std::size_t> places;
+    for (const PathMark& mark : path)
+        places.insert(tracks_.of_place(mark.place));
+    places.erase(Tracks::none);
+    add_name("process_name", place_on_path(0), R"("name":"critical path")");
+    add_name("process_sort_index", place_on_path(0), R"("sort_index":-1)");
+    add_name("thread_name", place_on_path(0), R"("name":"all of it")");
+    add_name("thread_sort_index", place_on_path(0), R"("sort_index":0)");
+    for (std::size_t order = 1; std::size_t track : tracks_.drawn())
+        if (places.contains(track)) {
+            add_name("thread_name", place_on_path(track + 1),
+                     R"("name":)" + json_text("via " + name_of(tracks_.all()[track])));
+            add_name("thread_sort_index", place_on_path(track + 1), fmt::format(R"("sort_index":{})", order++));
+        }
+}
+
+void PerfettoTrace::add_name(const char* what, const std::string& where, const std::string& value) {
+    add(fmt::format(R"({{"ph":"M","name":"{}",{},"args":{{{}}}}})", what, where, value));
+}
+
+void PerfettoTrace::finish(Time begin, Time end, const std::string& why) {
+    if (tracks_.all().empty())
+        return file_.write("\n]}\n");
+    add(fmt::format(R"({{"ph":"i","s":"g","name":{},"cat":"end",{},"ts":{}}})", json_text(why), place(0),
+                    microseconds(std::max(begin, end))));
+    write_names();
+    file_.write("\n]}\n");
+}
+
+void PerfettoTrace::write_names() {
+    std::size_t last_node = Tracks::none, order = 0;
+    for (std::size_t track : tracks_.drawn()) {
+        std::size_t node = tracks_.all()[track].place.node;
+        std::string where = place(track);
+        auto say = [&](const char* what, const std::string& value) { add_name(what, where, value); };
+        if (node != std::exchange(last_node, node)) {
+            say("process_name", R"("name":)" + json_text(tracks_.nodes()[node]));
+            say("process_sort_index", fmt::format(R"("sort_index":{})", node));
+        }
+        say("thread_name", R"("name":)" + json_text(name_of(tracks_.all()[track])));
+        say("thread_sort_index", fmt::format(R"("sort_index":{})", order++));
+    }
+}
+
+} // namespace placedpar

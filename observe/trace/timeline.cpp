@@ -1,0 +1,325 @@
+#include "observe/trace/timeline.hpp"
+
+#include "runtime/channel.hpp"
+#include "runtime/executive.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+Doing waiting_by(Activity activity) {
+    switch (activity) {
+    case Activity::delayed: return Doing::delayed;
+    case Activity::outputting: return Doing::outputs;
+    case Activity::inputting: return Doing::inputs;
+    case Activity::alternating: return Doing::alternates;
+    case Activity::joining: return Doing::joins;
+    case Activity::after_work: return Doing::after_work;
+    case Activity::stopped: return Doing::stopped;
+    case Activity::ready:
+    case Activity::halted:
+    case Activity::ended: break;
+    }
+    return Doing::ready;
+}
+
+/// Whether what a process does at the end of the work is still so at the end of the run: it was stopped, or is held by
+/// a deadlock.
+bool never_ends(const std::string& process, const RunResult& result) {
+    return result.ending != Ending::completed &&
+           (!result.deadlock || std::ranges::find(result.deadlock->processes, process, &StuckProcess::path) !=
+                                    result.deadlock->processes.end());
+}
+
+} // namespace
+
+const TraceWindow& require_time_in(const TraceWindow& window) {
+    if (window.from >= window.until)
+        throw UserError(fmt::format("the trace would end at {}, and begin at {}: give it a later end",
+                                    to_string(window.until), to_string(window.from)));
+    return window;
+}
+
+Timeline::Timeline(Tracks& tracks, const TraceWindow& window, TraceWriter& writer)
+    : tracks_(tracks), window_(window), writer_(writer) {}
+
+std::string Timeline::why_empty() const {
+    if (window_.from == Time{} || *end_ > window_.from)
+        return "";
+    return fmt::format("the run was over at {}, and the part that is wanted begins at {}", to_string(*end_),
+                       to_string(window_.from));
+}
+
+void Timeline::finish(const RunResult& result) {
+    for (auto& [ordinal, lane] : lanes_)
+        finish(lane, result);
+    lanes_.clear();
+    messages_.clear();
+    writer_.finish(std::min(window_.from, *end_), *end_, why_.empty() ? name_of(result.ending) : why_);
+}
+
+/// Whether the trace goes on at this moment.
+bool Timeline::taking(Time now) {
+    if (!end_ && now > window_.until) {
+        shut(window_.until, "end of the part that is traced");
+    } else if (!end_ && entries_ >= window_.most_entries) {
+        full_at_ = now;
+        shut(now, "the trace is full");
+    }
+    return !end_;
+}
+
+Timeline::Lane* Timeline::lane_of(const Process& process) {
+    auto found = lanes_.find(process.ordinal());
+    return found == lanes_.end() ? nullptr : &found->second;
+}
+
+void Timeline::began(const Process& process, Time now) {
+    if (!taking(now))
+        return;
+    if (std::size_t track = tracks_.of(process); track != Tracks::none)
+        lanes_.emplace(process.ordinal(), Lane{track, &process, Doing::ready, now});
+}
+
+void Timeline::waits(const Process& process, Time now) {
+    if (Lane* lane = taking(now) ? lane_of(process) : nullptr)
+        turn_to(*lane, waiting_by(process.activity()), now);
+}
+
+void Timeline::goes_on(const Process& process, Time now) {
+    Lane* lane = taking(now) ? lane_of(process) : nullptr;
+    if (!lane)
+        return;
+    turn_to(*lane, Doing::ready, now);
+    for (std::uint64_t message : std::exchange(lane->arriving, {}))
+        lane->here.push_back({message, true});
+}
+
+void Timeline::computes(const Process& process, Time now) {
+    Lane* lane = taking(now) ? lane_of(process) : nullptr;
+    if (!lane)
+        return;
+    if (lane->doing == Doing::computes && lane->stopped == now)
+        lane->stopped.reset();
+    else if (!is_waiting(lane->doing)) // a processor may work for a process before its wait is over
+        turn_to(*lane, Doing::computes, now);
+    if (std::size_t processor = tracks_.of_processor(process.executive()->name()); processor != Tracks::none)
+        use(processor, tracks_.all()[lane->track].name, now);
+}
+
+void Timeline::stops_computing(const Process& process, Time now) {
+    Lane* lane = taking(now) ? lane_of(process) : nullptr;
+    if (!lane)
+        return;
+    if (lane->doing == Doing::computes)
+        lane->stopped = now;
+    if (std::size_t processor = tracks_.of_processor(process.executive()->name()); processor != Tracks::none)
+        uses_[processor].stopped = now;
+}
+
+void Timeline::ended(const Process& process, Time now) {
+    Lane* lane = taking(now) ? lane_of(process) : nullptr;
+    if (!lane)
+        return;
+    settle(*lane, now);
+    give_up(*lane);
+    lanes_.erase(process.ordinal());
+}
+
+/// A process that waited in the channel goes on later: its message arrives when it does. For the other one, what it did
+/// before the message and what it does after it are two slices.
+void Timeline::communicated(const AnyChannel& channel, Time now) {
+    if (!taking(now) || now < window_.from)
+        return;
+    Lane *from = lane_of(*channel.outputter()), *to = lane_of(*channel.inputter());
+    if (!from || !to)
+        return;
+    std::uint64_t message = message_count_++;
+    messages_.emplace(message, Message{channel.name(), now});
+    for (Lane* lane : {from, to})
+        if (!is_waiting(lane->doing))
+            turn_to(*lane, Doing::ready, now);
+    from->here.push_back({message, false});
+    from->partner = to->track;
+    to->partner = from->track;
+    if (is_waiting(to->doing))
+        to->arriving.push_back(message);
+    else
+        to->here.push_back({message, true});
+}
+
+void Timeline::carries(const std::string& direction, const AnyChannel& channel, Time now, Time since) {
+    if (std::size_t track = taking(now) ? tracks_.of_link(direction) : Tracks::none; track != Tracks::none)
+        use(track, channel.name(), since);
+}
+
+void Timeline::carried(const std::string& direction, std::uint64_t bytes, Time now, Time until) {
+    std::size_t track = taking(now) ? tracks_.of_link(direction) : Tracks::none;
+    if (track == Tracks::none)
+        return;
+    uses_[track].stopped = until;
+    uses_[track].bytes = bytes;
+}
+
+void Timeline::occupied(const std::string& name, const std::string& subject, Time now) {
+    if (std::size_t track = taking(now) ? tracks_.of_bus(name) : Tracks::none; track != Tracks::none)
+        use(track, subject, now);
+}
+
+void Timeline::vacated(const std::string& name, Time now) {
+    if (std::size_t track = taking(now) ? tracks_.of_bus(name) : Tracks::none; track != Tracks::none)
+        uses_[track].stopped = now;
+}
+
+void Timeline::over(Time now) {
+    if (taking(now))
+        shut(now, "");
+}
+
+void Timeline::turn_to(Lane& lane, Doing doing, Time now) {
+    settle(lane, now);
+    lane.doing = doing;
+    lane.since = now;
+    lane.partner = Tracks::none;
+}
+
+/// Ends what the process did until now: if it had stopped computing before, it was ready since then.
+void Timeline::settle(Lane& lane, Time now) {
+    if (std::optional<Time> stopped = std::exchange(lane.stopped, std::nullopt)) {
+        close(lane, *stopped);
+        lane.doing = Doing::ready;
+        lane.since = *stopped;
+    }
+    close(lane, now);
+}
+
+void Timeline::close(Lane& lane, Time end) {
+    if (end > window_.from)
+        close(lane, slice_of(lane, end, false));
+}
+
+/// The messages that lie in the slice do so at its beginning. Returns whether there is anything to be seen of it.
+bool Timeline::close(Lane& lane, Slice slice) {
+    Time end = slice.end;
+    if (!write(std::move(slice)))
+        return false;
+    for (const MessageEnd& message : std::exchange(lane.here, {}))
+        place(message, lane.track, std::max(lane.since, window_.from));
+    lane.last_end = end;
+    return true;
+}
+
+/// What the process does since its last slice.
+Slice Timeline::slice_of(const Lane& lane, Time end, bool open) const {
+    Slice slice{lane.track, lane.doing, lane.since, end, open};
+    if (!is_waiting(lane.doing))
+        return slice;
+    for (const AnyChannel* channel : lane.process->awaited_channels())
+        slice.awaited.push_back({channel->name(), partner(lane, *channel, open)});
+    slice.awaits_timer = lane.process->awaits_timer();
+    return slice;
+}
+
+/// Who came to the other end of the channel. Else who has to come, as far as can be known: its last user, or the
+/// process at the outermost level to which that belonged.
+std::string Timeline::partner(const Lane& lane, const AnyChannel& channel, bool open) const {
+    if (lane.partner != Tracks::none)
+        return tracks_.all()[lane.partner].name;
+    const AnyChannel::User& user = lane.doing == Doing::outputs ? channel.last_inputter() : channel.last_outputter();
+    if (!user.process)
+        return "";
+    auto found = lanes_.find(user.ordinal);
+    if (found != lanes_.end() && found->second.process == user.process)
+        return tracks_.all()[found->second.track].name;
+    return user.outermost->path() + (open && user.outermost->ended() ? " (has ended)" : "");
+}
+
+void Timeline::use(std::size_t track, const std::string& subject, Time now) {
+    Use& present = uses_[track];
+    if (present.subject == subject && present.stopped == now && present.bytes == 0) {
+        present.stopped.reset();
+        return;
+    }
+    close_use(track, now);
+    present = {subject, now};
+}
+
+void Timeline::close_use(std::size_t track, Time now) {
+    const Use& use = uses_[track];
+    if (use.subject.empty())
+        return;
+    Doing doing = tracks_.all()[track].place.kind == Track::Kind::link ? Doing::carries : Doing::executes;
+    Time end = std::min(use.stopped.value_or(now), now);
+    write({track, doing, use.since, end, !use.stopped, use.subject, use.bytes});
+}
+
+/// Returns whether there is anything to be seen of it.
+bool Timeline::write(Slice slice) {
+    slice.begin = std::max(slice.begin, window_.from);
+    if (slice.end < slice.begin || (slice.end == slice.begin && !(slice.open && is_waiting(slice.doing))))
+        return false;
+    writer_.write(slice);
+    ++entries_;
+    return true;
+}
+
+/// When both ends of the message are known, it is written.
+void Timeline::place(const MessageEnd& end, std::size_t track, Time at) {
+    auto found = messages_.find(end.message);
+    if (found == messages_.end())
+        return;
+    Message& message = found->second;
+    (end.arrives ? message.to : message.from) = track;
+    (end.arrives ? message.arrived : message.left) = at;
+    if (message.from == Tracks::none || message.to == Tracks::none)
+        return;
+    if (message.left <= message.arrived) {
+        writer_.write(Passage{message.channel, message.from, message.to, message.left, message.arrived});
+        ++entries_;
+    }
+    messages_.erase(found);
+}
+
+/// The process ended with a message: that lies at the end of its last slice. One that never took any time has none,
+/// and the message cannot be shown.
+void Timeline::give_up(Lane& lane) {
+    for (const MessageEnd& message : std::exchange(lane.here, {}))
+        if (lane.last_end)
+            place(message, lane.track, *lane.last_end - Time{1});
+        else
+            messages_.erase(message.message);
+}
+
+/// The trace ends. What the processes do will have ended or not when the run has.
+void Timeline::shut(Time now, const std::string& why) {
+    end_ = now;
+    why_ = why;
+    for (auto& [ordinal, lane] : lanes_) {
+        if (lane.stopped)
+            turn_to(lane, Doing::ready, *lane.stopped);
+        lane.last = slice_of(lane, now, true);
+        lane.path = lane.process->path();
+    }
+    for (const auto& [track, use] : uses_)
+        close_use(track, now);
+}
+
+/// REQUIRES: the trace has ended.
+void Timeline::finish(Lane& lane, const RunResult& result) {
+    lane.last->open = !why_.empty() || never_ends(lane.path, result);
+    if (!close(lane, std::move(*lane.last)))
+        for (std::uint64_t message : std::exchange(lane.arriving, {}))
+            lane.here.push_back({message, true});
+    for (std::uint64_t message : lane.arriving)
+        if (auto found = messages_.find(message); found != messages_.end())
+            place({message, true}, lane.track, std::max(found->second.at, lane.since));
+    give_up(lane);
+}
+
+} // namespace placedpar

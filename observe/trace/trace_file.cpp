@@ -1,0 +1,62 @@
+#include "observe/trace/trace_file.hpp"
+
+#include "observe/trace/perfetto_trace.hpp"
+#include "observe/trace/vcd_trace.hpp"
+#include "text/standard_streams.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace placedpar {
+
+namespace {
+
+enum class TraceFormat { json, vcd };
+
+TraceFormat trace_format(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    std::error_code error;
+    if (ending == ".json" || is_standard_stream(path) || (ending.empty() && std::filesystem::is_other(path, error)))
+        return TraceFormat::json;
+    if (ending == ".vcd")
+        return TraceFormat::vcd;
+    throw UserError(fmt::format("{}: the ending says what a trace is for: .json for ui.perfetto.dev, .vcd for GTKWave",
+                                path.string()));
+}
+
+std::unique_ptr<TraceWriter> make_writer(TraceFormat format, OutputFile& file, const Tracks& tracks) {
+    if (format == TraceFormat::vcd)
+        return std::make_unique<VcdTrace>(file, tracks);
+    return std::make_unique<PerfettoTrace>(file, tracks);
+}
+
+} // namespace
+
+void require_trace_format(const std::filesystem::path& path) { trace_format(path); }
+
+TraceFile::TraceFile(const std::filesystem::path& path, const Network& network, const TraceWindow& window)
+    : path_(path), window_(require_time_in(window)), file_((require_trace_format(path), path)), tracks_(network),
+      writer_(make_writer(trace_format(path), file_, tracks_)), timeline_(tracks_, window, *writer_) {}
+
+std::string TraceFile::finish(const RunResult& result, std::span<const PathMark> critical_path) {
+    writer_->draw_path(critical_path);
+    timeline_.finish(result);
+    file_.finish();
+    return warnings();
+}
+
+std::string TraceFile::warnings() const {
+    if (std::optional<Time> full = timeline_.full_at())
+        return fmt::format("{}: the trace is full at {}, with {} entries; the rest of the run is not in it. Choose a "
+                           "part of the run with --trace-from and --trace-until, or more with --trace-limit\n",
+                           shown_output(path_), to_string(*full), window_.most_entries);
+    if (std::string why = timeline_.why_empty(); !why.empty())
+        return fmt::format("{}: the trace is empty: {}\n", shown_output(path_), why);
+    return "";
+}
+
+} // namespace placedpar

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "observe/trace/path_mark.hpp"
+#include "observe/trace/tracks.hpp"
+#include "runtime/time.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// What goes on on a track for a while. A processor executes, a link carries; the others are what a process does.
+enum class Doing {
+    executes,
+    carries,
+    ready,
+    computes,
+    delayed,
+    outputs,
+    inputs,
+    alternates,
+    joins,
+    after_work,
+    stopped
+};
+
+/// Whether a process that does this waits for a partner, its timer or its components.
+constexpr bool is_waiting(Doing doing) { return doing >= Doing::delayed; }
+
+/// A channel, and the process that came to its other end, or has to come.
+struct Awaited {
+    std::string channel;
+    std::string partner; ///< "" where none ever used the channel
+};
+
+/// A slice of time in which the same goes on on a track. Those of one track do not overlap and come in order.
+struct Slice {
+    std::size_t track;
+    Doing doing;
+    Time begin, end;                   ///< begin < end, unless it is open
+    bool open;                         ///< it goes on when the trace ends
+    std::string subject = {};          ///< the process that is executed; the channel that is carried
+    std::uint64_t bytes = 0;           ///< that were carried; of an open slice not known
+    std::vector<Awaited> awaited = {}; ///< channels of a wait
+    bool awaits_timer = false;
+};
+
+/// A message on its way: it leaves within a slice of one track, and arrives at or after that within one of another.
+struct Passage {
+    const std::string& channel;
+    std::size_t from, to;
+    Time left, arrived;
+};
+
+/// Writes a trace in some format.
+class TraceWriter {
+public:
+    virtual ~TraceWriter() = default;
+    virtual void write(const Slice&) = 0;
+    /// Both of its slices have been written.
+    virtual void write(const Passage&) = 0;
+    /// The critical path, where it is known, in order of time; before finish(). What a format has no means for is left
+    /// out.
+    virtual void draw_path(std::span<const PathMark>) {}
+    /// The trace covers the time from `begin` to `end`; `why` says what happened then: "deadlock".
+    virtual void finish(Time begin, Time end, const std::string& why) = 0;
+};
+
+} // namespace placedpar

@@ -1,0 +1,146 @@
+#include "observe/trace/tracks.hpp"
+
+#include "netlist/kinds/device_kind.hpp"
+#include "runtime/executive.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace placedpar {
+
+namespace {
+
+std::size_t found_in(const std::unordered_map<std::string, std::size_t>& tracks, const std::string& name) {
+    auto found = tracks.find(name);
+    return found == tracks.end() ? Tracks::none : found->second;
+}
+
+} // namespace
+
+Tracks::Tracks(const Network& network) {
+    for (std::size_t i = 0; i < network.nodes.size(); ++i) {
+        nodes_.push_back(network.nodes[i].name + " " + network.nodes[i].type);
+        if (executes_in_time(network, i))
+            add(network.nodes[i].name, {i, Track::Kind::processor, 0, {}});
+    }
+    for (std::size_t i = 0; i < network.processes.size(); ++i)
+        add(network.processes[i].name, {network.processes[i].node, Track::Kind::process, i, {}});
+    for (std::size_t i = 0, wires = network.count_wires(); i < wires; ++i)
+        add_links(network, i);
+    add_buses(network);
+    add_switches(network);
+    number_as_drawn();
+}
+
+void Tracks::add_links(const Network& network, std::size_t index) {
+    const LinkConnection& connection = network.connections[index];
+    std::string a = link_name(network.nodes, connection.a), b = link_name(network.nodes, connection.b);
+    add(a + " -> " + b, {connection.a.node, Track::Kind::link, index, {}});
+    add(b + " -> " + a, {connection.b.node, Track::Kind::link, index, {1}});
+}
+
+void Tracks::add_buses(const Network& network) {
+    for (std::size_t i = 0; i < network.nodes.size(); ++i)
+        if (network.nodes[i].kind->bus == BusRole::is_bus)
+            add(network.nodes[i].name, {i, Track::Kind::bus, 0, {}});
+    for (std::size_t i = 0; i < network.attachments.size(); ++i)
+        if (const BusAttachment& each = network.attachments[i]; network.nodes[each.node].kind->is_master())
+            add(network.nodes[each.bus].name + " <- " + network.nodes[each.node].name,
+                {each.bus, Track::Kind::bus, i + 1, {}});
+    std::map<std::size_t, std::size_t> hogs; // of each bus
+    for (std::size_t i = 0; i < network.faults.size(); ++i)
+        if (std::size_t bus = network.faults[i].node;
+            network.faults[i].link < 0 && network.nodes[bus].kind->bus == BusRole::is_bus)
+            add(fmt::format("{} <- slot {}", network.nodes[bus].name, free_slot(network, bus, hogs[bus]++)),
+                {bus, Track::Kind::bus, network.attachments.size() + i + 1, {}});
+}
+
+/// The outputs of a switch that a program sets: each says what it puts out.
+void Tracks::add_switches(const Network& network) {
+    std::set<std::pair<std::size_t, int>> outputs;
+    for (const LinkConnection& connection : network.connections)
+        for (const SwitchCrossing& crossing : connection.crossings)
+            if (connection.at_run_time && is_set_at_run_time(network, crossing.node))
+                for (int link : {crossing.from_link, crossing.to_link})
+                    outputs.emplace(crossing.node, link);
+    for (auto [node, link] : outputs)
+        add(link_name(network.nodes, {node, link}), {node, Track::Kind::bus, static_cast<std::size_t>(link), {}});
+}
+
+void Tracks::number_as_drawn() {
+    std::ranges::sort(tracks_, {}, &Track::place);
+    for (std::size_t i = 0; i < tracks_.size(); ++i) {
+        tracks_[i].outermost = i;
+        Track::Kind kind = tracks_[i].place.kind;
+        (kind == Track::Kind::link        ? links_
+         : kind == Track::Kind::bus       ? buses_
+         : kind == Track::Kind::processor ? processors_
+                                          : processes_)[tracks_[i].name] = i;
+    }
+}
+
+std::size_t Tracks::add(std::string name, Track::Place place) {
+    tracks_.push_back({std::move(name), std::move(place), tracks_.size()});
+    return tracks_.size() - 1;
+}
+
+std::vector<std::size_t> Tracks::drawn() const {
+    std::vector<std::size_t> numbers(tracks_.size());
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+    std::ranges::sort(numbers, {}, [this](std::size_t track) -> const Track::Place& { return tracks_[track].place; });
+    return numbers;
+}
+
+std::size_t Tracks::of(const Process& process) {
+    std::string path = process.path();
+    if (std::size_t track = found_in(processes_, path); track != none)
+        return track;
+    if (process.parent())
+        add_component(process, path);
+    else if (!add_machine_process(process, path))
+        return none;
+    return processes_[path];
+}
+
+/// Drawn behind its parent.
+void Tracks::add_component(const Process& process, const std::string& path) {
+    std::size_t parent = of(*process.parent());
+    if (parent == none)
+        return void(processes_[path] = none);
+    Track::Place place = tracks_[parent].place;
+    std::size_t component = 0;
+    std::from_chars(path.data() + path.rfind('/') + 1, path.data() + path.size(), component);
+    place.components.push_back(component);
+    processes_[path] = add(path, std::move(place));
+    tracks_.back().outermost = tracks_[parent].outermost;
+}
+
+/// False if no node executes it: then it takes no time, and there is nothing to be seen.
+bool Tracks::add_machine_process(const Process& process, const std::string& path) {
+    std::size_t processor = process.executive() ? of_processor(process.executive()->name()) : none;
+    if (processor == none)
+        return false;
+    std::size_t node = tracks_[processor].place.node;
+    processes_[path] = add(path, {node, Track::Kind::machine_process, tracks_.size(), {}});
+    return true;
+}
+
+std::size_t Tracks::of_processor(const std::string& node) const { return found_in(processors_, node); }
+
+std::size_t Tracks::of_link(const std::string& direction) const { return found_in(links_, direction); }
+
+std::size_t Tracks::of_bus(const std::string& name) const { return found_in(buses_, name); }
+
+std::size_t Tracks::of_place(const std::string& name) const {
+    if (std::size_t link = of_link(name); link != none)
+        return link;
+    std::size_t bus = of_bus(name);
+    return bus == none ? of_processor(name) : bus;
+}
+
+} // namespace placedpar

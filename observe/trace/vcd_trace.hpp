@@ -1,0 +1,56 @@
+#pragma once
+
+#include "observe/trace/trace_writer.hpp"
+#include "text/output_file.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// A trace as a value change dump (IEEE 1364), which GTKWave and other viewers of waveforms show. Of a processor it has
+/// a wire that is 1 while it is busy; of a process with the components of its PARs a wire for each thing that it can
+/// do, which is 1 while any of them does it; of a direction of a link one that is 1 while it carries bytes. A node is a
+/// scope, and in it each of its processes. Times are in picoseconds.
+///
+/// Changes are kept until the end, since a slice is known only when it is over.
+class VcdTrace final : public TraceWriter {
+public:
+    /// REQUIRES: file and tracks outlive it, and nothing has been written to the file.
+    VcdTrace(OutputFile&, const Tracks&);
+
+    void write(const Slice&) override;
+    void write(const Passage&) override {}
+    void finish(Time begin, Time end, const std::string& why) override;
+
+private:
+    /// From this moment on, one track more or one less does what makes the wire 1.
+    struct Change {
+        Time at;
+        std::uint32_t wire;
+        std::int32_t by;
+    };
+    using Changes = std::vector<Change>;
+    struct Wire {
+        std::int32_t tracks = 0; ///< that make it 1
+        bool shown = false;      ///< its value in the file
+        bool is_on() const { return tracks > 0; }
+    };
+    void declare();
+    void declare(std::size_t track, Track::Kind, const std::string& name);
+    void declare_wire(std::uint32_t number, const std::string& name);
+    void write_changes(Time begin, Time end);
+    Changes::const_iterator make_changes(Changes::const_iterator, Time until);
+    Changes::const_iterator write_moment(Changes::const_iterator);
+    static std::string value_change(std::uint32_t number, Wire&);
+
+    OutputFile& file_;
+    const Tracks& tracks_;
+    Changes changes_;
+    std::map<std::uint32_t, Wire> wires_; ///< by number
+};
+
+} // namespace placedpar

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "netlist/network/network.hpp"
+#include "picture/geometry.hpp"
+#include "picture/wiring.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace placedpar::picture {
+
+/// The unit of the drawing's raster, in pixels: borders of boxes and wires that turn corners lie on it.
+inline constexpr double pitch = 8;
+
+/// Heights of letters, in pixels.
+inline constexpr double name_size = 13, fact_size = 10, process_size = 11, kind_size = 9, number_size = 9;
+
+/// Of a node's box: of its heading, and of a line for a process.
+inline constexpr double heading_height = 40, process_height = 16;
+
+/// As wide as such a text is at most in the fonts that a viewer may take, in pixels.
+double width_of(const std::string& text, double size, bool bold = false);
+
+struct ProcessLine {
+    std::size_t process = 0;
+    std::string name, kind; ///< cut short where they are very long
+    Point at;               ///< where the name begins, on the line that the letters stand on
+    double kind_at = 0;     ///< x at which the kind ends
+};
+
+struct DrawnNode {
+    Box box;
+    std::string name, facts; ///< facts: type, memory, clock
+    std::vector<ProcessLine> processes;
+    std::string inside; ///< how many channels stay within the node; "": none
+};
+
+/// The nodes with their texts, in boxes of the size that these take, at the places given in cells. No two overlap, and
+/// there is room for wires between them.
+std::vector<DrawnNode> draw_nodes(const Network&, const std::vector<Span>&, const std::vector<Point>& places);
+
+} // namespace placedpar::picture

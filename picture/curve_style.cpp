@@ -1,0 +1,113 @@
+#include "picture/curve_style.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace placedpar {
+
+namespace {
+
+/// Okabe and Ito's colours, distinguishable to the colour-blind too, the dark ones first; their yellow is replaced by
+/// black, being hard to see on white.
+constexpr std::array<const char*, 8> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                             "#E69F00", "#56B4E9", "#000000", "#7F7F7F"};
+
+/// Of each colour, as gnuplot numbers them: a circle, a square, triangles, a rhombus, and their outlines.
+constexpr std::array<int, colours.size()> symbols{7, 5, 9, 13, 11, 6, 4, 8};
+/// Of a curve, at about so many places.
+constexpr std::size_t symbols_of_curve = 9;
+
+/// Of each colour: lengths of strokes and gaps.
+constexpr std::array<const char*, colours.size()> dashes{"solid",     "(9,4)",          "(2,3)", "(14,4,3,4)",
+                                                         "(5,2,5,7)", "(14,4,3,4,3,4)", "(3,7)", "(6,3,2,3)"};
+constexpr const char* asked_for = "(8,5)"; // Stroke::dashes
+
+std::size_t colour_number(const Panel& panel, std::size_t place) {
+    const auto& asked = panel.series[place].colour;
+    return (asked ? static_cast<std::size_t>(*asked) : place) % colours.size();
+}
+
+/// Another series of that stroke has the colour, too.
+bool has_series(const Panel& panel, Stroke stroke, std::size_t number) {
+    for (std::size_t i = 0; i < panel.series.size(); ++i)
+        if (panel.series[i].stroke == stroke && colour_number(panel, i) == number)
+            return true;
+    return false;
+}
+
+/// Some colour stands for a curve and for a dashed one.
+bool dashes_have_a_meaning(const Panel& panel) {
+    for (std::size_t number = 0; number < colours.size(); ++number)
+        if (has_series(panel, Stroke::line, number) && has_series(panel, Stroke::dashes, number))
+            return true;
+    return false;
+}
+
+/// A curve that is not measured needs no symbols where it is alone, where points of its colour lie on it, or where its
+/// dashes are no other curve's.
+bool needs_no_symbols(const Panel& panel, std::size_t place) {
+    const std::size_t number = colour_number(panel, place);
+    if (!panel.series[place].intervals.empty())
+        return false;
+    return panel.series.size() == 1 || has_series(panel, Stroke::points, number) ||
+           (panel.series[place].stroke == Stroke::dashes && !dashes_have_a_meaning(panel));
+}
+
+/// All curves are of one colour, or told apart from one another by what they are.
+bool needs_no_dashes(const Panel& panel, std::size_t number) {
+    bool alone = true;
+    for (std::size_t other = 0; other < colours.size(); ++other)
+        alone = alone && (other == number || !has_series(panel, Stroke::line, other));
+    return alone || dashes_have_a_meaning(panel);
+}
+
+std::string dashes_of(const Panel& panel, std::size_t place) {
+    const std::size_t number = colour_number(panel, place);
+    if (panel.series[place].stroke == Stroke::dashes)
+        return asked_for;
+    return needs_no_dashes(panel, number) ? "solid" : dashes[number];
+}
+
+std::string curve_style(const Panel& panel, std::size_t place) {
+    const std::size_t number = colour_number(panel, place);
+    const std::string look =
+        fmt::format("linewidth 2 dashtype {} linecolor rgb '{}'", dashes_of(panel, place), colours[number]);
+    if (needs_no_symbols(panel, place))
+        return "with lines " + look;
+    const std::size_t every = std::max<std::size_t>(panel.series[place].points.size() / symbols_of_curve, 1);
+    return fmt::format("with linespoints pointtype {} pointsize 0.7 pointinterval {} {}", symbols[number], every, look);
+}
+
+} // namespace
+
+const char* colour_named(int number) { return colours[static_cast<std::size_t>(number) % colours.size()]; }
+
+const char* colour_of(const Panel& panel, std::size_t place) { return colours[colour_number(panel, place)]; }
+
+std::string style_of(const Panel& panel, std::size_t place) {
+    switch (panel.series[place].stroke) {
+    case Stroke::line:
+    case Stroke::dashes: return curve_style(panel, place);
+    case Stroke::plain: return fmt::format("with lines linewidth 2 linecolor rgb '{}'", colour_of(panel, place));
+    case Stroke::points:
+        return fmt::format("with points pointtype {} pointsize 0.65 linecolor rgb '{}'",
+                           symbols[colour_number(panel, place)], colour_of(panel, place));
+    }
+    return "";
+}
+
+std::string style_of(const Mark& mark, std::size_t place) {
+    constexpr std::array<const char*, 3> dashes_of_marks{"(4,4)", "(14,5)", "(14,5,3,5)"};
+    return fmt::format("with lines linewidth 1.3 dashtype {} linecolor rgb '{}'",
+                       dashes_of_marks[place % dashes_of_marks.size()],
+                       mark.colour ? colour_named(*mark.colour) : "#606060");
+}
+
+std::string style_of(const Band& band) {
+    return fmt::format("with filledcurves fillstyle transparent solid 0.2 noborder linecolor rgb '{}'",
+                       colour_named(band.colour));
+}
+
+} // namespace placedpar

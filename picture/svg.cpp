@@ -1,0 +1,430 @@
+#include "picture/svg.hpp"
+
+#include "netlist/kinds/device_kind.hpp"
+#include "netlist/print/buses_as_wires.hpp"
+#include "netlist/print/pieces_as_wires.hpp"
+#include "picture/fault_marks.hpp"
+#include "picture/picture.hpp"
+#include "picture/software.hpp"
+#include "text/counted.hpp"
+#include "text/utf8.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace placedpar::picture {
+
+namespace {
+
+constexpr std::size_t longest_tooltip = 4000;
+constexpr double border = 24, title_height = 32, legend_line = 24, curve = 14;
+
+/// Readable in grey: what is drawn by colour is drawn by shape, too.
+constexpr const char* style =
+    R"(text { font-family: Helvetica, Arial, "DejaVu Sans", sans-serif; fill: #16202a; }
+.title { font-size: 14px; font-weight: bold; }
+.name { font-size: 13px; font-weight: bold; text-anchor: middle; }
+.facts, .key { font-size: 10px; }
+.facts { fill: #445566; text-anchor: middle; }
+.process { font-size: 11px; }
+.kind { font-size: 9px; fill: #667788; text-anchor: end; }
+.inside { font-size: 9px; fill: #667788; text-anchor: middle; }
+.link { font-size: 9px; fill: #16324a; text-anchor: middle; }
+.count { font-size: 10px; fill: #16324a; }
+.over { paint-order: stroke; stroke: #ffffff; stroke-width: 4px; stroke-linejoin: round; }
+.frame { fill: #ffffff; stroke-width: 1.4; }
+.cross { stroke-width: 0.6; }
+.edge .frame { stroke-dasharray: 5 3; }
+.wire { fill: none; stroke: #3b5b7a; stroke-width: 1.6; }
+.idle { stroke: #8898a8; stroke-dasharray: 2 3; }
+.channels rect { fill: #ffffff; stroke: #3b5b7a; stroke-width: 0.8; }
+.channels path, .head { fill: #3b5b7a; }
+)";
+
+/// Only where there are faults.
+constexpr const char* style_of_faults =
+    R"(.struck { fill: none; stroke: #16202a; stroke-width: 3.6; stroke-dasharray: 9 5; }
+.fault rect { fill: #ffffff; stroke: #16202a; stroke-width: 1; }
+.fault text { font-size: 10px; font-weight: bold; text-anchor: middle; }
+)";
+
+/// To a tenth of a pixel.
+std::string number(double length) { return fmt::format("{}", std::round(length * 10) / 10 + 0.0); }
+
+std::string pair(Point p) { return number(p.x) + " " + number(p.y); }
+
+std::string rectangle_of(const Box& box, const std::string& attributes) {
+    return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" {}/>", number(box.left()), number(box.top()),
+                       number(box.width), number(box.height), attributes);
+}
+
+std::string text_at(Point at, const char* style_class, std::string_view text) {
+    return fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>", style_class, number(at.x), number(at.y),
+                       as_markup(text));
+}
+
+std::string tooltip(const std::string& text) { return "<title>" + as_markup(text) + "</title>"; }
+
+std::string crossed_box(const Box& box, const std::string& attributes, const std::string& colour) {
+    return rectangle_of(box, attributes) + fmt::format("<path class=\"cross\" d=\"M{} L{} M{} L{}\" stroke=\"{}\"/>",
+                                                       pair({box.left(), box.top()}), pair({box.right(), box.bottom()}),
+                                                       pair({box.left(), box.bottom()}), pair({box.right(), box.top()}),
+                                                       colour);
+}
+
+std::string ellipse(const Box& box, const std::string& attributes) {
+    return fmt::format("<ellipse cx=\"{}\" cy=\"{}\" rx=\"{}\" ry=\"{}\" {}/>", number(box.centre.x),
+                       number(box.centre.y), number(box.width / 2), number(box.height / 2), attributes);
+}
+
+std::string frame(const Box& box, const Drawing& drawing) {
+    std::string colours = fmt::format("class=\"frame\" stroke=\"{}\"", drawing.frame);
+    std::string filled =
+        fmt::format("class=\"frame\" stroke=\"{}\" style=\"fill: {}\"", drawing.frame, drawing.heading);
+    switch (drawing.shape) {
+    case Drawing::Shape::crossed_box: return crossed_box(box, filled, drawing.frame);
+    case Drawing::Shape::ellipse: return ellipse(box, colours);
+    case Drawing::Shape::box: break;
+    }
+    std::string rounded = drawing.in_first_row ? " rx=\"10\"" : "";
+    if (box.height < heading_height + process_height)
+        return rectangle_of(box, filled + rounded);
+    Box heading{{box.centre.x, box.top() + 18}, box.width, 36};
+    return rectangle_of(box, colours + rounded) +
+           rectangle_of(heading, fmt::format("fill=\"{}\" stroke=\"{}\"{}", drawing.heading, drawing.frame, rounded));
+}
+
+/// A line that turns its corners in curves.
+std::string curved(const Path& path) {
+    std::string data = "M" + pair(path.front());
+    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+        Point before = path[i - 1] - path[i], after = path[i + 1] - path[i];
+        double reach = std::min({curve, distance({}, before) / 2, distance({}, after) / 2});
+        data += fmt::format(" L{} Q{} {}", pair(path[i] + (reach / distance({}, before)) * before), pair(path[i]),
+                            pair(path[i] + (reach / distance({}, after)) * after));
+    }
+    return data + " L" + pair(path.back());
+}
+
+/// Of an arrow, where a line ends.
+std::string arrow_head(Point before, Point tip) {
+    Point along = 1 / distance(before, tip) * (tip - before), aside{-along.y, along.x};
+    return fmt::format("<path class=\"head\" d=\"M{} L{} L{} Z\"/>", pair(tip), pair(tip + -9 * along + 4 * aside),
+                       pair(tip + -9 * along + -4 * aside));
+}
+
+/// Points to the right, below, to the left or above; about 7 pixels long.
+std::string arrow(Point centre, bool upright, bool onward) {
+    Point along = upright ? Point{0, 1} : Point{1, 0}, aside{along.y, along.x};
+    Point tip = centre + (onward ? 3.5 : -3.5) * along, back = centre - (onward ? 3 : -3) * along;
+    return fmt::format("<path d=\"M{} L{} L{} Z\"/>", pair(tip), pair(back + 3.2 * aside), pair(back - 3.2 * aside));
+}
+
+/// What of a network is drawn: processors and wires, or processes and channels.
+enum class View { hardware, software };
+
+class SvgPrinter {
+public:
+    SvgPrinter(const Network& network, Picture picture, View view)
+        : n_(network), view_(view), picture_(std::move(picture)), directions_(network.connections.size()),
+          carried_(channels_on_wires()),
+          marks_(view == View::hardware ? fault_marks(n_, picture_) : std::vector<FaultMark>{}) {}
+
+    std::string print() {
+        Box drawing = extent();
+        std::string legend =
+            print_legend({drawing.left(), drawing.bottom() + 2 * border}, std::max(drawing.width, 640.));
+        std::string title = title_of();
+        double width =
+            std::max({drawing.width, legend_right_ - drawing.left(), width_of(title, 14, true)}) + 2 * border;
+        double top = drawing.top() - border - title_height, height = legend_bottom_ - top + border;
+        text_ = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\" width=\"{}\" "
+                            "height=\"{}\">\n<style>\n{}</style>\n",
+                            number(drawing.left() - border), number(top), number(width), number(height), number(width),
+                            number(height), style + std::string(marks_.empty() ? "" : style_of_faults));
+        text_ +=
+            rectangle_of({{drawing.left() - border + width / 2, top + height / 2}, width, height}, "fill=\"#ffffff\"") +
+            "\n";
+        text_ += text_at({drawing.left(), top + border}, "title", title) + "\n";
+        for (std::size_t i = 0; i < n_.nodes.size(); ++i)
+            print_frame(i);
+        for (std::size_t i = 0; i < n_.connections.size(); ++i)
+            print_wire(i);
+        for (std::size_t i = 0; i < n_.nodes.size(); ++i)
+            print_texts(i);
+        for (const FaultMark& mark : marks_)
+            print_mark(mark);
+        for (std::size_t i = 0; i < n_.connections.size(); ++i)
+            print_labels(i);
+        return std::move(text_) + legend + "</svg>\n";
+    }
+
+private:
+    Box extent() const {
+        if (n_.nodes.empty())
+            return {};
+        std::vector<Box> boxes{extent_of(picture_)};
+        for (const FaultMark& mark : marks_)
+            boxes.push_back(mark.box);
+        return around(boxes);
+    }
+
+    /// Over what it strikes, below the numbers of links and channels.
+    void print_mark(const FaultMark& mark) {
+        text_ += "<g class=\"fault\">" + tooltip(mark.statement);
+        text_ += mark.wire ? fmt::format("<path class=\"struck\" d=\"{}\"/>", data_of(picture_.wires[*mark.wire]))
+                           : struck_frame(grown(picture_.nodes[*mark.node].box, 3));
+        text_ += rectangle_of(mark.box, "rx=\"3\"");
+        text_ += text_at({mark.box.centre.x, mark.box.centre.y + 3.5}, "mark", mark.text) + "</g>\n";
+    }
+
+    static std::string struck_frame(const Box& box) {
+        return fmt::format("<path class=\"struck\" d=\"M{} L{} L{} L{} Z\"/>", pair({box.left(), box.top()}),
+                           pair({box.right(), box.top()}), pair({box.right(), box.bottom()}),
+                           pair({box.left(), box.bottom()}));
+    }
+
+    std::string title_of() const {
+        if (view_ == View::software)
+            return fmt::format("{}: {}, {}", std::filesystem::path(n_.source_path).filename().string(),
+                               counted(count_processes(), "process", "processes"),
+                               counted(n_.channels.size(), "channel", "channels"));
+        return fmt::format(
+            "{}: {}, {}, {}, {}", std::filesystem::path(n_.source_path).filename().string(),
+            counted(count_processors(n_), "processor", "processors"), counted(count_links(), "wire", "wires"),
+            counted(n_.processes.size(), "process", "processes"), counted(n_.channels.size(), "channel", "channels"));
+    }
+
+    /// Of the lines between boxes; the others lead to buses.
+    std::size_t count_links() const {
+        return static_cast<std::size_t>(
+            std::ranges::count_if(n_.connections, [](const LinkConnection& wire) { return wire.bits_per_second > 0; }));
+    }
+
+    /// "sun - vme.slot[1]"
+    std::string ends_of(const LinkConnection& wire) const {
+        if (wire.bits_per_second == 0)
+            return fmt::format("{} - {}.slot[{}]", n_.nodes[wire.a.node].name, n_.nodes[wire.b.node].name, wire.b.link);
+        return link_name(n_.nodes, wire.a) + " - " + link_name(n_.nodes, wire.b);
+    }
+
+    /// Of the software's nodes; the others are edges.
+    std::size_t count_processes() const {
+        return static_cast<std::size_t>(
+            std::ranges::count_if(n_.nodes, [](const Node& node) { return node.kind->runs_processes; }));
+    }
+
+    /// The names of the channels on each wire, and in which directions they go.
+    std::vector<std::string> channels_on_wires() {
+        std::vector<std::string> names(n_.connections.size());
+        for (const NetworkChannel& channel : n_.channels)
+            for (const RouteHop& hop : channel.placement.route) {
+                auto& [onward, back] = directions_[hop.connection];
+                (hop.from_a_to_b ? onward : back) = true;
+                if (auto& text = names[hop.connection]; text.size() < longest_tooltip)
+                    text += "\n" + channel.name;
+                else if (!text.ends_with("..."))
+                    text += "\n...";
+            }
+        return names;
+    }
+
+    void print_frame(std::size_t index) {
+        const Node& node = n_.nodes[index];
+        text_ += fmt::format("<g class=\"node {}\" data-node=\"{}\">{}{}</g>\n", as_markup(class_of(*node.kind)),
+                             as_markup(node.name), tooltip(node.name + " (" + node.type + ")"),
+                             frame(picture_.nodes[index].box, node.kind->drawing));
+    }
+
+    /// One word: those of "link adapter" would be two classes, of which one is that of a link's number.
+    static std::string class_of(const DeviceKind& kind) {
+        std::string name = kind.links == LinkRole::edge ? "edge" : kind.name;
+        std::ranges::replace(name, ' ', '-');
+        return name;
+    }
+
+    void print_wire(std::size_t index) {
+        const LinkConnection& wire = n_.connections[index];
+        std::string ends = ends_of(wire);
+        std::string about = view_ == View::software || wire.bits_per_second == 0
+                                ? ends
+                                : fmt::format("{}, {:g} Mbit/s", ends, static_cast<double>(wire.bits_per_second) / 1e6);
+        text_ += fmt::format("<path class=\"wire{}\" data-wire=\"{}\" d=\"{}\">",
+                             carried_[index].empty() ? " idle" : "", as_markup(ends), data_of(picture_.wires[index])) +
+                 tooltip_lines(about + carried_[index]) + "</path>\n";
+        if (view_ == View::software)
+            print_heads(index);
+    }
+
+    /// An arrow at each end that channels lead to.
+    void print_heads(std::size_t index) {
+        const Path& path = picture_.wires[index].spans.front();
+        auto [onward, back] = directions_[index];
+        if (onward)
+            text_ += arrow_head(path[path.size() - 2], path.back()) + "\n";
+        if (back)
+            text_ += arrow_head(path[1], path.front()) + "\n";
+    }
+
+    static std::string tooltip_lines(const std::string& text) {
+        std::string lines;
+        for (std::size_t start = 0, end = 0; end != std::string::npos; start = end + 1) {
+            end = text.find('\n', start);
+            lines += (start == 0 ? "" : "\n") + as_markup(text.substr(start, end - start));
+        }
+        return "<title>" + lines + "</title>";
+    }
+
+    /// Within a switch, a straight line leads from one link to the other.
+    static std::string data_of(const DrawnWire& wire) {
+        std::string data;
+        for (const Path& path : wire.spans)
+            data += (data.empty() ? "" : " L" + pair(path.front()) + " ") + curved(path);
+        return data;
+    }
+
+    void print_texts(std::size_t index) {
+        const DrawnNode& node = picture_.nodes[index];
+        const Drawing& drawing = n_.nodes[index].kind->drawing;
+        bool headed = drawing.shape == Drawing::Shape::box;
+        bool only_heading = node.box.height < heading_height + process_height;
+        double top = headed && !only_heading ? node.box.top() : node.box.centre.y - (node.facts.empty() ? 9 : 18);
+        const char* over = drawing.shape == Drawing::Shape::crossed_box ? " over" : "";
+        text_ += "<g class=\"texts\">";
+        text_ += text_at({node.box.centre.x, top + (node.facts.empty() ? 14 : 16)}, fmt::format("name{}", over).c_str(),
+                         node.name);
+        if (!node.facts.empty())
+            text_ += text_at({node.box.centre.x, top + 29}, fmt::format("facts{}", over).c_str(), node.facts);
+        for (const ProcessLine& line : node.processes)
+            print_process(line);
+        if (!node.inside.empty())
+            text_ += text_at({node.box.centre.x, node.box.bottom() - 6}, "inside", node.inside);
+        text_ += "</g>\n";
+    }
+
+    void print_process(const ProcessLine& line) {
+        const ProcessInstance& process = n_.processes[line.process];
+        text_ +=
+            fmt::format("<g class=\"placed\" data-process=\"{}\">{}{}{}</g>", as_markup(process.name),
+                        tooltip(process.name + ", " + (process.kind.empty() ? "no program" : process.kind)),
+                        text_at(line.at, "process", line.name), text_at({line.kind_at, line.at.y}, "kind", line.kind));
+    }
+
+    void print_labels(std::size_t index) {
+        const DrawnWire& wire = picture_.wires[index];
+        for (const LinkLabel& link : wire.links)
+            text_ += text_at({link.box.centre.x, link.box.bottom() - 1.5}, "link over", link.text) + "\n";
+        bool said = view_ == View::software && wire.channels && wire.channels->onward <= 1 && wire.channels->back <= 1;
+        if (wire.channels && !said) // one channel each way is said by the arrows
+            text_ += print_count(*wire.channels) + "\n";
+    }
+
+    /// In the way of the channels: back on the left, onward on the right.
+    static std::string print_count(const ChannelCount& count) {
+        std::string out = "<g class=\"channels\">" + rectangle_of(count.box, "rx=\"4\"");
+        if (count.back > 0)
+            out += print_half(count, count.box.left() + 4, count.back, false);
+        if (count.onward > 0)
+            out += print_half(count, count.box.right() - 4, count.onward, true);
+        return out + "</g>";
+    }
+
+    /// With its arrow at the outer end.
+    static std::string print_half(const ChannelCount& count, double end, std::size_t channels, bool onward) {
+        auto digits = fmt::format("{}", channels);
+        Point text{onward ? end - arrow_width - digit_width * static_cast<double>(digits.size()) : end + arrow_width,
+                   count.box.centre.y + 3.5};
+        return arrow({end + (onward ? -3.5 : 3.5), count.box.centre.y}, count.upright, onward) +
+               text_at(text, "count", digits);
+    }
+
+    /// One after the other from this corner on, in lines of at most this width.
+    std::string print_legend(Point corner, double width) {
+        legend_start_ = legend_at_ = corner;
+        legend_width_ = width;
+        std::set<std::string> seen;
+        for (const Node& node : n_.nodes)
+            if (seen.insert(node.kind->name).second)
+                add_to_legend(40, frame({{20, 0}, 32, 16}, node.kind->drawing), node.kind->drawing.legend,
+                              class_of(*node.kind));
+        add_wires_to_legend();
+        if (!marks_.empty())
+            add_to_legend(40, "<path class=\"struck\" d=\"M0 0 L36 0\"/>", "fails in the run, as it says there");
+        if (std::ranges::any_of(n_.processes, &ProcessInstance::high_priority) ||
+            std::ranges::any_of(n_.nodes, [](const Node& node) { return node.name.ends_with(" !"); }))
+            add_to_legend(12, text_at({2, 4}, "process", "!"), "process of high priority");
+        legend_bottom_ = legend_at_.y + 8;
+        return std::move(legend_);
+    }
+
+    void add_wires_to_legend() {
+        if (view_ == View::software)
+            return add_channels_to_legend();
+        auto idle = [](const std::string& channels) { return channels.empty(); };
+        if (!std::ranges::all_of(carried_, idle)) {
+            add_to_legend(40, "<path class=\"wire\" d=\"M0 0 L36 0\"/>", "wire that carries channels");
+            add_to_legend(48, print_count({{{22, 0}, width_of_count(2, 1), 14}, 1, 2, false}), "how many, each way");
+        }
+        if (std::ranges::any_of(carried_, idle))
+            add_to_legend(40, "<path class=\"wire idle\" d=\"M0 0 L36 0\"/>", "wire without a channel");
+        if (!carried_.empty())
+            add_to_legend(12, text_at({5, 3}, "link", "0"), "number of a link");
+    }
+
+    void add_channels_to_legend() {
+        if (carried_.empty())
+            return;
+        add_to_legend(40, "<path class=\"wire\" d=\"M0 0 L36 0\"/>" + arrow_head({0, 0}, {36, 0}), "channel");
+        add_to_legend(
+            40, "<path class=\"wire\" d=\"M0 0 L36 0\"/>" + arrow_head({0, 0}, {36, 0}) + arrow_head({36, 0}, {0, 0}),
+            "a channel each way");
+        add_to_legend(36, text_at({16, 3}, "link", "name"), "of the sender's port");
+    }
+
+    void add_to_legend(double room, const std::string& sign, const std::string& about, const std::string& kind = "") {
+        double width = room + width_of(about, fact_size) + 20;
+        if (legend_at_.x > legend_start_.x && legend_at_.x + width > legend_start_.x + legend_width_)
+            legend_at_ = {legend_start_.x, legend_at_.y + legend_line};
+        legend_ += fmt::format("<g class=\"legend {}\" transform=\"translate({} {})\">{}{}</g>\n", as_markup(kind),
+                               number(legend_at_.x), number(legend_at_.y), sign, text_at({room, 3.5}, "key", about));
+        legend_at_.x += width;
+        legend_right_ = std::max(legend_right_, legend_at_.x);
+    }
+
+    const Network& n_;
+    View view_;
+    Picture picture_;
+    std::vector<std::pair<bool, bool>>
+        directions_;                   ///< by each wire: whether channels lead from its a to its b, and back
+    std::vector<std::string> carried_; ///< by each wire; "" where there is none
+    std::vector<FaultMark> marks_;
+    std::string text_, legend_;
+    Point legend_start_, legend_at_;
+    double legend_width_ = 0, legend_right_ = 0, legend_bottom_ = 0;
+};
+
+} // namespace
+
+} // namespace placedpar::picture
+
+namespace placedpar {
+
+std::string print_svg(const Network& with_buses) {
+    Network network = with_buses_as_wires(with_pieces_as_wires(with_buses));
+    return picture::SvgPrinter(network, picture::draw(network, picture::spans_of(network)), picture::View::hardware)
+        .print();
+}
+
+std::string print_software_svg(const Network& network) {
+    picture::Software software = picture::software_of(network);
+    auto drawn = picture::draw(software.network, software.spans, software.places);
+    return picture::SvgPrinter(software.network, std::move(drawn), picture::View::software).print();
+}
+
+} // namespace placedpar

@@ -1,0 +1,116 @@
+// Of a run's history what the critical path can still lead over is kept, and no more than it may be.
+
+#include "explore/explain/explanation.hpp"
+
+#include "explore/load.hpp"
+#include "explore/netlist_run.hpp"
+#include "explore/problems.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <string>
+#include <tuple>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+Network example(const std::string& name, const Overrides& set = {}) {
+    return load_network(fmt::format("{}/examples/{}", PLACEDPAR_SOURCE_DIR, name), set, known_problems(1),
+                        [](const std::string&) {});
+}
+
+CriticalPath path_of(const Network& network, std::size_t most) {
+    CriticalPath path(most);
+    run_netlist(network, known_problems(1), {.trace = &path});
+    return path;
+}
+
+std::vector<std::string> texts_of(const CriticalPath& path) {
+    std::vector<std::string> texts;
+    for (const PathPart& part : path.parts())
+        texts.push_back(fmt::format("{} {} {} {} {}", name_of(part.step), part.subject, part.place, part.begin.count(),
+                                    part.end.count()));
+    return texts;
+}
+
+std::vector<std::string> texts_of(const Account& account) {
+    std::vector<std::string> texts{fmt::format("{} {} {} {} {}", account.computing.count(), account.ready.count(),
+                                               account.communicating.count(), account.delayed.count(),
+                                               account.waiting.count())};
+    for (const auto& [partner, time] : account.waiting_for)
+        texts.push_back(fmt::format("{} {}", partner, time.count()));
+    return texts;
+}
+
+void check_same_tables(const CriticalPath& a, const CriticalPath& b) {
+    CHECK(a.waits_at_links() == b.waits_at_links());
+    REQUIRE(a.accounts().size() == b.accounts().size());
+    for (const auto& [process, account] : a.accounts())
+        CHECK(texts_of(account) == texts_of(b.accounts().at(process)));
+}
+
+} // namespace
+
+TEST_CASE("what the path can no longer lead over is forgotten, and the path is the same") {
+    for (const auto& [name, most] :
+         {std::pair("04-figure-e2/figure-e2.cfs", 32'000), std::pair("43-busy-bus/busy-bus.cfs", 1000),
+          std::pair("39-through-routing/farm.cfs", 32'000)}) {
+        CAPTURE(name);
+        Network network = example(name);
+        CriticalPath all = path_of(network, most_path_points),
+                     forgetful = path_of(network, static_cast<std::size_t>(most));
+        CHECK_FALSE(forgetful.too_long());
+        CHECK(texts_of(forgetful) == texts_of(all));
+        check_same_tables(forgetful, all);
+    }
+}
+
+TEST_CASE("a path that is too long is given up, and the tables stay") {
+    for (const std::string name :
+         {"04-figure-e2/figure-e2.cfs", "43-busy-bus/busy-bus.cfs", "01-commstime/commstime.cfs"}) {
+        CAPTURE(name);
+        Network network = example(name);
+        CriticalPath all = path_of(network, most_path_points), given_up = path_of(network, 100);
+        CHECK(given_up.too_long());
+        CHECK(given_up.parts().empty());
+        check_same_tables(given_up, all);
+    }
+}
+
+TEST_CASE("in the place of a path that was given up stands what to do") {
+    Network network = example("01-commstime/commstime.cfs");
+    Explanation explanation;
+    explanation.path_too_long = true;
+    const std::string why =
+        "it has more than 2000000 parts; end the run earlier with --until, or make it shorter with --set";
+    std::string printed = print_explanation(explanation, network);
+    CHECK(printed.find("\ncritical path: not kept: " + why + "\n") != std::string::npos);
+    CHECK(printed.find("share") == std::string::npos);
+    CHECK(explanation_json(explanation, network).at("not_kept").as_string() == why);
+}
+
+TEST_CASE("points that nothing in use leads back to are forgotten") {
+    PathPoints points(8);
+    auto add = [&](PathPoints::Number before, int at) { return points.add({Time{at}, before, Step::computing, 0, 0}); };
+    add(0, 0);
+    PathPoints::Number one = add(0, 1), other = add(0, 1);
+    for (int at = 2; at < 5; ++at) {
+        one = add(one, at);
+        other = add(other, at);
+    }
+    CHECK(points.should_forget());
+    std::vector<PathPoints::Number*> in_use{&one};
+    points.forget_but(in_use);
+    CHECK_FALSE(points.too_long());
+    CHECK(one == 4);
+    CHECK(points[one].at == Time{4});
+    CHECK(points[points[one].before].at == Time{3});
+    while (!points.should_forget())
+        one = add(one, 5);
+    points.forget_but(in_use);
+    CHECK(points.too_long());
+    CHECK(one == 2); // the beginning, the one before it, itself
+}

@@ -1,0 +1,138 @@
+// What a worker makes of a study's runs, one after the other, is what each comes to by itself.
+
+#include "explore/study/sweep.hpp"
+#include "tests/sanitized.hpp"
+#include "text/user_error.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+Study study_of(const std::string& netlist, const std::vector<std::string>& settings, std::uint64_t seeds) {
+    Study study;
+    study.netlist = fmt::format("{}/{}", PLACEDPAR_SOURCE_DIR, netlist);
+    study.products.emplace_back();
+    for (const std::string& setting : settings)
+        study.products.back().axes.push_back(read_axis(setting));
+    study.seeds = seeds;
+    return study;
+}
+
+std::string all_of(const std::optional<StudyOutcome>& outcome) {
+    REQUIRE(outcome);
+    return fmt::format("{} {} {:016x} {:016x} {} {}", outcome->ended, to_string(outcome->time), outcome->fingerprint,
+                       outcome->netlist_hash, outcome->refused, figures_text(outcome->figures));
+}
+
+/// Makes each run by one worker, and by a worker of its own, which has no other to repeat. Returns how many were
+/// repeated.
+std::uint64_t check_worker(const Study& study) {
+    Interruption never;
+    StudyWorker worker(study);
+    for (std::uint64_t i = 0; i < study.count(); ++i) {
+        StudyRun run = *study.at(i);
+        CAPTURE(study.netlist);
+        CAPTURE(i);
+        CHECK(all_of(worker.outcome_of(run, never)) == all_of(StudyWorker(study).outcome_of(run, never)));
+    }
+    return worker.repeated();
+}
+
+} // namespace
+
+TEST_CASE("the runs of one combination come to what each comes to alone, and take the machine once") {
+    const std::uint64_t seeds = test::sanitized ? 2 : 3;
+    for (const auto& each : std::vector<std::pair<std::string, std::vector<std::string>>>{
+             {"04-figure-e2/figure-e2.cfs", {"slaves=0,2", "host.samples=12"}},
+             {"36-farms/farm.cfs",
+              {"split=individuals,demand,evaluations", "sending=in turn,at once", "results=chain,ready", "links=2",
+               "samples=6"}},
+             {"35-islands/islands.cfs", {"schedule=broadcast,sequential", "host.samples=10"}},
+             {"39-through-routing/islands.cfs", {"host.samples=10"}},
+             {"22-plant-on-transputers/islands.cfs", {"host.samples=40"}},
+             {"62-coarse-fine/pair.cfs", {"host.samples=33"}},
+             {"42-figure-d1/figure-e2-on-d1.cfs", {"slaves=1", "host.samples=6"}},
+             {"43-busy-bus/busy-bus.cfs", {"messages=5"}},
+             {"01-commstime/commstime.cfs", {"count=9"}}}) {
+        Study study = study_of("examples/" + each.first, each.second, seeds);
+        CAPTURE(study.netlist);
+        CHECK(check_worker(study) == study.count() / seeds * (seeds - 1));
+    }
+}
+
+TEST_CASE("a worker reads the files of its netlist once") {
+    const auto netlist = std::filesystem::temp_directory_path() / fmt::format("placedpar-once-{}.cfs", ::getpid());
+    std::filesystem::copy_file(fmt::format("{}/examples/01-commstime/commstime.cfs", PLACEDPAR_SOURCE_DIR), netlist);
+    Study study = study_of("examples/01-commstime/commstime.cfs", {"count=9", "linkspeed=5M,10M,20M"}, 1);
+    study.netlist = netlist.string();
+    std::vector<std::string> alone;
+    Interruption never;
+    for (std::uint64_t i = 0; i < study.count(); ++i)
+        alone.push_back(all_of(StudyWorker(study).outcome_of(*study.at(i), never)));
+    StudyWorker worker(study);
+    std::filesystem::remove(netlist);
+    for (std::uint64_t i = 0; i < study.count(); ++i)
+        CHECK(all_of(worker.outcome_of(*study.at(i), never)) == alone[i]);
+}
+
+TEST_CASE("what depends on how processes take turns is not repeated") {
+    CHECK(check_worker(study_of("examples/35-islands/islands.cfs", {"schedule=asynchronous", "host.samples=10"}, 2)) ==
+          0);
+    CHECK(check_worker(study_of("examples/42-figure-d1/figure-e2-on-d1.cfs",
+                                {"slaves=1", "host.samples=6", "host.accuracy=0.1"}, 2)) == 0);
+    CHECK(check_worker(study_of("examples/42-figure-d1/figure-e2-on-d1.cfs",
+                                {"slaves=1", "host.samples=6", "broadcast=TRUE"}, 2)) == 0); // messages are compared
+    CHECK(check_worker(study_of("examples/30-philosophers/philosophers.cfs", {"meals=2"}, 2)) == 0);
+}
+
+TEST_CASE("a run that ends early is not repeated, and one with a single seed is not recorded") {
+    Study study = study_of("examples/01-commstime/commstime.cfs", {}, 3);
+    study.until = std::chrono::microseconds{50};
+    CHECK(check_worker(study) == 0);
+    CHECK(check_worker(study_of("examples/02-deadlock/ring.cfs", {}, 3)) == 0);
+    CHECK(check_worker(study_of("examples/01-commstime/commstime.cfs", {"count=5,6"}, 1)) == 0);
+}
+
+TEST_CASE("an interruption ends a run that is repeated") {
+    Interruption never, at_once;
+    at_once.request();
+    Study study = study_of("examples/01-commstime/commstime.cfs", {}, 2);
+    StudyWorker worker(study);
+    REQUIRE(worker.outcome_of(*study.at(0), never));
+    CHECK_FALSE(worker.outcome_of(*study.at(1), at_once));
+    CHECK(worker.repeated() == 0);
+    CHECK(worker.outcome_of(*study.at(1), never));
+    CHECK(worker.repeated() == 1);
+}
+
+TEST_CASE("a netlist of a study is found wherever those that can be read lie, also where sizes are round") {
+    const std::string netlist = "examples/04-figure-e2/figure-e2.cfs";
+    // A population of 1 is refused, at every thousandth combination.
+    CHECK_NOTHROW(
+        readable_network(study_of(netlist, {"slaves=0..999", "population=1..1000", "master.trials=1..1000"}, 1)));
+    // One of fifty has fewer slaves than individuals; the others are refused for values of their own.
+    CHECK_NOTHROW(readable_network(study_of(netlist, {"population=2..40", "slaves=0..999"}, 1)));
+}
+
+TEST_CASE("a study of which nothing can be read is refused as its first netlist is") {
+    std::string said;
+    try {
+        readable_network(study_of("examples/04-figure-e2/figure-e2.cfs", {"slavs=0..999", "population=1..1000"}, 1));
+    } catch (const UserError& refused) {
+        said = refused.what();
+    }
+    CHECK(
+        said.starts_with("--set:1:1: error: the netlist has no val, attribute or parameter \"slavs\"\n    slavs=0\n"));
+}

@@ -1,0 +1,372 @@
+#include "picture/plot.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <regex>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+Plot small_plot() {
+    Panel panel{"panel", {"x [s]"}, {"y [psi]"}, {{"line", {{0, 1}, {1, 2}, {2, 1.5}}}}};
+    return {"title", {panel}};
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++found;
+    return found;
+}
+
+bool has(const std::string& text, const std::string& part) { return count(text, part) > 0; }
+
+/// Each once.
+std::set<std::string> dashes_in(const std::string& svg) {
+    const std::string attribute = "stroke-dasharray='";
+    std::set<std::string> found;
+    for (std::size_t at = svg.find(attribute); at != std::string::npos; at = svg.find(attribute, at + 1)) {
+        const std::size_t from = at + attribute.size();
+        found.insert(svg.substr(from, svg.find('\'', from) - from));
+    }
+    return found;
+}
+
+/// A bar of an interval, in pixels.
+struct DrawnBar {
+    double x, top, bottom;
+};
+
+/// The upright bars with a cap at each end, from left to right. A plot has none if bars have no caps.
+std::vector<DrawnBar> bars_in(const std::string& svg) {
+    const std::string place = R"(([\d.]+),([\d.]+))", line = "M" + place + R"(\s+L)" + place, turn = R"(\s+L)" + place;
+    const std::regex bar(line + turn + R"(\s+)" + line + turn + R"(\s+)" + line);
+    std::vector<DrawnBar> bars;
+    for (std::sregex_iterator each(svg.begin(), svg.end(), bar), end; each != end; ++each) {
+        auto at = [&](std::size_t group) { return std::stod((*each)[group]); };
+        const bool upright = at(13) == at(15) && at(1) < at(3) && at(3) < at(5) && at(2) == at(4) && at(4) == at(6);
+        if (upright)
+            bars.push_back({at(13), std::min(at(14), at(16)), std::max(at(14), at(16))});
+    }
+    std::ranges::sort(bars, {}, &DrawnBar::x);
+    return bars;
+}
+
+/// Returns the places of symbols, in pixels, from left to right.
+std::vector<double> symbols_in(const std::string& svg) {
+    const std::regex symbol(R"(xlink:href='#gpPt\d+' transform='translate\(([\d.]+),)");
+    std::vector<double> places;
+    for (std::sregex_iterator each(svg.begin(), svg.end(), symbol), end; each != end; ++each)
+        places.push_back(std::stod((*each)[1]));
+    std::ranges::sort(places);
+    return places;
+}
+
+/// A curve of so many points from corner to corner of its panel.
+Series long_curve(int steps) {
+    return curve({.name = ""}, steps, [&](int i) { return Point{1. * i, 1. * i}; });
+}
+
+/// Returns how many pixels lie between the frame and the nearest symbol, in a plot of one panel without a legend.
+double nearest_to_frame(const std::string& svg) {
+    const double left = 104, right = 930, top = 84, bottom = 368;
+    double nearest = std::numeric_limits<double>::max();
+    const std::regex symbol(R"(xlink:href='#gpPt\d+' transform='translate\(([\d.]+),([\d.]+)\))");
+    for (std::sregex_iterator each(svg.begin(), svg.end(), symbol), end; each != end; ++each) {
+        const double x = std::stod((*each)[1]), y = std::stod((*each)[2]);
+        nearest = std::min({nearest, x - left, right - x, y - top, bottom - y});
+    }
+    return nearest;
+}
+
+} // namespace
+
+TEST_CASE("a plot has its title, axes, panels, series and marks, each once") {
+    Plot plot = small_plot();
+    plot.panels.push_back({"second", {"x2 [s]"}, {"y2 [in³]"}, {{"points", {{3, 4}}, Stroke::points}}, {{"limit", 3}}});
+    std::string svg = draw_svg(plot);
+    for (const char* text :
+         {"title", "panel", "x [s]", "y [psi]", "line", "second", "x2 [s]", "y2 [in³]", "points", "limit"})
+        CHECK(count(svg, ">" + std::string(text) + "<") == 1);
+    CHECK(has(svg, "</svg>"));
+    CHECK(svg.size() > draw_svg(small_plot()).size());
+}
+
+TEST_CASE("the same plot gives the same bytes, another one others") {
+    Plot plot = small_plot();
+    CHECK(draw_svg(plot) == draw_svg(plot));
+    Plot other = plot;
+    other.panels[0].series[0].points[1].y = 1.7;
+    CHECK(draw_svg(plot) != draw_svg(other));
+}
+
+TEST_CASE("texts mean nothing to gnuplot or XML") {
+    Plot plot = small_plot();
+    plot.panels[0].series[0].name = "it's a_b^2 <\\n & {/Bold @x} \"q\" `date`";
+    std::string svg = draw_svg(plot);
+    CHECK(has(svg, ">it's a_b^2 &lt;\\n &amp; {/Bold @x} \"q\" `date`<"));
+}
+
+TEST_CASE("series have distinct colours, unless they ask for the same one") {
+    Plot plot = small_plot();
+    Series line = plot.panels[0].series[0];
+    for (int i = 1; i < 8; ++i)
+        plot.panels[0].series.push_back(line);
+    std::string svg = draw_svg(plot);
+    for (const char* colour : {"0, 114, 178", "213,  94,   0", "  0, 158, 115", "204, 121, 167"})
+        CHECK(has(svg, colour));
+    plot.panels[0].series[1].colour = 0;
+    CHECK(draw_svg(plot) != svg);
+}
+
+TEST_CASE("marks have distinct dashes, and the colour that they ask for") {
+    Plot plot = small_plot();
+    plot.panels[0].marks = {{"one", 1.2}, {"two", 1.4}, {"three", 1.6}};
+    std::string svg = draw_svg(plot);
+    CHECK(count(svg, "stroke-dasharray") > 0);
+    CHECK(dashes_in(svg).size() == 3);
+    CHECK_FALSE(has(svg, "213,  94,   0"));
+    plot.panels[0].marks[1].colour = 1;
+    CHECK(has(draw_svg(plot), "213,  94,   0"));
+}
+
+TEST_CASE("a band is pale, in the colour it asks for, with its name") {
+    Plot plot = small_plot();
+    std::string without = draw_svg(plot);
+    plot.panels[0].bands = {{"quartiles", {{0, 0.5, 1.5}, {2, 1, 2}}, 2}};
+    std::string svg = draw_svg(plot);
+    CHECK(count(svg, ">quartiles<") == 1);
+    CHECK(count(svg, "fill-opacity") > count(without, "fill-opacity"));
+    CHECK(has(svg, "0, 158, 115"));
+    plot.panels[0].bands[0].points.clear();
+    CHECK_THROWS_WITH_AS(draw_svg(plot), "in the panel \"panel\" the band \"quartiles\" has no points",
+                         std::invalid_argument);
+}
+
+TEST_CASE("what cannot be drawn is refused") {
+    Plot plot = small_plot();
+    plot.panels[0].series[0].points.clear();
+    CHECK_THROWS_WITH_AS(draw_svg(plot), "in the panel \"panel\" the series \"line\" has no points",
+                         std::invalid_argument);
+    plot.panels[0].series.clear();
+    CHECK_THROWS_AS(draw_svg(plot), std::invalid_argument);
+
+    plot = small_plot();
+    plot.panels[0].x = {"x", 5, 5};
+    for (int i = 0; i < 100000; ++i) // more than a pipe holds
+        plot.panels[0].series[0].points.push_back({1.0 * i, 1});
+    CHECK_THROWS_WITH_AS(draw_svg(plot), doctest::Contains("empty x range"), std::runtime_error);
+}
+
+TEST_CASE("no point lies on the frame, wherever the axes end") {
+    for (Axis axis : {Axis{}, Axis{.from = 20, .to = 100}, Axis{.from = 20}, Axis{.logarithmic = true},
+                      Axis{.from = 20, .to = 100, .logarithmic = true}}) {
+        Panel panel{"", axis, axis, {{"", {{20, 20}, {40, 30}, {100, 100}}, Stroke::points}}};
+        CHECK(nearest_to_frame(draw_svg({"", {panel}})) > 5);
+        for (const char* ends : {"first", "last"}) { // short curves have a symbol at each point
+            panel.series = {{"", {{20, 20}, {100, 50}}}, {"", {{20, 100}, {50, ends[0] == 'f' ? 20. : 100.}}}};
+            CHECK(nearest_to_frame(draw_svg({"", {panel}})) > 5);
+        }
+    }
+    Panel beyond{"", {}, {.from = 0, .to = 10}, {{"", {{2, 3}, {3, 10}, {4, 12}}, Stroke::points}}};
+    CHECK(nearest_to_frame(draw_svg({"", {beyond}})) < 1); // what is cut off has no room
+}
+
+TEST_CASE("symbols and ends of long curves do not lie on the frame, nor close to it") {
+    Series fallen = long_curve(600);
+    for (Point& point : fallen.points)
+        point.y = 600 - point.y;
+    for (Axis axis : {Axis{}, Axis{.from = 0, .to = 600}, Axis{.from = -5, .to = 605}}) {
+        Panel panel{"", axis, axis, {long_curve(600), fallen}};
+        CHECK(nearest_to_frame(draw_svg({"", {panel}})) > 5);
+        panel.series.pop_back(); // one curve has no symbols, and its line ends before the frame all the same
+        const std::string svg = draw_svg({"", {panel}});
+        const std::regex line(R"(stroke='rgb\(  0, 114, 178\)'\s+d='M([\d.]+),([\d.]+))");
+        std::smatch found;
+        REQUIRE(std::regex_search(svg, found, line));
+        CHECK(std::stod(found[1]) > 104 + 5);
+        CHECK(std::stod(found[2]) < 368 - 5);
+    }
+}
+
+TEST_CASE("an interval is a bar with caps, which does not lie on the frame, and of which the point has a symbol") {
+    Plot plot{"", {{"", {}, {.from = 0, .to = 10}, {{.name = "", .points = {{0, 4}, {1, 6}}}}}}};
+    plot.panels[0].series[0].intervals = {{0, 6}, {5, 10}};
+    const std::string svg = draw_svg(plot);
+    const std::vector<DrawnBar> bars = bars_in(svg);
+    REQUIRE(bars.size() == 2);
+    CHECK(symbols_in(svg) == std::vector{bars[0].x, bars[1].x});
+    CHECK(bars[0].x > 104 + 5);
+    CHECK(bars[0].bottom < 368 - 5);
+    CHECK(bars[1].top > 84 + 5);
+    CHECK((bars[0].bottom - bars[0].top) / (bars[1].bottom - bars[1].top) == doctest::Approx(6. / 5).epsilon(.001));
+
+    plot.panels[0].series[0].intervals[0] = {std::numeric_limits<double>::quiet_NaN(), 6}; // is not known
+    CHECK(bars_in(draw_svg(plot)).size() == 1);
+    plot.panels[0].series[0].intervals.pop_back();
+    CHECK_THROWS_WITH_AS(draw_svg(plot), "in the panel \"\" the series \"\" has 2 points and 1 intervals",
+                         std::invalid_argument);
+}
+
+TEST_CASE("bars of several curves at one x stand beside each other with their points, and one alone where it is") {
+    for (bool logarithmic : {false, true}) {
+        Series series{.name = "", .points = {{10, 4}}, .stroke = Stroke::points, .intervals = {{3, 5}}};
+        Panel panel{"", {.from = 1, .to = 100, .logarithmic = logarithmic}, {}, {series, series, series}};
+        const std::string svg = draw_svg({"", {panel}});
+        const std::vector<DrawnBar> bars = bars_in(svg);
+        REQUIRE(bars.size() == 3);
+        CHECK(bars[1].x - bars[0].x > 4);
+        CHECK(bars[2].x - bars[1].x == doctest::Approx(bars[1].x - bars[0].x).epsilon(.01));
+        CHECK(symbols_in(svg) == std::vector{bars[0].x, bars[1].x, bars[2].x});
+
+        panel.series = {series};
+        const std::vector<DrawnBar> alone = bars_in(draw_svg({"", {panel}}));
+        REQUIRE(alone.size() == 1);
+        CHECK(alone[0].x == doctest::Approx(bars[1].x));
+
+        panel.series = {series, series};
+        panel.series[1].points[0].x = 50;
+        const std::vector<DrawnBar> apart = bars_in(draw_svg({"", {panel}}));
+        REQUIRE(apart.size() == 2);
+        CHECK(apart[0].x == doctest::Approx(alone[0].x));
+    }
+}
+
+TEST_CASE("what is at one value is in the middle of its axes") {
+    Plot plot{"", {{"", {}, {}, {{"", {{40, 7}}, Stroke::points}}}}};
+    const std::string svg = draw_svg(plot);
+    CHECK(symbols_in(svg) == std::vector{517.});
+    CHECK(has(svg, "> 20<"));
+    CHECK(has(svg, "> 60<"));
+}
+
+TEST_CASE("a limit in dashes has no symbols") {
+    Plot plot = small_plot();
+    const Series line = plot.panels[0].series[0];
+    plot.panels[0].series = {line, line, {.name = "limit", .points = {{1, 1}, {1, 2}}, .stroke = Stroke::dashes}};
+    CHECK(count(draw_svg(plot), "#gpPt8") == 0);
+}
+
+TEST_CASE("a label that is longer than its axis is in smaller letters") {
+    Plot plot = small_plot();
+    CHECK(count(draw_svg(plot), "font-size=\"15.00\"  text-anchor=\"middle\"") > 0);
+    plot.panels[0].y.label = "relative island[0].generations_per_second";
+    const std::string svg = draw_svg(plot);
+    const std::size_t text = svg.find(plot.panels[0].y.label), group = svg.rfind("<g ", text);
+    CHECK(has(svg.substr(group, text - group), "font-size=\"11.5"));
+    CHECK(has(svg.substr(group, text - group), "rotate(270)"));
+}
+
+TEST_CASE("a title that is wider than the plot is in smaller letters") {
+    Plot plot = small_plot();
+    CHECK(count(draw_svg(plot), "font-size=\"18.00\"") == 1);
+    plot.title = "Figure 5.7: islands beside one genetic algorithm (experiment #5), medians of 240 seeds, all of them";
+    CHECK(count(draw_svg(plot), "font-size=\"18.00\"") == 0);
+}
+
+TEST_CASE("an axis from 0 begins there below a logarithmic one too") {
+    Plot plot = small_plot();
+    plot.panels.push_back(plot.panels[0]);
+    for (Panel& panel : plot.panels)
+        panel.x = {"x", 1, 3};
+    plot.panels[0].y = {"y", std::nullopt, std::nullopt, true};
+    plot.panels[1].y = {"y", 0};
+    plot.panels[1].series = {{"line", {{1, 8}, {3, 9}}}};
+    CHECK(count(draw_svg(plot), "> 0<") == 1);
+}
+
+TEST_CASE("a gap in a series is a gap in its line") {
+    Plot plot = small_plot();
+    std::string whole = draw_svg(plot);
+    plot.panels[0].series[0].points[1].y = std::numeric_limits<double>::quiet_NaN();
+    CHECK(draw_svg(plot) != whole);
+}
+
+TEST_CASE("curves have symbols of their own, so that they can be told apart in grey; one alone needs none") {
+    Plot plot = small_plot();
+    const std::size_t alone = count(draw_svg(plot), "#gpPt6");
+    Series line = plot.panels[0].series[0];
+    for (int i = 0; i < 100; ++i)
+        line.points.push_back({2 + 0.1 * i, 1 + 0.01 * i});
+    plot.panels[0].series = {line, line, line};
+    const std::string svg = draw_svg(plot);
+    for (const char* symbol : {"#gpPt6", "#gpPt4", "#gpPt8"}) // circle, square, triangle
+        CHECK(count(svg, symbol) >= 8);
+    CHECK(alone == 0);
+}
+
+TEST_CASE("a curve that goes beyond the axis says how far") {
+    Plot plot = small_plot();
+    plot.panels[0].series[0].points = {{0, 1}, {1, 7.5}, {2, -3}, {3, 99}};
+    CHECK(has(draw_svg(plot), ">line<"));
+    plot.panels[0].x.to = 2;
+    CHECK(has(draw_svg(plot), ">line \u2192 to 3<"));
+    plot.panels[0].y.to = 5; // beyond which it leaves the axis of x
+    CHECK(has(draw_svg(plot), ">line \u2191 to 7.5<"));
+    plot.panels[0].y.from = 0;
+    CHECK(has(draw_svg(plot), ">line \u2191 to 7.5 \u2193 to -3<"));
+}
+
+TEST_CASE("an arrow stands where a curve is cut off, and how far it goes where the legend does not say") {
+    Plot plot = small_plot();
+    Series& line = plot.panels[0].series[0];
+    const std::string whole = draw_svg(plot);
+    plot.panels[0].y.to = 1.7;
+    const std::string cut = draw_svg(plot);
+    CHECK(count(cut, "<path") + count(cut, "<polygon") > count(whole, "<path") + count(whole, "<polygon"));
+    CHECK(has(cut, ">line \u2191 to 2<"));
+    line.name.clear();
+    CHECK(has(draw_svg(plot), "\u2191 to 2<"));
+    plot.panels[0].y.to = 2;
+    CHECK_FALSE(has(draw_svg(plot), "\u2191"));
+}
+
+TEST_CASE("curves have dashes of their own, one alone, points and bars none") {
+    Plot plot = small_plot();
+    CHECK(dashes_in(draw_svg(plot)).empty());
+    const Series line = plot.panels[0].series[0];
+    plot.panels[0].series.resize(8, line);
+    CHECK(dashes_in(draw_svg(plot)).size() == 7); // the first is not broken
+    for (std::size_t i = 1; i < 8; ++i)
+        plot.panels[0].series[i].stroke = i % 2 ? Stroke::points : Stroke::plain;
+    CHECK(dashes_in(draw_svg(plot)).empty());
+}
+
+TEST_CASE("where dashes tell two curves of a colour apart, colours do not differ by dashes") {
+    Plot plot = small_plot();
+    const Series line = plot.panels[0].series[0];
+    plot.panels[0].series = {line, line, line, line};
+    for (std::size_t i = 0; i < 4; ++i) {
+        plot.panels[0].series[i].colour = static_cast<int>(i / 2);
+        plot.panels[0].series[i].stroke = i % 2 ? Stroke::dashes : Stroke::line;
+    }
+    CHECK(dashes_in(draw_svg(plot)).size() == 1);
+}
+
+TEST_CASE("the curves as comma-separated values: every point, with units") {
+    Plot plot = small_plot();
+    plot.panels[0].title = "a \"b\", c";
+    plot.panels[0].bands = {{"band", {{0, 1, 2}}, 0}};
+    CHECK(curves_csv(plot) == "panel,curve,x axis,x,y axis,y\n"
+                              "\"a \"\"b\"\", c\",\"line\",\"x [s]\",0,\"y [psi]\",1\n"
+                              "\"a \"\"b\"\", c\",\"line\",\"x [s]\",1,\"y [psi]\",2\n"
+                              "\"a \"\"b\"\", c\",\"line\",\"x [s]\",2,\"y [psi]\",1.5\n"
+                              "\"a \"\"b\"\", c\",\"band, lower end\",\"x [s]\",0,\"y [psi]\",1\n"
+                              "\"a \"\"b\"\", c\",\"band, upper end\",\"x [s]\",0,\"y [psi]\",2\n");
+    plot.panels[0] = {"p", {"x"}, {"y"}, {{.name = "line", .points = {{3, 4}}, .intervals = {{1, 5}}}}};
+    plot.panels[0].series.push_back(plot.panels[0].series[0]);
+    plot.panels[0].series[1].x_intervals = {{2, 4}};
+    CHECK(has(curves_csv(plot), "\"p\",\"line\",\"x\",3,\"y\",4\n"
+                                "\"p\",\"line, lower end\",\"x\",3,\"y\",1\n"
+                                "\"p\",\"line, upper end\",\"x\",3,\"y\",5\n"
+                                "\"p\",\"line, left end\",\"x\",2,\"y\",4\n"
+                                "\"p\",\"line, right end\",\"x\",4,\"y\",4\n"));
+}

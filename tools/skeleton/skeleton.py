@@ -1,0 +1,261 @@
+"""Writes a new kind, device, problem or experiment from the templates in the folders beside this file.
+
+A template is a file whose path below its folder is where it goes, without the last .in. In paths and texts @snake@ and
+the other words of `words_for` are replaced. `Insertion`s add the new piece to the lists and tables that name it.
+Everything is made in memory first: either all of it is written, or nothing.
+"""
+
+import dataclasses
+import pathlib
+import re
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+TOP = HERE.parents[1]
+sys.path.append(str(TOP / "tests" / "tidy"))
+import format as formatting  # noqa: E402
+import tree  # noqa: E402
+
+LONGEST = 24
+# The words of C++, and the macros that GCC and Clang predefine in small letters.
+RESERVED = set("""
+    alignas alignof and and-eq asm auto bitand bitor bool break case catch char class compl concept const consteval constexpr
+    constinit const-cast continue co-await co-return co-yield decltype default delete do double dynamic-cast else enum
+    explicit export extern false float for friend goto if inline int linux long mutable namespace new noexcept not not-eq
+    nullptr operator or or-eq private protected public register reinterpret-cast requires return short signed sizeof
+    static static-assert static-cast struct switch template this thread-local throw true try typedef typeid typename
+    union unix unsigned using virtual void volatile wchar-t while xor xor-eq char8-t char16-t char32-t main std
+""".split())
+NETLIST_WORDS = set("val define connection input output process connect use place rep if else node fault".split())
+NAMES_IN_NETLISTS = set("a b c d p count clock producer consumer".split())  # of the templates of a device
+
+
+class Refusal(Exception):
+    """What is wrong, where, and what would be right."""
+
+
+@dataclasses.dataclass
+class Insertion:
+    """Text that is put before a place in a file, which must be there once."""
+
+    file: str
+    before: str
+    text: str
+
+    def into(self, text, words):
+        added = filled(self.text, words)
+        if text.count(self.before) != 1:
+            raise Refusal(f"{self.file}: expected the line {self.before.strip().splitlines()[0]!r} once, found it "
+                          f"{text.count(self.before)} times: put {added.strip()!r} there by hand, or mend the file")
+        return text.replace(self.before, added + self.before)
+
+
+@dataclasses.dataclass
+class Piece:
+    """What one of the tools writes besides its templates, and which names are taken."""
+
+    example: str  # what its example's line in README.md says
+    insertions: list
+    taken: list  # (files, pattern): the name is taken where the pattern is found in one of the files
+    reserved: set = dataclasses.field(default_factory=set)  # besides those of C++
+    next: str = ""  # what to say for a look at what was made
+
+
+END_OF_NAMESPACE = "\n} // namespace placedpar\n"
+# A type, or a function at the scope of a namespace, of the same name.
+TYPE = (r"[a-z].*\.[ch]pp", r"\b(?:class|struct|enum|namespace|concept|using) (?:@Pascal@|@snake@)\b")
+FUNCTION = (r"[a-z].*\.hpp", r"(?m)^(?:[\w:<>,]+[ &*]+)+@snake@\(")
+PIECES = {
+    "kind": Piece(
+        "csp.@snake@: packets that are counted on their way",
+        [Insertion("classics/kinds.hpp", END_OF_NAMESPACE, "std::vector<ProcessKind> @snake@_kinds(); ///< csp.@snake@\n"),
+         Insertion("classics/kinds.cpp", "})\n        for (auto& kind : kinds)", ", @snake@_kinds()")],
+        [(r"[a-z].*\.cpp", r'"csp\.@snake@"'), (r"classics/.*", r"\b@snake@_kinds\b")],
+        next="placedpar kinds csp.@snake@"),
+    "device": Piece(
+        "@article@ @words@, which executes a process at a time, beside a transputer",
+        [Insertion("netlist/kinds/devices.hpp", END_OF_NAMESPACE,
+                   "/// Executes one process at a time: runtime/hardware/@snake@.hpp.\nDeviceKind @snake@();\n"),
+         Insertion("netlist/kinds/catalogue.cpp", "})\n        add_device(kind);", ", @snake@()"),
+         Insertion("docs/netlist-language.md", "\n| attribute | of | meaning | default |",
+                   "| `@snake@` | @article@ @words@: four links, executes one process at a time |\n"),
+         Insertion("runtime/README.md", "| the host's side of it |",
+                   "| @article@ @words@: executes one process at a time | `hardware/@snake@` |\n")],
+        [TYPE, FUNCTION, (r"netlist/kinds/.*\.cpp", r'"(?:@snake@|@words@)"')],
+        NETLIST_WORDS | NAMES_IN_NETLISTS,
+        next="placedpar kinds @snake@"),
+    "problem": Piece(
+        "@kebab@: a valley of several numbers, and a genetic algorithm that searches for its bottom",
+        [Insertion("explore/problems.cpp", '#include "problems/plant/plant_family.hpp"\n', '#include "problems/@snake@.hpp"\n'),
+         Insertion("explore/problems.cpp", "    for (const ProblemFamily& family : own_problems())\n",
+                   "    problems.add(minimised<@Pascal@>());\n"),
+         Insertion("problems/README.md", "| what optimisers are compared on |",
+                   "| a sum of squares, each with a weight | `@snake@` |\n")],
+        [TYPE, (r"(?:problems|explore)/.*\.[ch]pp", r'"@kebab@"')],
+        next="placedpar kinds @kebab@"),
+    "experiment": Piece(
+        "the experiment @kebab@: what a link carries one way, beside the databook",
+        [],
+        [(r"experiments/.*\.cpp", r'\b@snake@_experiment\b|\.name = "@kebab@"')],
+        next="placedpar replay @kebab@"),
+}
+
+
+def filled(text, words):
+    """The text with the words in the places of their names."""
+    return re.sub(r"@(\w+)@", lambda found: words[found[1]], text)
+
+
+def check_name(name, piece):
+    """Throws Refusal unless the name can be one in C++, in netlists and on the command line."""
+    if not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", name):
+        proper = re.sub(r"[^a-z0-9]+", "-", re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", name).lower()).strip("-0123456789")
+        raise Refusal(f'"{name}" cannot be a name: it is small letters and digits, with a hyphen between words, such as '
+                      f'"{proper or "hour-glass"}"')
+    if len(name) > LONGEST:
+        raise Refusal(f'"{name}" has {len(name)} characters: a name has at most {LONGEST}')
+    if name in RESERVED or name in piece.reserved:
+        where = "a word of C++" if name in RESERVED else "a word of netlists, or a name in the example's"
+        raise Refusal(f'"{name}" is {where}: take another, such as "my-{name}"')
+
+
+def free_number(top):
+    """Of an example: the least from 47 that no folder begins with."""
+    used = {path.name.partition("-")[0] for path in (top / "examples").iterdir()}
+    return next(str(number) for number in range(47, 1000) if str(number) not in used)
+
+
+def words_for(name, top):
+    """What the placeholders stand for."""
+    words = name.replace("-", " ")
+    article = "an" if name[0] in "aeiou" else "a"
+    return {"kebab": name, "snake": name.replace("-", "_"), "Pascal": "".join(word.capitalize() for word in name.split("-")),
+            "words": words, "Title": words[0].upper() + words[1:], "article": article, "Article": article.capitalize(),
+            "example": f"{free_number(top)}-{name}"}
+
+
+def words_for_experiment(folder, top):
+    """The chapter of the folder's experiments, and the next number among them; 100 and more stay the last."""
+    files = sorted((top / "experiments" / folder).glob("*.cpp"))
+    if not re.fullmatch(r"chapter_\w+|appendix_\w+|machine", folder) or not files:
+        known = sorted(path.name for path in (top / "experiments").iterdir() if path.is_dir() and path.name != "kit")
+        raise Refusal(f'experiments/{folder} has no experiments: the folder is one of {", ".join(known)}')
+    texts = [path.read_text(encoding="utf-8") for path in files]
+    numbers = [int(number) for text in texts for number in re.findall(r"\.number = (\d+)", text)]
+    chapters = [found for text in texts for found in re.findall(r'\.chapter = "(\w+)"', text)]
+    return {"folder": folder, "chapter": chapters[0], "number": str(max(n for n in numbers if n < 100) + 1)}
+
+
+def check_taken(piece, words, top):
+    """Throws Refusal where the tree has something of that name."""
+    beside = [path for path in (top / "examples").iterdir() if path.name.partition("-")[2] == words["kebab"]]
+    if beside:
+        raise Refusal(f'examples/{beside[0].name} is there already: take another name than "{words["kebab"]}"')
+    names = tree.names(top)
+    for files, pattern in piece.taken:
+        wanted = re.compile(filled(pattern, words))
+        for name in names:
+            if not re.fullmatch(files, name) or name.startswith("tests/"):
+                continue
+            text = re.sub(r"//.*", "", (top / name).read_text(encoding="utf-8", errors="replace"))  # without comments
+            if found := wanted.search(text):
+                line = text[:found.start()].count("\n") + 1
+                raise Refusal(f'"{words["kebab"]}" is taken: {name}:{line} has {found[0].strip()}: take another name')
+
+
+def new_files(what, words, top):
+    """{path: text} of the filled templates. Throws Refusal where one of the files is there."""
+    folder = HERE / what
+    made = {}
+    for template in sorted(path for path in folder.rglob("*.in")):
+        path = filled(str(template.relative_to(folder)).removesuffix(".in"), words)
+        if (top / path).exists():
+            raise Refusal(f'{path} is there already: take another name than "{words["kebab"]}", or remove the file')
+        made[path] = filled(template.read_text(encoding="utf-8"), words)
+    return made
+
+
+def changed_files(piece, words, top):
+    """{path: text} of the files that name the new piece from now on."""
+    row = f"| [{words['example']}](examples/{words['example']}/README.md) | {filled(piece.example, words)} |\n"
+    changed = {}
+    for insertion in [*piece.insertions, Insertion("README.md", "| [records](examples/records/README.md) |", row)]:
+        try:
+            text = changed.get(insertion.file) or (top / insertion.file).read_text(encoding="utf-8")
+        except OSError as error:
+            raise Refusal(f"{insertion.file}: cannot be read, but lists what there is: {error.strerror}") from error
+        changed[insertion.file] = insertion.into(text, words)
+    return changed
+
+
+def formatted(texts, top):
+    """The same texts, C++ as clang-format 14 would have it; unchanged where that is not installed."""
+    program = formatting.clang_format()
+    if not program:
+        print("clang-format 14 is not installed: where it is, say python3 tests/tidy/format.py . --mend")
+        return texts
+    done = {}
+    for path, text in texts.items():
+        if tree.is_cpp(path):
+            command = [program, f"--assume-filename={top / path}"]
+            text = subprocess.run(command, cwd=top, input=text, capture_output=True, text=True, check=True).stdout
+        done[path] = text
+    return done
+
+
+def write(texts, top):
+    """Writes all of {path: text}, or nothing. Throws Refusal."""
+    before = {path: (top / path).read_bytes() if (top / path).exists() else None for path in texts}
+    folders = []
+    try:
+        for path, text in texts.items():
+            missing = [folder for folder in (top / path).parents if not folder.exists()]
+            (top / path).parent.mkdir(parents=True, exist_ok=True)
+            folders += missing
+            (top / path).write_text(text, encoding="utf-8")
+    except OSError as error:
+        put_back(before, folders, top)
+        raise Refusal(f"{path}: cannot be written: {error.strerror}; nothing was changed") from error
+
+
+def put_back(before, folders, top):
+    for path, content in before.items():
+        if content is None and (top / path).exists():
+            (top / path).unlink()
+        elif content is not None and (top / path).read_bytes() != content:
+            (top / path).write_bytes(content)
+    for folder in sorted(set(folders), key=lambda each: len(each.parts), reverse=True):
+        if folder.exists():
+            folder.rmdir()
+
+
+def make(what, name, folder="machine", top=TOP):
+    """Makes the piece; what it wrote, and the words of its name. Throws Refusal."""
+    piece = PIECES[what]
+    check_name(name, piece)
+    words = words_for(name, top)
+    if what == "experiment":
+        words |= words_for_experiment(folder, top)
+    check_taken(piece, words, top)
+    texts = formatted(new_files(what, words, top) | changed_files(piece, words, top), top)
+    write(texts, top)
+    return texts, words
+
+
+def main(what, arguments, about):
+    """The exit code of tools/new-WHAT."""
+    most = 2 if what == "experiment" else 1
+    if arguments in (["-h"], ["--help"]):
+        print(about.strip())
+        return 0
+    try:
+        if not 1 <= len(arguments) <= most:
+            raise Refusal(f"expected a name, got {len(arguments)} arguments\n{about.strip()}")
+        texts, words = make(what, *arguments)
+    except Refusal as refusal:
+        print(f"new-{what}: {refusal}", file=sys.stderr)
+        return 1
+    print("\n".join(texts))
+    print(f"Build and run it: ./demo, then {filled(PIECES[what].next, words)}; test it by ./check")
+    return 0
