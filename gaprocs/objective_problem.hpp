@@ -5,8 +5,6 @@
 #include "gaprocs/representation/representation.hpp"
 #include "gaprocs/search_problem.hpp"
 
-#include <fmt/format.h>
-
 #include <concepts>
 #include <cstddef>
 #include <memory>
@@ -87,7 +85,7 @@ public:
             return problem_.parameter_names();
         std::vector<std::string> names;
         for (std::size_t i = 1; i <= parameters(); ++i)
-            names.push_back(fmt::format("x_{}", i));
+            names.push_back("x_" + std::to_string(i));
         return names;
     }
     std::vector<std::string> parameter_units() const override {

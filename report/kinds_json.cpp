@@ -2,6 +2,8 @@
 #include "report/kinds_choice.hpp"
 #include "report/kinds_report.hpp"
 
+#include <boost/json.hpp>
+
 #include <map>
 #include <memory>
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "netlist/kinds/catalogue.hpp"
 
-#include <boost/json.hpp>
+#include <boost/json/fwd.hpp>
 
 #include <optional>
 #include <string>

@@ -2,6 +2,7 @@
 
 #include "text/utf8.hpp"
 
+#include <boost/json.hpp>
 #include <fmt/format.h>
 
 #include <cmath>

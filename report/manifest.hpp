@@ -4,7 +4,7 @@
 #include "netlist/read.hpp"
 #include "runtime/time.hpp"
 
-#include <boost/json.hpp>
+#include <boost/json/fwd.hpp>
 
 #include <cstdint>
 #include <optional>

@@ -6,6 +6,7 @@
 #include "text/paint.hpp"
 #include "text/user_error.hpp"
 
+#include <boost/json.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -3,7 +3,7 @@
 #include "gaprocs/policies/policy.hpp"
 #include "netlist/kinds/catalogue.hpp"
 
-#include <boost/json.hpp>
+#include <boost/json/fwd.hpp>
 
 #include <string>
 #include <string_view>

@@ -5,6 +5,7 @@
 #include "text/counted.hpp"
 #include "text/paint.hpp"
 
+#include <boost/json.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

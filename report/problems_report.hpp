@@ -2,7 +2,7 @@
 
 #include "gaprocs/problem_registry.hpp"
 
-#include <boost/json.hpp>
+#include <boost/json/fwd.hpp>
 
 #include <string>
 #include <string_view>

@@ -4,7 +4,7 @@
 #include "netlist/machine.hpp"
 #include "report/manifest.hpp"
 
-#include <boost/json.hpp>
+#include <boost/json/fwd.hpp>
 
 #include <string>
 

@@ -3,6 +3,7 @@
 #include "text/paint.hpp"
 #include "text/statistics.hpp"
 
+#include <boost/json.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "report/search_log.hpp"
 
-#include <boost/json.hpp>
+#include <boost/json/fwd.hpp>
 
 #include <span>
 #include <string>

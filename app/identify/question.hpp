@@ -6,8 +6,7 @@
 #include "hydraulics/data/sampling.hpp"
 #include "text/diagnostic.hpp"
 
-#include <boost/json/array.hpp>
-#include <boost/json/object.hpp>
+#include <boost/json/fwd.hpp>
 
 #include <functional>
 #include <optional>

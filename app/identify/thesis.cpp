@@ -14,6 +14,7 @@
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 
+#include <boost/json.hpp>
 #include <fmt/format.h>
 
 #include <optional>

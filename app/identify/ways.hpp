@@ -3,7 +3,7 @@
 #include "app/exit_code.hpp"
 #include "app/options/identify_options.hpp"
 
-#include <boost/json/object.hpp>
+#include <boost/json/fwd.hpp>
 
 namespace placedpar {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -34,7 +33,7 @@ CLI::Option* add_number(CLI::App& command, const std::string& option, Number& va
     auto check = [least, most](const std::string& text) { return not_a_number_within(text, least, most); };
     return command.add_option(option, value, about)
         ->check(CLI::Validator(check, ""))
-        ->type_name(fmt::format("{}..{}", least, most));
+        ->type_name(std::to_string(least) + ".." + std::to_string(most));
 }
 
 /// An option that names a file, or what else `type` says; it cannot be "".

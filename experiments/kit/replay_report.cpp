@@ -3,6 +3,7 @@
 #include "report/manifest.hpp"
 #include "text/paint.hpp"
 
+#include <boost/json.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "experiments/kit/experiment.hpp"
 
-#include <boost/json/object.hpp>
+#include <boost/json/fwd.hpp>
 
 #include <cstdint>
 #include <string>

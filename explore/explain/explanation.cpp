@@ -2,6 +2,7 @@
 
 #include "text/paint.hpp"
 
+#include <boost/json.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

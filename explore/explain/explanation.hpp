@@ -3,7 +3,7 @@
 #include "explore/explain/what_if.hpp"
 #include "observe/critical_path/critical_path.hpp"
 
-#include <boost/json.hpp>
+#include <boost/json/fwd.hpp>
 
 #include <string>
 #include <vector>

@@ -5,7 +5,7 @@
 #include "netlist/network/network.hpp"
 #include "netlist/run_report.hpp"
 
-#include <boost/json.hpp>
+#include <boost/json/fwd.hpp>
 
 #include <map>
 #include <optional>

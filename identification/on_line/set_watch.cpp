@@ -80,9 +80,7 @@ bool SetWatch::note_moving_shut(const SetSample& sample, std::span<const double>
 
 SetWatch::Judged SetWatch::end_movement(const SetProblem& problem, std::span<const double> health_in3_per_psi) {
     std::ranges::fill(state_.moving_shut, 0);
-    Judged judged = judge_movement(problem, health_in3_per_psi);
-    state_.movement = {}; // no rest is carried over a gap
-    return judged;
+    return judge_movement(problem, health_in3_per_psi);
 }
 
 SetWatch::Judged SetWatch::judge_movement(const SetProblem& problem, std::span<const double> health_in3_per_psi) {

@@ -3,8 +3,7 @@
 #include "hydraulics/data/link.hpp"
 #include "identification/flag.hpp"
 
-#include <boost/json/array.hpp>
-#include <boost/json/value.hpp>
+#include <boost/json/fwd.hpp>
 
 #include <optional>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include "identification/on_line/record_diagnosis.hpp"
 
-#include <boost/json/object.hpp>
+#include <boost/json/fwd.hpp>
 
 #include <string>
 

@@ -3,7 +3,7 @@
 #include "identification/compliance_search.hpp"
 #include "identification/identification.hpp"
 
-#include <boost/json/object.hpp>
+#include <boost/json/fwd.hpp>
 
 #include <string>
 

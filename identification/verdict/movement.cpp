@@ -79,7 +79,7 @@ MovementSamples Movement::finish() {
     const std::size_t reaching_back = std::min(over.rest_after.size(), slope_reach);
     over.rest_after.erase(over.rest_after.begin(),
                           over.rest_after.begin() + static_cast<std::ptrdiff_t>(reaching_back));
-    state_ = {.samples = {.at_rest = over.rest_after, .moving = {}, .rest_after = {}}, .shut = std::move(state_.shut)};
+    state_ = {};
     return over;
 }
 

@@ -51,7 +51,7 @@ public:
     bool take(const hydraulics::Circuit& circuit, const hydraulics::FlowConstants& flow, JunctionSamples sample);
     /// Is there one under way?
     bool under_way() const { return !state_.samples.moving.empty(); }
-    /// Its samples. The rest after it is that before the next movement, unless this is given up for another Movement.
+    /// Its samples; the next movement begins with nothing.
     MovementSamples finish();
 
 private:

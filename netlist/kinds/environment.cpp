@@ -5,6 +5,10 @@
 #include "runtime/kernel.hpp"
 #include "text/user_error.hpp"
 
+#include <fmt/format.h>
+
+#include <stdexcept>
+
 namespace placedpar {
 
 ProcessEnvironment::ProcessEnvironment(const Network& network, std::size_t index, std::vector<Port> ports,
@@ -24,6 +28,14 @@ void note(const Process& self, const Measurement& measurement, History& history)
 }
 
 } // namespace
+
+void ProcessEnvironment::throw_no_parameter(std::string_view parameter) const {
+    throw std::logic_error(fmt::format("process {} has no parameter {} of that type", process_, parameter));
+}
+
+void ProcessEnvironment::throw_other_protocol(const AnyChannel& channel) const {
+    throw std::logic_error(fmt::format("process {}: channel {} has another protocol", process_, channel.name()));
+}
 
 void ProcessEnvironment::add(Measurement measurement) {
     const Process* self = Kernel::current() ? Kernel::current()->who_runs() : nullptr;

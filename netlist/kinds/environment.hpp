@@ -4,8 +4,6 @@
 #include "runtime/channel.hpp"
 #include "runtime/random.hpp"
 
-#include <fmt/format.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -89,14 +87,14 @@ private:
     const T& get(std::string_view parameter) const {
         auto found = parameters_.find(std::string(parameter));
         if (found == parameters_.end() || !std::holds_alternative<T>(found->second))
-            throw std::logic_error(fmt::format("process {} has no parameter {} of that type", process_, parameter));
+            throw_no_parameter(parameter);
         return std::get<T>(found->second);
     }
     template <class T>
     Channel<T>& channel(AnyChannel& any) const {
         if (auto* typed = dynamic_cast<Channel<T>*>(&any))
             return *typed;
-        throw std::logic_error(fmt::format("process {}: channel {} has another protocol", process_, any.name()));
+        throw_other_protocol(any);
     }
     template <class End, class EndOf>
     std::vector<End> ends(std::string_view port, EndOf end_of) const {
@@ -105,6 +103,8 @@ private:
             result.push_back(end_of(*each));
         return result;
     }
+    [[noreturn]] void throw_no_parameter(std::string_view) const;
+    [[noreturn]] void throw_other_protocol(const AnyChannel&) const;
     void add(Measurement);
     AnyChannel* find(std::string_view port) const;
     AnyChannel& require(std::string_view port) const;

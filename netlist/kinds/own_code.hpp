@@ -5,8 +5,6 @@
 #include "runtime/user_code.hpp"
 #include "text/user_error.hpp"
 
-#include <fmt/format.h>
-
 #include <string>
 
 namespace placedpar {
@@ -34,8 +32,8 @@ auto ask_kind(const ProcessKind& kind, const ProcessInstance& process, const cha
     try {
         return ask_kind(kind, work);
     } catch (const UserError& thrown) {
-        throw UserError(fmt::format("{}: process {} ({}), asked {}: {}", process.declared.text(), process.name,
-                                    process.kind, what, thrown.what()));
+        throw UserError(process.declared.text() + ": process " + process.name + " (" + process.kind + "), asked " +
+                        what + ": " + thrown.what());
     }
 }
 

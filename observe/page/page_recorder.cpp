@@ -1,5 +1,7 @@
 #include "observe/page/page_recorder.hpp"
 
+#include <boost/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <bit>

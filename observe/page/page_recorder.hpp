@@ -4,7 +4,7 @@
 #include "observe/page/stretches.hpp"
 #include "observe/trace/trace_writer.hpp"
 
-#include <boost/json.hpp>
+#include <boost/json/fwd.hpp>
 
 #include <span>
 #include <string>

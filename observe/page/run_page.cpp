@@ -6,6 +6,7 @@
 #include "text/standard_streams.hpp"
 #include "text/utf8.hpp"
 
+#include <boost/json.hpp>
 #include <fmt/format.h>
 
 #include <cmath>

@@ -3,6 +3,8 @@
 #include "observe/page/encoding.hpp"
 #include "text/utf8.hpp"
 
+#include <boost/json.hpp>
+
 #include <algorithm>
 #include <utility>
 

@@ -8,6 +8,7 @@
 #include "tests/sanitized.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <set>
 #include <string>

@@ -8,6 +8,7 @@
 #include "tests/seeds.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <set>

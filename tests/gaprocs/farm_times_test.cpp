@@ -4,6 +4,7 @@
 #include "tests/gaprocs/cluster.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,6 +10,7 @@
 #include "tests/sanitized.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <boost/algorithm/string/replace.hpp>
 

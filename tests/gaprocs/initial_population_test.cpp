@@ -9,6 +9,7 @@
 #include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <fstream>

@@ -4,6 +4,7 @@
 #include "tests/sanitized.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

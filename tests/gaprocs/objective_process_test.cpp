@@ -8,6 +8,7 @@
 #include "tests/gaprocs/objectives.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <string>
 #include <vector>

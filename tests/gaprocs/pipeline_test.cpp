@@ -5,6 +5,7 @@
 #include "tests/gaprocs/slave_forms.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -5,6 +5,7 @@
 #include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>

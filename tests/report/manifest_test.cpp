@@ -2,6 +2,7 @@
 
 #include "report/manifest.hpp"
 
+#include <boost/json.hpp>
 #include <doctest/doctest.h>
 
 #include <limits>

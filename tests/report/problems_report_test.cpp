@@ -2,6 +2,7 @@
 #include "report/problems_report.hpp"
 #include "text/user_error.hpp"
 
+#include <boost/json.hpp>
 #include <doctest/doctest.h>
 
 using namespace placedpar;

@@ -5,6 +5,7 @@
 #include "netlist/read.hpp"
 #include "report/run_report.hpp"
 
+#include <boost/json.hpp>
 #include <doctest/doctest.h>
 
 #include <chrono>

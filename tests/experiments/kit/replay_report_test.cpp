@@ -2,6 +2,7 @@
 
 #include "experiments/kit/replay_report.hpp"
 
+#include <boost/json.hpp>
 #include <doctest/doctest.h>
 
 using namespace placedpar;

@@ -57,17 +57,3 @@ TEST_CASE("a piston that comes to rest after a movement is not the sensor's") {
     boom.feed(40, 0, 0);
     CHECK(boom.noted == 0);
 }
-
-TEST_CASE("the rest after a movement is the rest before the next one, but not over a gap") {
-    WatchedBoom boom;
-    boom.feed(20, 0, 0);
-    boom.feed(30, 0.09, 30);
-    boom.feed(15, 0, 0);
-    boom.feed(1, 0.09, 30);
-    CHECK(boom.judged == 1);
-    CHECK(boom.watch.state().movement.samples.at_rest.size() == 9); // of 15, 3 at each end left out
-    boom.feed(30, 0.09, 30);
-    boom.feed(15, 0, 0);
-    CHECK(boom.watch.end_movement(boom.problem, boom.health));
-    CHECK(boom.watch.state().movement == Movement::State{});
-}
