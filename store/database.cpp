@@ -38,10 +38,6 @@ Database::Database(const std::filesystem::path& path, bool make) {
     require(handle, sqlite3_busy_timeout(handle, busy_ms));
 }
 
-void Database::put_log_into_file(bool at_end) {
-    require(handle(), sqlite3_db_config(handle(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, at_end ? 0 : 1, nullptr));
-}
-
 void Database::run(const std::string& sql) {
     require(handle(), sqlite3_exec(handle(), sql.c_str(), nullptr, nullptr, nullptr));
 }

@@ -31,9 +31,6 @@ public:
     /// `make`: the file, when there is none.
     explicit Database(const std::filesystem::path& path, bool make = true);
 
-    /// Is the write-ahead log to be put into the file when this closes? It is, unless told otherwise.
-    void put_log_into_file(bool at_end);
-
     /// Any number of statements without parameters, whose results nobody wants.
     void run(const std::string& sql);
     /// Ends the transaction, as if it had not begun, if one is under way.

@@ -2,6 +2,8 @@
 
 #include "identification/on_line/diagnosis.hpp"
 
+#include <boost/describe.hpp>
+
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -61,6 +63,7 @@ struct KeptEstimate {
 
     friend bool operator==(const KeptEstimate&, const KeptEstimate&) = default;
 };
+BOOST_DESCRIBE_STRUCT(KeptEstimate, (), (machine, at, time_s, set, link, compliance_in3_per_psi, error_in3_per_psi))
 
 /// An alarm from when it was raised. One of the same kind and links is the same alarm; while it holds it is not raised
 /// again.
@@ -76,6 +79,9 @@ struct KeptAlarm {
     }
     friend bool operator==(const KeptAlarm&, const KeptAlarm&) = default;
 };
+BOOST_DESCRIBE_STRUCT(KeptAlarm, (),
+                      (machine, kind, links, text, raised_at, raised_time_s, cleared_at, acknowledged_at,
+                       shelved_until))
 
 /// The newest alarm of this machine, kind and links is now so.
 struct ChangedAlarm {

@@ -49,20 +49,24 @@ std::vector<double> numbers_from(std::string_view text) {
 }
 
 std::string exact_text(std::span<const Genome> strings) {
-    std::string text;
+    std::string text = fmt::format("{}", strings.empty() ? 0 : strings.front().size());
     for (const Genome& each : strings)
-        text += fmt::format("{}{:x}", text.empty() ? "" : " ", each.field(0, each.size()));
+        text += fmt::format(" {:x}", each.field(0, each.size()));
     return text;
 }
 
-std::vector<Genome> genomes_from(std::string_view text, std::size_t bits) {
+std::vector<Genome> genomes_from(std::string_view text) {
     std::vector<Genome> strings;
-    for (std::string_view word : words(text)) {
-        auto value = value_of<std::uint64_t>(word, 16);
-        if (bits < 64 && value >> bits != 0)
-            throw std::runtime_error(fmt::format("\"{}\" has more than {} bits", word, bits));
-        strings.emplace_back(bits).set_field(0, bits, value);
-    }
+    std::optional<std::size_t> bits;
+    for (std::string_view word : words(text))
+        if (!bits) {
+            bits = value_of<std::size_t>(word);
+        } else {
+            auto value = value_of<std::uint64_t>(word, 16);
+            if (*bits == 0 || *bits > 64 || (*bits < 64 && value >> *bits != 0))
+                throw std::runtime_error(fmt::format("\"{}\" has not {} bits", word, *bits));
+            strings.emplace_back(*bits).set_field(0, *bits, value);
+        }
     return strings;
 }
 

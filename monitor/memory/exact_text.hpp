@@ -17,9 +17,9 @@ std::string exact_text(std::span<const double> numbers);
 /// Throws std::runtime_error.
 std::vector<double> numbers_from(std::string_view text);
 
-/// In hexadecimal, separated by blanks. REQUIRES: all of one size up to 64.
+/// How many bits each has, and each in hexadecimal, separated by blanks. REQUIRES: all of one size up to 64.
 std::string exact_text(std::span<const Genome> strings);
 /// Throws std::runtime_error.
-std::vector<Genome> genomes_from(std::string_view text, std::size_t bits);
+std::vector<Genome> genomes_from(std::string_view text);
 
 } // namespace placedpar::monitor

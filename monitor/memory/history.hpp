@@ -1,7 +1,7 @@
 #pragma once
 
 #include "monitor/memory/entries.hpp"
-#include "store/database.hpp"
+#include "monitor/memory/history_table.hpp"
 
 #include <cstdint>
 #include <string>
@@ -18,31 +18,31 @@ public:
     /// REQUIRES: the database outlives it and has the tables.
     History(store::Database& database, std::uint64_t most);
 
-    /// Reads every row; throws std::runtime_error naming one whose checksum is wrong.
-    void check();
+    /// Reads every row, and gives the sum of their checksums. Throws std::runtime_error naming one whose is wrong.
+    std::uint64_t check() { return estimates_.check() + alarms_.check(); }
 
-    void keep(const KeptEstimate& estimate);
-    void keep(const KeptAlarm& alarm);
+    void keep(const KeptEstimate& estimate) { estimates_.keep(estimate); }
+    void keep(const KeptAlarm& alarm) { alarms_.keep(alarm); }
     /// The newest row of the same machine, kind and links gets these times.
     void change(const KeptAlarm& alarm);
     void reconcile(const OpenAlarms& open);
     void forget(const std::string& machine);
 
     /// Of one machine, the newest first.
-    std::vector<KeptEstimate> estimates(const std::string& machine, std::uint64_t most);
+    std::vector<KeptEstimate> estimates(const std::string& machine, std::uint64_t most) {
+        return estimates_.newest(machine, most);
+    }
     /// Likewise; of all machines with "".
     std::vector<KeptAlarm> alarms(const std::string& machine, std::uint64_t most);
     /// Those not cleared, of all machines, by machine and age.
     std::vector<KeptAlarm> open_alarms();
     /// Those, and those that have been on the shelf.
-    std::vector<KeptAlarm> noted_alarms();
+    std::vector<KeptAlarm> noted_alarms() { return alarms_.rows(noted_alarms_.bind()); }
 
 private:
-    std::uint64_t most_;
-    store::Statement next_estimate_, insert_estimate_, trim_estimates_, select_estimates_, all_estimates_;
-    store::Statement next_alarm_, insert_alarm_, trim_alarms_, find_alarm_, update_alarm_, select_alarms_,
-        newest_alarms_, all_alarms_, noted_alarms_;
-    store::Statement forget_estimates_, forget_alarms_;
+    HistoryTable<KeptEstimate> estimates_;
+    HistoryTable<KeptAlarm> alarms_;
+    store::Statement find_alarm_, newest_alarms_, noted_alarms_;
 };
 
 } // namespace placedpar::monitor

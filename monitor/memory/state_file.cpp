@@ -2,17 +2,13 @@
 
 #include "monitor/memory/diagnosis_json.hpp"
 #include "monitor/memory/state_identity.hpp"
-#include "monitor/memory/wal_check.hpp"
 #include "text/checksum.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
 namespace placedpar::monitor {
@@ -31,8 +27,7 @@ std::int64_t row_checksum(const KeptMessage& m) { return checksum_of(fmt::format
 std::int64_t row_checksum(const KeptState& s) { return checksum_of(s.machine, fmt::format("{}", s.taken), s.state); }
 
 std::string way_out(const fs::path& path) {
-    return fmt::format("; put a whole one there, or move it, {0}-wal and {0}-mark away and begin with nothing known",
-                       path.string());
+    return fmt::format("; put a whole one there, or move {} away and begin with nothing known", path.string());
 }
 
 std::uint64_t unsigned_of(std::int64_t number) { return static_cast<std::uint64_t>(number); }
@@ -46,11 +41,10 @@ struct StateFile::Statements {
           trim_messages(d, "DELETE FROM messages WHERE number <= ?1"),
           put_machine(d, "INSERT INTO machines VALUES(?1, ?2, ?3, ?4) ON CONFLICT(name) DO UPDATE SET "
                          "taken = excluded.taken, state = excluded.state, checksum = excluded.checksum"),
-          delete_machine(d, "DELETE FROM machines WHERE name = ?1"),
-          write_ledger(d, "UPDATE ledger SET settings = ?1, trimmed = ?2, last = ?3, machines = ?4, digest = ?5, "
-                          "transactions = ?6, running = ?7, checksum = ?8") {}
+          delete_machine(d, "DELETE FROM machines WHERE name = ?1"), sum(d, "SELECT sum FROM ledger"),
+          write_ledger(d, "UPDATE ledger SET trimmed = ?1, last = ?2, checksum = ?3") {}
 
-    store::Statement insert_message, trim_messages, put_machine, delete_machine, write_ledger;
+    store::Statement insert_message, trim_messages, put_machine, delete_machine, sum, write_ledger;
 };
 
 StateFile::StateFile(const fs::path& path, const std::string& settings, std::uint64_t most_history,
@@ -59,15 +53,19 @@ StateFile::StateFile(const fs::path& path, const std::string& settings, std::uin
     require_path_of_file(path_);
     if (!fs::exists(path_))
         create_state_file(path_, settings_);
-    lock_ = std::make_unique<store::FileLock>(path_, fmt::format("--state {}", path_.string()), "placedpar monitor");
-    path_ = fs::canonical(path_); // SQLite's own files are beside it, not beside a link
+    lock();
+    path_ = fs::canonical(path_); // SQLite's own file is beside it, not beside a link
     std::error_code another_owner;
-    for (const char* each : {"", "-wal", "-shm", "-mark"}) // what an earlier version made, too
-        fs::permissions(path_.string() + each, fs::perms::owner_read | fs::perms::owner_write, another_owner);
+    fs::permissions(path_, fs::perms::owner_read | fs::perms::owner_write, another_owner);
     auto refuse = [&](const std::string& why) {
         throw UserError(fmt::format("{}: this state file cannot be used: {}", path.string(), why));
     };
     try {
+        if (require_identity(*lock_) == earlier_file_version) {
+            content.said = put_aside(path_);
+            create_state_file(path_, settings_);
+            lock();
+        }
         open(content);
     } catch (const OtherFile& other) {
         refuse(other.what());
@@ -80,72 +78,42 @@ StateFile::StateFile(const fs::path& path, const std::string& settings, std::uin
     }
 }
 
-StateFile::~StateFile() {
-    try {
-        close();
-    } catch (const store::DatabaseError&) { // the mark is left, and the next start looks at it
-    }
+StateFile::~StateFile() = default;
+
+void StateFile::lock() {
+    lock_ = std::make_unique<store::FileLock>(path_, fmt::format("--state {}", path_.string()), "placedpar monitor");
 }
 
-void StateFile::close() {
-    if (!whole_ || !writable_)
-        return;
-    course_.running = false;
-    commit({});
-    disconnect();
-    if (!fs::exists(path_.string() + "-wal"))
-        mark_->remove();
-}
-
-void StateFile::disconnect() {
-    writable_ = false;
-    statements_.reset();
-    history_.reset();
-    database_.reset();
-}
-
-/// `alone`: without the file in which SQLite tells other programs where what is in the log. For that a full disk has no
-/// room.
-void StateFile::connect(bool alone) {
-    database_.emplace(path_, false);     // it may have been removed
-    database_->put_log_into_file(false); // what is refused is left as it is
-    if (alone)
-        database_->run("PRAGMA locking_mode = EXCLUSIVE"); // first: others read the log already
-    database_->run("PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; PRAGMA synchronous = FULL");
-    if (database_->text("PRAGMA journal_mode = WAL") != "wal")
-        throw store::DatabaseError("SQLite cannot keep a write-ahead log there", false);
-    database_->text("SELECT settings FROM ledger"); // which reads the log
+void StateFile::connect() {
+    database_.emplace(path_, false); // it may have been removed
+    database_->run("PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; PRAGMA synchronous = EXTRA; "
+                   "PRAGMA journal_mode = DELETE");
 }
 
 void StateFile::open(StateContent& content) {
-    require_identity(*lock_);
-    content.said = check_wal(path_);
-    try {
-        connect(false);
-    } catch (const store::DatabaseError& error) {
-        if (error.damage())
-            throw;
-        content.trouble = error.what();
-        connect(true);
-    }
+    connect();
     require_integrity(*database_);
-    read_ledger();
-    require_mark();
-    read_machines(content);
-    read_messages(content);
     history_.emplace(*database_, most_history_);
-    history_->check();
-    statements_ = std::make_unique<Statements>(*database_);
+    const std::uint64_t expected = read_ledger(), found = read_machines(content) + history_->check();
+    if ((found & sum_mask) != expected)
+        refuse_damaged("its rows are not those of its ledger");
+    read_messages(content);
     content.last_message = ledger_.last;
+    statements_ = std::make_unique<Statements>(*database_);
+    content.trouble = trouble_with_writing();
+}
+
+/// Writes one page; SQLite leaves out what would stay as it is.
+std::string StateFile::trouble_with_writing() {
     try {
-        if (content.trouble.empty())
-            begin_running();
+        database_->run("BEGIN IMMEDIATE; UPDATE ledger SET last = last + 1; UPDATE ledger SET last = last - 1; COMMIT");
+        return "";
     } catch (const store::DatabaseError& error) {
+        database_->roll_back();
         if (error.damage())
             throw;
-        content.trouble = error.what();
+        return error.what();
     }
-    writable_ = whole_ = content.trouble.empty();
 }
 
 History& StateFile::history() {
@@ -154,55 +122,31 @@ History& StateFile::history() {
     return *history_;
 }
 
-/// Which the files beside it are, by their numbers; 0: none.
-std::vector<std::uint64_t> StateFile::companions() const {
-    std::vector<std::uint64_t> numbers;
-    for (const char* each : {"-wal", "-shm", "-mark"}) {
-        struct stat status {};
-        numbers.push_back(::stat((path_.string() + each).c_str(), &status) == 0 ? status.st_ino : 0);
-    }
-    return numbers;
+void StateFile::require_in_place() const {
+    if (!statements_ || !lock_->is_at(given_))
+        throw store::DatabaseError("it has been removed or replaced", false);
 }
 
-void StateFile::require_in_place() {
-    if (lock_->is_at(given_) && companions() == companions_)
-        return;
-    whole_ = writable_ = false;
-    throw store::DatabaseError("it, or a file beside it, has been removed or replaced", false);
-}
-
-/// Opens it again as it is to be. When it was removed, a copy of what is still open takes its place, locked before it
-/// has its name, and only then is the former closed: if it is removed once more meanwhile, the next attempt has all
-/// that is needed. What another has put there is left alone.
+/// Opens it again. When it was removed, a copy takes its place, locked before it has its name: if it is removed once
+/// more meanwhile, the next attempt has all that is needed. What another has put there is left alone.
 void StateFile::renew() {
-    bool gone = !fs::exists(fs::symlink_status(given_)) && !fs::exists(path_);
+    const bool gone = !fs::exists(fs::symlink_status(given_)) && !fs::exists(path_);
     if (!gone && !lock_->is_at(given_))
         throw store::DatabaseError("something else is in its place: move that away", false);
-    if (statements_) {
-        course_.running = false;
-        transact({});
-        database_->put_log_into_file(true);
-    }
+    statements_.reset();
+    history_.reset();
+    database_.reset();
     if (gone)
         put_copy_in_place();
-    disconnect();
-    mark_.reset();
-    if (gone)
-        for (const char* each : {"-wal", "-shm"})
-            fs::remove(path_.string() + each);
-    if (!fs::exists(path_.string() + "-wal"))
-        fs::remove(path_.string() + "-mark");
-    ledger_ = {};
     StateContent known;
     open(known);
     if (!known.trouble.empty())
         throw store::DatabaseError(known.trouble, false);
 }
 
-/// What is no longer open, since opening the last copy failed, is in the file that is locked.
+/// All that was in the file, but for its name, is there as long as it is locked.
 void StateFile::put_copy_in_place() {
-    fs::path copy =
-        statements_ ? copy_state_file(*database_, path_) : write_state_file(lock_->beginning(lock_->size()), path_);
+    fs::path copy = write_state_file(lock_->beginning(lock_->size()), path_);
     auto lock = std::make_unique<store::FileLock>(copy, path_.string(), "placedpar monitor");
     publish(copy, path_);
     if (!lock->is_at(path_))
@@ -210,56 +154,32 @@ void StateFile::put_copy_in_place() {
     lock_ = std::move(lock);
 }
 
-void StateFile::require_mark() {
-    std::optional<std::uint64_t> mark = Mark::read(path_);
-    if (course_.running && !mark)
-        refuse_damaged(fmt::format("{}-mark is missing, so nobody can say whether all is there", path_.string()));
-    if (mark && *mark > course_.transactions)
-        refuse_damaged(fmt::format("{} transactions were committed, {} are there: {}-wal was cut or taken away, or an "
-                                   "older file put in place of this one",
-                                   *mark, course_.transactions, path_.string()));
-}
-
-/// That a program runs is in the file itself, not only in the log, which may be taken away.
-void StateFile::begin_running() {
-    database_->put_log_into_file(true);
-    mark_.emplace(path_, course_.transactions);
-    course_.running = true;
-    transact({});
-    database_->integer("PRAGMA wal_checkpoint(TRUNCATE)"); // while others read it, the log is put there later
-    companions_ = companions();
-}
-
-void StateFile::read_ledger() {
-    store::Statement row(
-        *database_, "SELECT settings, trimmed, last, machines, digest, transactions, running, checksum FROM ledger");
+std::uint64_t StateFile::read_ledger() {
+    store::Statement row(*database_, "SELECT settings, trimmed, last, sum, checksum FROM ledger");
     if (!row.step())
         refuse_damaged("its ledger is empty");
-    std::string was = row.text(0);
-    auto numbers = fmt::format("{} {} {} {} {} {}", row.integer(1), row.integer(2), row.integer(3), row.integer(4),
-                               row.integer(5), row.integer(6));
-    if (checksum_of(was, numbers) != row.integer(7))
+    const std::string was = row.text(0);
+    ledger_ = {unsigned_of(row.integer(1)), unsigned_of(row.integer(2))};
+    const std::uint64_t sum = unsigned_of(row.integer(3));
+    if (ledger_checksum(was, ledger_.trimmed, ledger_.last, sum) != row.integer(4))
         refuse_damaged("its ledger has another checksum");
-    ledger_.trimmed = unsigned_of(row.integer(1));
-    ledger_.last = unsigned_of(row.integer(2));
-    course_ = {unsigned_of(row.integer(5)), row.integer(6) != 0};
     if (was != settings_)
         throw OtherFile(fmt::format("it was written with {}, this is {}; use the same options, or another --state file",
                                     was, settings_));
+    return sum;
 }
 
-void StateFile::read_machines(StateContent& content) {
+std::uint64_t StateFile::read_machines(StateContent& content) {
+    std::uint64_t sum = 0;
     store::Statement rows(*database_, "SELECT name, taken, state, checksum FROM machines ORDER BY name");
     while (rows.step()) {
         KeptState state{rows.text(0), unsigned_of(rows.integer(1)), rows.text(2)};
         if (row_checksum(state) != rows.integer(3))
             refuse_damaged(fmt::format("the state of \"{}\" has another checksum", state.machine));
-        set_machine(state.machine, rows.integer(3));
+        sum += unsigned_of(rows.integer(3));
         content.machines.push_back(std::move(state));
     }
-    if (ledger_.digest != database_->integer("SELECT digest FROM ledger") ||
-        static_cast<std::int64_t>(content.machines.size()) != database_->integer("SELECT machines FROM ledger"))
-        refuse_damaged("its machines are not those of its ledger");
+    return sum;
 }
 
 void StateFile::read_messages(StateContent& content) {
@@ -276,38 +196,28 @@ void StateFile::read_messages(StateContent& content) {
 }
 
 void StateFile::write_ledger() {
-    auto machines = static_cast<std::int64_t>(ledger_.machines.size());
-    std::int64_t running = course_.running;
-    auto numbers = fmt::format("{} {} {} {} {} {}", ledger_.trimmed, ledger_.last, machines, ledger_.digest,
-                               course_.transactions, running);
-    statements_->write_ledger.run(settings_, ledger_.trimmed, ledger_.last, machines, ledger_.digest,
-                                  course_.transactions, running, checksum_of(settings_, numbers));
+    const std::uint64_t sum = unsigned_of(statements_->sum.only_integer());
+    statements_->write_ledger.run(ledger_.trimmed, ledger_.last,
+                                  ledger_checksum(settings_, ledger_.trimmed, ledger_.last, sum));
 }
 
 void StateFile::commit(std::span<const Parcel> parcels) {
     bool anew = std::ranges::any_of(parcels, [](const Parcel& parcel) { return parcel.all_anew_at.has_value(); });
-    if (anew && !(writable_ && lock_->is_at(given_) && companions() == companions_))
+    if (anew && !(statements_ && lock_->is_at(given_)))
         renew();
+    require_in_place();
     transact(parcels);
-    require_in_place(); // after the transaction: until then what it wrote may have gone
+    require_in_place(); // until then what it wrote may have gone
 }
 
 void StateFile::transact(std::span<const Parcel> parcels) {
-    ++course_.transactions;
-    whole_ = false;
     database_->run("BEGIN IMMEDIATE");
     try {
         apply(parcels);
         write_ledger();
         database_->run("COMMIT");
-        if (mark_)
-            mark_->write(course_.transactions);
-        whole_ = true;
     } catch (const std::exception&) {
-        try {
-            database_->run("ROLLBACK");
-        } catch (const store::DatabaseError&) { // SQLite has done so itself
-        }
+        database_->roll_back();
         throw;
     }
 }
@@ -323,19 +233,7 @@ void StateFile::apply(std::span<const Parcel> parcels) {
 
 void StateFile::begin_anew(std::uint64_t last_message) {
     database_->run("DELETE FROM machines; DELETE FROM messages");
-    ledger_ = {last_message, last_message, {}, 0};
-}
-
-/// In the ledger; without a checksum there is no such machine.
-void StateFile::set_machine(const std::string& name, std::optional<std::int64_t> checksum) {
-    if (auto found = ledger_.machines.find(name); found != ledger_.machines.end()) {
-        ledger_.digest ^= found->second;
-        ledger_.machines.erase(found);
-    }
-    if (checksum) {
-        ledger_.digest ^= *checksum;
-        ledger_.machines[name] = *checksum;
-    }
+    ledger_ = {last_message, last_message};
 }
 
 void StateFile::keep(const KeptMessage& message) {
@@ -344,9 +242,7 @@ void StateFile::keep(const KeptMessage& message) {
 }
 
 void StateFile::keep(const KeptState& state) {
-    std::int64_t checksum = row_checksum(state);
-    statements_->put_machine.run(state.machine, state.taken, state.state, checksum);
-    set_machine(state.machine, checksum);
+    statements_->put_machine.run(state.machine, state.taken, state.state, row_checksum(state));
 }
 
 void StateFile::keep(const UnwrittenState& state) {
@@ -355,7 +251,6 @@ void StateFile::keep(const UnwrittenState& state) {
 
 void StateFile::keep(const ForgottenMachine& forgotten) {
     statements_->delete_machine.run(forgotten.machine);
-    set_machine(forgotten.machine, std::nullopt);
     history_->forget(forgotten.machine);
 }
 

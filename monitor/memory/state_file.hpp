@@ -2,13 +2,11 @@
 
 #include "monitor/memory/entries.hpp"
 #include "monitor/memory/history.hpp"
-#include "monitor/memory/mark.hpp"
 #include "store/database.hpp"
 #include "store/file_lock.hpp"
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -28,21 +26,21 @@ struct StateContent {
 
 /// The state file: a database of SQLite with the machines' states, the messages that came after them, and the history.
 ///
-/// 1. What commit() was given is on the disk when it returns, and all of it or nothing after any kill or loss of power.
-/// 2. Every row has a checksum over all that it holds. The ledger, a single row, says which messages and machines there
-///    are, and the mark how many transactions. So a file that is damaged or cut, or whose log is, is refused, unless
-///    nothing is stored where the damage is. Only after a loss of power is the last transaction, of which nobody was
-///    told, left out and that said.
-///    A file that is removed or replaced, or one beside it, is noticed before commit() returns, which throws then.
+/// 1. What commit() was given is on the disk when it returns, and all of it or nothing after any kill or loss of power:
+///    SQLite's rollback journal, there during a transaction only, sees to that.
+/// 2. Every row has a checksum over all that it holds. The ledger, a single row, says which messages there are, and
+///    what the checksums of all other rows come to. So a file that is damaged or cut is refused, and so is one whose
+///    journal was when a kill had left one, unless nothing is stored where the damage is.
+///    A file that is removed or replaced is noticed before commit() returns, which throws then.
 /// 3. It is locked: one program at a time.
 /// 4. One thread at a time.
 class StateFile {
 public:
-    /// Makes the file when there is none; else checks it, row by row, and gives what is in it. `settings` are what its
-    /// states depend on. Throws UserError, naming the file, saying what is wrong and what to do.
+    /// Makes the file when there is none; else checks it, row by row, and gives what is in it. One of an earlier
+    /// version is put aside. `settings` are what its states depend on. Throws UserError, naming the file, saying what
+    /// is wrong and what to do.
     StateFile(const std::filesystem::path& path, const std::string& settings, std::uint64_t most_history,
               StateContent& content);
-    /// Puts the log into the file, which is then all there is.
     ~StateFile();
 
     /// In one transaction. Throws UserError, DatabaseError too, when what it was given may be lost; then, and after a
@@ -55,36 +53,26 @@ public:
 private:
     struct Statements;
 
-    /// Messages trimmed + 1 to last are there, and these machines.
+    /// Messages trimmed + 1 to last are there.
     struct Ledger {
         std::uint64_t trimmed = 0, last = 0;
-        std::map<std::string, std::int64_t> machines; ///< the checksums of their rows
-        std::int64_t digest = 0;                      ///< those, one exclusive or the other
-    };
-    /// Of the ledger, too, and not begun anew: what the mark is compared with.
-    struct Course {
-        std::uint64_t transactions = 0;
-        bool running = false; ///< a program has it, or had it until it was killed: there is a mark
     };
 
+    void lock();
     void open(StateContent& content);
-    void connect(bool alone);
+    void connect();
+    std::string trouble_with_writing();
     void renew();
     void put_copy_in_place();
-    void disconnect();
-    void require_in_place();
-    std::vector<std::uint64_t> companions() const;
+    void require_in_place() const;
     void transact(std::span<const Parcel> parcels);
-    void read_ledger();
-    void require_mark();
-    void begin_running();
-    void close();
-    void read_machines(StateContent& content);
+    /// Gives the sum of the other rows' checksums, by the ledger; read_machines() gives that of its rows.
+    std::uint64_t read_ledger();
+    std::uint64_t read_machines(StateContent& content);
     void read_messages(StateContent& content);
     void write_ledger();
     void apply(std::span<const Parcel> parcels);
     void begin_anew(std::uint64_t last_message);
-    void set_machine(const std::string& name, std::optional<std::int64_t> checksum);
     void keep(const KeptMessage& message);
     void keep(const UnwrittenState& state);
     void keep(const KeptState& state);
@@ -102,12 +90,7 @@ private:
     std::optional<store::Database> database_;
     std::optional<History> history_;
     std::unique_ptr<Statements> statements_;
-    std::optional<Mark> mark_;
     Ledger ledger_;
-    Course course_;
-    bool whole_ = true;                     ///< no transaction has failed since all began anew
-    bool writable_ = false;                 ///< it has been opened as it is to be
-    std::vector<std::uint64_t> companions_; ///< as they were when it was opened
 };
 
 } // namespace placedpar::monitor

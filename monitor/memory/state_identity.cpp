@@ -24,19 +24,30 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint32_t application_id = 0x50506d6f; // "PPmo"
-constexpr std::uint32_t file_version = 2;
+
+/// Keeps the ledger's sum of the table's checksums, of 62 bits, which never overflows.
+std::string triggers(const char* table) {
+    constexpr const char* trigger = "CREATE TRIGGER {0}_{1} AFTER {2} ON {0} BEGIN "
+                                    "UPDATE ledger SET sum = sum{3} & {4}; END;";
+    auto share = [](const char* sign, const char* row) {
+        return fmt::format(" {} ({}.checksum & {})", sign, row, sum_mask);
+    };
+    const std::string more = share("+", "new"), less = share("-", "old");
+    return fmt::format(fmt::runtime(trigger), table, "inserted", "INSERT", more, sum_mask) +
+           fmt::format(fmt::runtime(trigger), table, "updated", "UPDATE", less + more, sum_mask) +
+           fmt::format(fmt::runtime(trigger), table, "deleted", "DELETE", less, sum_mask);
+}
 
 /// The settings stand in the ledger, since a change of any makes what is known useless.
 std::string schema() {
     return std::string("CREATE TABLE ledger(id INTEGER PRIMARY KEY CHECK(id = 1), settings TEXT NOT NULL, "
-                       "trimmed INTEGER NOT NULL, last INTEGER NOT NULL, machines INTEGER NOT NULL, "
-                       "digest INTEGER NOT NULL, transactions INTEGER NOT NULL, running INTEGER NOT NULL, "
+                       "trimmed INTEGER NOT NULL, last INTEGER NOT NULL, sum INTEGER NOT NULL, "
                        "checksum INTEGER NOT NULL);"
                        "CREATE TABLE machines(name TEXT PRIMARY KEY, taken INTEGER NOT NULL, state TEXT NOT NULL, "
                        "checksum INTEGER NOT NULL);"
                        "CREATE TABLE messages(number INTEGER PRIMARY KEY, machine TEXT NOT NULL, text TEXT NOT NULL, "
                        "checksum INTEGER NOT NULL);") +
-           History::schema;
+           History::schema + triggers("machines") + triggers("estimates") + triggers("alarms");
 }
 
 /// Brings a file, or a folder's names, to the disk itself.
@@ -84,18 +95,6 @@ void publish(const fs::path& made, const fs::path& path) {
     sync_path(fs::absolute(path).parent_path());
 }
 
-fs::path copy_state_file(store::Database& from, const fs::path& path) {
-    fs::path made = begin_file(path);
-    try {
-        store::Statement(from, "VACUUM INTO ?1").run(made.string());
-    } catch (const store::DatabaseError&) {
-        std::error_code ignored;
-        fs::remove(made, ignored);
-        throw;
-    }
-    return made;
-}
-
 fs::path write_state_file(const std::string& bytes, const fs::path& path) {
     fs::path made = begin_file(path);
     std::ofstream out(made, std::ios::binary);
@@ -117,7 +116,7 @@ void require_path_of_file(const fs::path& path) {
         throw UserError(fmt::format("{}: it is a symbolic link to a file that is not there; put that back, or remove "
                                     "the link",
                                     path.string()));
-    for (const char* part : {"-wal", "-mark"})
+    for (const char* part : {"-journal", "-wal"}) // of this version, and of one before
         if (fs::exists(path.string() + part))
             throw UserError(fmt::format("{0}: it is not there, and what was written to it last is: {0}{1}; put it "
                                         "back, or move that away, too, and begin with nothing known",
@@ -135,8 +134,8 @@ void create_state_file(const fs::path& path, const std::string& settings) {
         database.run("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF"); // it is synced before it has its name
         database.run(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", application_id, file_version));
         database.run(schema());
-        store::Statement(database, "INSERT INTO ledger VALUES(1, ?1, 0, 0, 0, 0, 0, 0, ?2)")
-            .run(settings, checksum_of(settings, "0 0 0 0 0 0"));
+        store::Statement(database, "INSERT INTO ledger VALUES(1, ?1, 0, 0, 0, ?2)")
+            .run(settings, ledger_checksum(settings, 0, 0, 0));
     } catch (const store::DatabaseError& error) {
         std::error_code ignored;
         fs::remove(made, ignored);
@@ -145,7 +144,12 @@ void create_state_file(const fs::path& path, const std::string& settings) {
     publish(made, path);
 }
 
-void require_identity(const store::FileLock& file) {
+std::int64_t ledger_checksum(const std::string& settings, std::uint64_t trimmed, std::uint64_t last,
+                             std::uint64_t sum) {
+    return checksum_of(settings, fmt::format("{} {} {}", trimmed, last, sum));
+}
+
+std::uint32_t require_identity(const store::FileLock& file) {
     std::string header = file.beginning(100);
     if (header.empty())
         throw std::runtime_error("it is empty");
@@ -161,9 +165,25 @@ void require_identity(const store::FileLock& file) {
         throw OtherFile(fmt::format("it is a database of another program (its application_id is {:#010x}, a state "
                                     "file's is {:#010x}); use another --state file",
                                     header_word(header, 68), application_id));
-    if (header_word(header, 60) != file_version)
-        throw OtherFile(fmt::format("it is of version {}, this program reads {}; use another --state file",
-                                    header_word(header, 60), file_version));
+    const std::uint32_t version = header_word(header, 60);
+    if (version != file_version && version != earlier_file_version)
+        throw OtherFile(
+            fmt::format("it is of version {}, this program reads {}; use another --state file", version, file_version));
+    return version;
+}
+
+std::string put_aside(const fs::path& path) {
+    const std::string aside = fmt::format("{}.version-{}", path.string(), earlier_file_version);
+    if (fs::exists(aside))
+        throw OtherFile(
+            fmt::format("it is of version {}, and so is {}: move one of them away", earlier_file_version, aside));
+    for (const char* part : {"-wal", "-shm", "-mark", ""}) // the file itself last: what is beside it belongs to it
+        if (fs::exists(path.string() + part))
+            fs::rename(path.string() + part, aside + part);
+    return fmt::format(
+        "{}: it was of version {}, of an earlier placedpar monitor: it is now {}, and all machines begin "
+        "anew",
+        path.string(), earlier_file_version, aside);
 }
 
 void require_integrity(store::Database& database) {

@@ -68,7 +68,6 @@ StateStore::StateStore(const fs::path& path, Diagnoses& diagnoses, std::uint64_t
         restore_state(state);
     take_again(content);
     noted_alarms_ = file_->history().noted_alarms();
-    std::erase_if(noted_alarms_, [&](const KeptAlarm& alarm) { return outdated_.contains(alarm.machine); });
     if (said_.ends_with("; "))
         said_.resize(said_.size() - 2);
 }
@@ -78,9 +77,6 @@ StateStore::~StateStore() = default;
 void StateStore::restore_state(const KeptState& kept) {
     try {
         diagnoses_.add(state_from(json::parse(kept.state), diagnoses_.settings()));
-    } catch (const OutdatedState& old) {
-        outdated_.insert(kept.machine);
-        said_ += fmt::format("{}: \"{}\" begins anew: {}; ", path_.string(), kept.machine, old.what());
     } catch (const std::exception& error) {
         throw UserError(fmt::format("{}: this state file cannot be used: the state of \"{}\": {}; use another --state "
                                     "file",
@@ -93,7 +89,7 @@ void StateStore::take_again(const StateContent& content) {
     std::size_t count = 0;
     Parcel parcel;
     for (const KeptMessage& message : content.messages)
-        if (message.number > taken[message.machine] && !outdated_.contains(message.machine)) {
+        if (message.number > taken[message.machine]) {
             replay(diagnoses_, message, path_);
             backlog_.add(message.machine, message.number, 0, 0);
             ++count;
@@ -204,7 +200,7 @@ void StateStore::write_anew(std::vector<KeptAlarm> open_alarms, double at) {
 void StateStore::finish() {
     std::string trouble = writer_->wait();
     writer_.reset();
-    file_.reset(); // SQLite puts the write-ahead log into the file
+    file_.reset();
     if (!trouble.empty())
         throw UserError(fmt::format("{}: what was known last cannot be written: {}", path_.string(), trouble));
 }

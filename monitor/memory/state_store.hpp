@@ -9,7 +9,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -88,7 +87,6 @@ private:
     Backlog backlog_;
     std::string said_, trouble_;
     std::vector<KeptAlarm> noted_alarms_;
-    std::set<std::string> outdated_; ///< machines that begin anew, since their states are of an earlier version
     std::uint64_t last_message_ = 0, trimmed_ = 0;
     std::uint64_t last_ticket_ = 0, anew_ticket_ = 0;
     bool keeping_ = true; ///< what comes is put; false after a loss, until write_anew()

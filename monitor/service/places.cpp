@@ -1,5 +1,6 @@
 #include "monitor/service/places.hpp"
 
+#include <algorithm>
 #include <tuple>
 
 namespace placedpar::monitor {
@@ -31,12 +32,24 @@ void MachinePlaces::keep(Machine& machine, bool kept) {
     kept ? ++peers_[machine.peer].kept : --peers_[machine.peer].kept;
 }
 
+bool MachinePlaces::find_kept_place() {
+    if (kept_ < most_kept(limits_.machines))
+        return true;
+    auto found = std::ranges::find_if(
+        machines_, [&](const Machine& each) { return each.kept && each.samples < limits_.known_samples; },
+        &std::map<std::string, Machine>::value_type::second);
+    if (found == machines_.end())
+        return false;
+    keep(found->second, false);
+    return true;
+}
+
 void MachinePlaces::restored(const std::string& machine, std::uint64_t samples, Clock::time_point now) {
     introduced(machine, "", now);
     Machine& it = machines_.at(machine);
     it.samples = samples;
     it.begun = now;
-    keep(it, samples >= limits_.known_samples && kept_ < most_kept(limits_.machines));
+    keep(it, samples > 0 && kept_ < most_kept(limits_.machines));
 }
 
 void MachinePlaces::introduced(const std::string& machine, const std::string& peer, Clock::time_point now) {
@@ -67,8 +80,7 @@ bool MachinePlaces::heard(const std::string& machine, std::uint64_t samples, Clo
         it.begun = now;
     if (!more || it.kept || samples < limits_.known_samples ||
         std::chrono::duration<double>(now - *it.begun).count() < limits_.known_s ||
-        kept_ >= most_kept(limits_.machines) ||
-        (!it.peer.empty() && peers_.at(it.peer).kept >= most_kept(limits_.machines_per_peer)))
+        (!it.peer.empty() && peers_.at(it.peer).kept >= most_kept(limits_.machines_per_peer)) || !find_kept_place())
         return false;
     keep(it, true);
     return true;

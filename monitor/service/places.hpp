@@ -41,7 +41,8 @@ public:
 
     explicit MachinePlaces(const ServiceLimits& limits) : limits_(limits) {}
 
-    /// From the state file, in which it was known if it has the samples. REQUIRES: those with most samples come first.
+    /// From the state file: with any sample it is known, but makes way for a machine that becomes known, as long as it
+    /// has too few itself. REQUIRES: those with most samples come first.
     void restored(const std::string& machine, std::uint64_t samples, Clock::time_point now);
     void introduced(const std::string& machine, const std::string& peer, Clock::time_point now);
     void forgotten(const std::string& machine);
@@ -65,6 +66,8 @@ private:
     };
 
     void keep(Machine& machine, bool kept);
+    /// May one more place be kept? Yes, too, where one that is kept for too few samples can be given up.
+    bool find_kept_place();
 
     const ServiceLimits& limits_;
     std::map<std::string, Machine> machines_;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <sys/inotify.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <string>
@@ -66,8 +67,7 @@ void write_and_kill(const Scratch& from, const Scratch& to) {
         std::vector<Parcel> parcels{parcel_of(i), parcel_of(i + 1)};
         file.commit(parcels);
     }
-    for (const char* name : {"state", "state-wal", "state-mark"})
-        to.write(name, from.read(name));
+    to.write("state", from.read("state"));
 }
 
 std::string flipped(std::string text, std::size_t bit) {
@@ -77,29 +77,51 @@ std::string flipped(std::string text, std::size_t bit) {
 
 /// The files of a folder, "" for one that is not there.
 struct Files {
-    std::string state, log, mark;
+    std::string state, journal;
 
-    explicit Files(const Scratch& from)
-        : state(from.read("state")), log(from.read("state-wal")), mark(from.read("state-mark")) {}
+    explicit Files(const Scratch& from) : state(from.read("state")), journal(from.read("state-journal")) {}
+    void write(const Scratch& to) const {
+        to.write("state", state);
+        if (!journal.empty())
+            to.write("state-journal", journal);
+    }
 };
 
-/// Opened, they give what is `whole`; false when they are refused, and left as they are.
+/// Opened, they give what is `whole`; false when they are refused. Without a journal they are left as they are then.
 bool accepted(const Files& files, const Everything& whole) {
     Scratch scratch;
-    scratch.write("state", files.state);
-    if (!files.log.empty())
-        scratch.write("state-wal", files.log);
-    if (!files.mark.empty())
-        scratch.write("state-mark", files.mark);
+    files.write(scratch);
     try {
         Everything everything(scratch / "state");
         CHECK(everything == whole);
         return true;
     } catch (const UserError& error) {
         CHECK(std::string(error.what()).find((scratch / "state").string()) != std::string::npos);
-        CHECK(scratch.read("state") == files.state);
+        CHECK((!files.journal.empty() || scratch.read("state") == files.state));
         return false;
     }
+}
+
+/// As a kill leaves them that comes in the middle of a transaction: with the first byte of a file beyond so many.
+Files killed_in_commit(const Files& files, std::size_t bytes) {
+    Scratch scratch;
+    files.write(scratch);
+    if (const pid_t child = ::fork(); child == 0) {
+        StateContent content;
+        StateFile file(scratch / "state", "settings", most_history, content);
+        std::vector<Parcel> parcels;
+        for (int i = 61; i < 1000; ++i)
+            parcels.push_back(parcel_of(i));
+        const FullDisk disk(bytes);
+        std::signal(SIGXFSZ, SIG_DFL);
+        file.commit(parcels);
+        ::_exit(0);
+    } else {
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        CHECK(WIFSIGNALED(status));
+    }
+    return Files(scratch);
 }
 
 /// Of all bits of a text those of its first bytes, and of every so many: with a step that shares no factor with eight
@@ -156,85 +178,73 @@ TEST_CASE("a state file that is cut anywhere is refused") {
     CHECK_FALSE(accepted(files, whole));
 }
 
-TEST_CASE("any flipped bit of what a kill leaves is seen, or nothing is stored there") {
+TEST_CASE("a kill in the middle of a transaction loses nothing, and any damage to what it leaves is seen") {
     Scratch scratch, killed;
     write_and_kill(scratch, killed);
-    Files files(killed);
-    Everything whole(scratch / "state");
-    int refused = 0, bits = 0;
-    for (std::size_t bit : some_bits(files.log, 80, 10007)) {
-        CAPTURE(bit);
+    const Everything whole(scratch / "state");
+    const Files before(scratch);
+    int half_written = 0, refused = 0;
+    for (std::size_t bytes = 4096; half_written < 4; bytes += 2 * 4096) {
+        REQUIRE(bytes <= before.state.size() + 8 * 4096);
+        CAPTURE(bytes);
+        const Files files = killed_in_commit(before, bytes);
+        CHECK(accepted(files, whole));
         Files damaged = files;
-        damaged.log = flipped(files.log, bit);
-        refused += !accepted(damaged, whole);
-        ++bits;
-    }
-    for (std::size_t bit : some_bits(files.mark, 0, 7)) {
-        CAPTURE(bit);
-        Files damaged = files;
-        damaged.mark = flipped(files.mark, bit);
-        CHECK_FALSE(accepted(damaged, whole));
-    }
-    CHECK(refused > bits - 80); // but for some of the log's heading
-}
-
-TEST_CASE("a log that is cut anywhere, or taken away, is refused, and so is a mark") {
-    Scratch scratch, killed;
-    write_and_kill(scratch, killed);
-    Files files(killed);
-    Everything whole(scratch / "state");
-    std::size_t frame = 24 + 4096;
-    for (std::size_t size = 0; size < files.log.size(); size += 1) {
-        if ((size - 32) % frame != 0 && size % 9001 != 0)
-            continue; // all ends of frames, and some others
-        CAPTURE(size);
-        Files cut = files;
-        cut.log.resize(size);
-        CHECK_FALSE(accepted(cut, whole));
-    }
-    for (std::size_t size = 0; size < files.mark.size(); ++size) {
-        Files cut = files;
-        cut.mark.resize(size);
-        CHECK_FALSE(accepted(cut, whole));
-    }
-    CHECK(accepted(files, whole));
-}
-
-TEST_CASE("an older file in place of the newest is refused") {
-    Scratch scratch, killed;
-    write_and_kill(scratch, killed);
-    Files old(killed);
-    {
-        StateContent content;
-        StateFile file(killed / "state", "settings", most_history, content);
-        std::vector<Parcel> parcels{parcel_of(61)};
-        file.commit(parcels);
-        Files now(killed);
-        now.state = old.state;
-        now.log = old.log;
-        CHECK_FALSE(accepted(now, Everything(scratch / "state")));
-    }
-}
-
-TEST_CASE("the last transaction may be spoilt when the power failed, before the mark was written, and is then said") {
-    Scratch scratch, killed, before;
-    {
-        StateContent content;
-        StateFile file(scratch / "state", "settings", most_history, content);
-        for (int i = 1; i < 60; i += 2) {
-            before.write("state-mark", scratch.read("state-mark"));
-            std::vector<Parcel> parcels{parcel_of(i), parcel_of(i + 1)};
-            file.commit(parcels);
+        damaged.journal.clear();
+        if (files.state == before.state || files.journal.empty() || accepted(damaged, whole))
+            continue; // nothing but its heading has been written
+        ++half_written;
+        for (std::size_t size = 1; size < files.journal.size(); size += 4001) {
+            damaged.journal = files.journal.substr(0, size);
+            refused += !accepted(damaged, whole);
         }
-        for (const char* name : {"state", "state-wal"})
-            killed.write(name, scratch.read(name));
+        for (std::size_t bit : some_bits(files.journal, 28, 40009)) {
+            damaged.journal = flipped(files.journal, bit);
+            refused += !accepted(damaged, whole);
+        }
     }
-    killed.write("state-mark", before.read("state-mark"));
-    std::string log = killed.read("state-wal");
-    killed.write("state-wal", flipped(log, 8 * log.size() - 100));
-    Everything everything(killed / "state");
-    CHECK(everything.content.last_message == 58);
-    CHECK(everything.content.said.find("the last transaction of") != std::string::npos);
+    CHECK(refused > 30);
+}
+
+TEST_CASE("rows of two transactions are told apart, though each is whole") {
+    Scratch scratch, killed;
+    write_and_kill(scratch, killed);
+    for (const char* change : {"DELETE FROM estimates WHERE machine = 'a' AND number = 20", "DELETE FROM alarms",
+                               "DELETE FROM machines WHERE name = 'b'"}) {
+        Scratch damaged;
+        damaged.write("state", scratch.read("state"));
+        {
+            store::Database database(damaged / "state");
+            const std::string sum = fmt::format("{}", database.integer("SELECT sum FROM ledger"));
+            database.run(change);
+            database.run("UPDATE ledger SET sum = " + sum);
+        }
+        StateContent content;
+        CHECK_THROWS_WITH_AS(StateFile(damaged / "state", "settings", most_history, content),
+                             doctest::Contains("its rows are not those of its ledger"), UserError);
+    }
+}
+
+TEST_CASE("a file of an earlier version is put aside with what is beside it, and another begun") {
+    Scratch scratch;
+    std::string text;
+    {
+        StateContent content;
+        StateFile(scratch / "state", "settings", most_history, content);
+        text = scratch.read("state");
+        text[63] = 2;
+    }
+    scratch.write("state", text);
+    scratch.write("state-wal", "a log");
+    const Everything everything(scratch / "state");
+    CHECK(everything.content.said.find("it was of version 2, of an earlier placedpar monitor") != std::string::npos);
+    CHECK(everything.content.machines.empty());
+    CHECK(scratch.read("state.version-2") == text);
+    CHECK(scratch.read("state.version-2-wal") == "a log");
+    scratch.write("state", text);
+    StateContent content;
+    CHECK_THROWS_WITH_AS(StateFile(scratch / "state", "settings", most_history, content),
+                         doctest::Contains("move one of them away"), UserError);
 }
 
 TEST_CASE("a machine that is forgotten leaves nothing but its messages") {
@@ -265,7 +275,7 @@ TEST_CASE("after a loss all begins anew, and alarms that went meanwhile are clea
     parcels[0].entries.push_back(alarm("a", "leak", 1));
     file.commit(parcels);
     {
-        FullDisk disk(scratch.read("state-wal").size());
+        FullDisk disk(1);
         std::vector<Parcel> lost{parcel_of(2)};
         CHECK_THROWS_AS(file.commit(lost), store::DatabaseError);
     }
@@ -329,8 +339,7 @@ TEST_CASE("no state file: what it is instead, and what to do") {
               fmt::format("{}: this state file cannot be used: {}", (scratch / "state").string(), because));
         CHECK(scratch.read("state") == text);
     };
-    std::string away = fmt::format("; put a whole one there, or move it, {0}-wal and {0}-mark away and begin with "
-                                   "nothing known",
+    std::string away = fmt::format("; put a whole one there, or move {} away and begin with nothing known",
                                    (scratch / "state").string());
     refused("", ("it is empty" + away).c_str());
     refused("rubbish", ("it is no state file of the monitor" + away).c_str());
@@ -370,7 +379,7 @@ TEST_CASE("another program's database, another version and other settings are re
     std::string text = scratch.read("state");
     text[63] = 9;
     scratch.write("state", text);
-    refused("state", "settings", "it is of version 9, this program reads 2");
+    refused("state", "settings", "it is of version 9, this program reads 4");
 }
 
 TEST_CASE("one at a time, by any of its names") {

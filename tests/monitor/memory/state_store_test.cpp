@@ -1,5 +1,4 @@
 #include "monitor/memory/diagnosis_json.hpp"
-#include "monitor/memory/exact_text.hpp"
 #include "monitor/memory/state_store.hpp"
 #include "scratch.hpp"
 #include "text/user_error.hpp"
@@ -73,10 +72,7 @@ struct Running {
 };
 
 /// A copy of the state file as a kill would leave it now.
-void kill(const Scratch& from, const Scratch& to) {
-    for (const char* name : {"state", "state-wal", "state-mark"})
-        to.write(name, from.read(name));
-}
+void kill(const Scratch& from, const Scratch& to) { to.write("state", from.read("state")); }
 
 std::string known_after(const Scratch& scratch, std::string* said = nullptr) {
     Diagnoses diagnoses = none();
@@ -136,102 +132,6 @@ TEST_CASE("a sample that is not whole yet outlives a restart") {
     CHECK(back.state() == whole.state());
 }
 
-TEST_CASE("a state of before readings were averaged goes on, or is refused with the reason") {
-    auto before = [](double period_s) {
-        ExcavatorParameters parameters = excavator_parameters(Parameters::excavator());
-        parameters.period_s = period_s;
-        boost::json::object state = state_json(Diagnosis("m", parameters, {}, 1).state());
-        state.erase("open");
-        state.erase("sample_s");
-        for (boost::json::value& track : state.at("tracks").as_array())
-            track.as_object().erase("sums");
-        return boost::json::value(state);
-    };
-    CHECK(state_from(before(0.02), {}).parameters.period_s == 0.02);
-    CHECK_THROWS_WITH(state_from(before(0.001), {}),
-                      "its readings, 1 kHz averaged to 50 Hz, 20 readings each, were judged one by one by an earlier "
-                      "placedpar monitor, which this one averages");
-    CHECK_THROWS_WITH(state_from(before(0.5), {}),
-                      "the readings are 0.5 s apart, expected at most 0.1 s: a transient of some tenths of a second "
-                      "does not show in fewer");
-}
-
-TEST_CASE("a state of before the rest after a movement was kept is refused with the reason") {
-    Diagnosis machine("m", excavator_parameters(Parameters::excavator()), {}, 1);
-    machine.change({Configuration::a, {Link::boom}});
-    for (int i = 0; i < 20; ++i) {
-        ExcavatorSample sample;
-        sample.time_s = 0.02 * i;
-        sample.links[index_of(Link::boom)] = Reading{1500.0 + i, 0.01 * i, SpoolPosition{0.2}};
-        machine.take(sample);
-    }
-    boost::json::value state = state_json(machine.state());
-    boost::json::array& watches = state.as_object().at("watches").as_array();
-    REQUIRE_FALSE(watches.empty());
-    CHECK(state_from(state, {}) == machine.state());
-    watches[0].as_object().at("movement").as_object().erase("rest_after");
-    CHECK_THROWS_AS(state_from(state, {}), OutdatedState);
-}
-
-TEST_CASE("a state with wrong counts is refused") {
-    const Diagnosis::State state = Diagnosis("m", excavator_parameters(Parameters::excavator()), {}, 1).state();
-    auto refused = [&](const char* because, auto change) {
-        boost::json::value value = state_json(state);
-        change(value.as_object());
-        CHECK_THROWS_WITH(state_from(value, {}), doctest::Contains(because));
-    };
-    auto numbers = [](std::vector<double> n) { return boost::json::string(exact_text(n)); };
-    for (double count : {-1.0, 0.5, 2e6})
-        for (int field : {0, 1}) {
-            if (field == 0 && count > 1)
-                continue; // a whole sample, below
-            refused("a count of", [&](boost::json::object& object) {
-                if (field == 0)
-                    object["open"] = numbers({count, 0, 0});
-                else
-                    object["tracks"].as_array()[0].as_object()["sums"] = numbers({0, 0, 0, 0, 0, count, 0});
-            });
-        }
-    refused("a sample that is whole", [&](auto& object) { object["open"] = numbers({1, 0, 0}); });
-    refused("a sample that is whole", [&](auto& object) { object["open"] = numbers({std::nan(""), 0, 0}); });
-    refused("or no sample", [&](auto& object) { object["open"] = numbers({0, 0}); });
-    refused("sums of 6 numbers", [&](auto& object) {
-        object["tracks"].as_array()[0].as_object()["sums"] = numbers({0, 0, 0, 0, 0, 0});
-    });
-}
-
-TEST_CASE("a machine whose state is of before readings were averaged begins anew, the others go on") {
-    Scratch scratch;
-    { Running running(scratch / "state"); }
-    auto state_of = [](const char* name, double period_s) {
-        Diagnosis::State state = Diagnosis(name, excavator_parameters(Parameters::excavator()), {}, 1).state();
-        state.parameters.period_s = period_s;
-        boost::json::object object = state_json(state);
-        object.erase("open");
-        return KeptState{name, 1, boost::json::serialize(object)};
-    };
-    {
-        std::string settings = store::Database(scratch / "state").text("SELECT settings FROM ledger");
-        StateContent content;
-        StateFile file(scratch / "state", settings, 100, content);
-        Parcel parcel{{state_of("old", 0.001), state_of("too slow", 0.5), state_of("other", 0.02)}, 1};
-        for (const char* machine : {"old", "other"})
-            parcel.entries.push_back(
-                KeptAlarm{machine, "leak", "BO", "a leak", 1, 1, std::nullopt, std::nullopt, std::nullopt});
-        parcel.entries.push_back(KeptMessage{2, "old", configuration});
-        parcel.entries.push_back(KeptMessage{3, "other", configuration});
-        file.commit(std::span(&parcel, 1));
-    }
-    Diagnoses diagnoses = none();
-    StateStore store(scratch / "state", diagnoses, 100);
-    CHECK(diagnoses.all().size() == 1);
-    CHECK(diagnoses.named("other").configuration() == Configuration::a);
-    CHECK(store.noted_alarms().size() == 1);
-    CHECK(store.said().find("\"old\" begins anew: its readings, 1 kHz averaged to 50 Hz") != std::string::npos);
-    CHECK(store.said().find("\"too slow\" begins anew: the readings are 0.5 s apart") != std::string::npos);
-    CHECK(store.said().find("1 machine restored, 1 message taken again") != std::string::npos);
-}
-
 TEST_CASE("a long backlog goes into states, the oldest machine's first") {
     Scratch scratch, killed;
     Running running(scratch / "state");
@@ -281,7 +181,7 @@ TEST_CASE("nothing is written behind what a full disk lost, until all is anew") 
     running.settle();
     std::string before = text_of(running.diagnoses);
     {
-        FullDisk disk(scratch.read("state-wal").size() + 20);
+        FullDisk disk(1);
         running.take("m", configuration);
         running.settle();
         CHECK_FALSE(running.store.complete());
@@ -311,7 +211,7 @@ TEST_CASE("a clean end leaves one file and nothing to take again") {
     running.take("m", configuration);
     running.store.write_anew({}, 0);
     running.store.finish();
-    CHECK_FALSE(std::filesystem::exists(scratch / "state-wal"));
+    CHECK_FALSE(std::filesystem::exists(scratch / "state-journal"));
     std::string said;
     CHECK(known_after(scratch, &said) == text_of(running.diagnoses));
     CHECK(said.find("taken again") == std::string::npos);

@@ -174,18 +174,18 @@ class Files(ServiceTest):
         self.addCleanup(os.umask, former)
         self.taught()
         modes = {path.name: oct(path.stat().st_mode & 0o777) for path in self.folder.iterdir()}
-        self.assertEqual(modes, dict.fromkeys(("state", "state-wal", "state-shm", "state-mark"), "0o600"))
+        self.assertEqual(modes, {"state": "0o600"})
 
     def test_what_is_taken_away_is_noticed_before_the_next_answer(self):
-        for taken in ("state", "state-wal", "state-mark", "all", "moved"):
+        for taken in ("state", "moved"):
             with self.subTest(taken=taken):
                 for path in self.folder.glob("*"):
                     path.unlink()
                 service, client = self.taught()
                 if taken == "moved":
                     self.state.rename(self.folder / "elsewhere")
-                for path in self.folder.glob("state*" if taken == "all" else taken):
-                    path.unlink()
+                else:
+                    self.state.unlink()
                 said = client.ask(**boom(20))
                 self.assertEqual((said["type"], said.get("kept")), ("kept", False), said)
                 self.assertEqual(client.receive()["samples"], 21)
@@ -248,7 +248,6 @@ class Files(ServiceTest):
         self.addCleanup(subprocess.run, ["umount", "-l", disk], check=False)
         self.state = disk / "state"
         self.taught()[0].stop(signal.SIGKILL)
-        (disk / "state-shm").unlink()
         with open(disk / "filler", "wb", buffering=0) as filler:
             try:
                 while True:

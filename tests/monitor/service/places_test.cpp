@@ -126,15 +126,25 @@ TEST_CASE("however many machines of one peer are known, others' machines find a 
     CHECK(known("site") == 400);
 }
 
-TEST_CASE("what was restored is known by its samples, as far as places may be kept") {
+TEST_CASE("what was restored is known, as far as places may be kept, until others have proved themselves") {
     ServiceLimits limits;
     limits.machines = 8;
     MachinePlaces machines(limits);
     for (int i = 0; i < 8; ++i)
-        machines.restored(fmt::format("m{}", i), 9000 - static_cast<std::uint64_t>(i), at(0));
+        machines.restored(fmt::format("m{}", i), i < 6 ? 9000 : 8 - static_cast<std::uint64_t>(i), at(0));
     for (int i = 0; i < 8; ++i)
         CHECK(machines.known(fmt::format("m{}", i)) == (i < 7));
     CHECK_FALSE(machines.gives_way("p", false, always)); // one each
-    machines.restored("m8", 5, at(0));
-    CHECK(machines.gives_way("p", false, always) == "m8");
+    machines.restored("name", 0, at(0));
+    CHECK_FALSE(machines.known("name"));
+    CHECK(machines.gives_way("p", false, always) == "name");
+    machines.forgotten("name");
+    machines.introduced("new", "p", at(0));
+    machines.heard("new", 1, at(0));
+    CHECK(machines.heard("new", 5000, at(1000))); // in place of one that has two samples
+    CHECK_FALSE(machines.known("m6"));
+    machines.introduced("newer", "p", at(0));
+    machines.heard("newer", 1, at(0));
+    CHECK_FALSE(machines.heard("newer", 5000, at(1000)));
+    CHECK(machines.known("m5"));
 }

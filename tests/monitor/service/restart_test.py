@@ -110,44 +110,6 @@ class Restart(ServiceTest):
             pass
         self.assertEqual(service.stop()[0], 0)
 
-    def killed(self, samples):
-        """A state file and its log, as a kill leaves them."""
-        service = self.service("--state", self.state, *UNSETTLED)
-        client = self.client(service, "digger")
-        client.ask(**CONFIGURATION)
-        for i in range(samples):
-            client.ask(**boom(i))
-        service.stop(signal.SIGKILL)
-        return self.folder / "state-wal"
-
-    def test_a_log_that_lost_its_end_is_refused(self):
-        log = self.killed(20)
-        log.write_bytes(log.read_bytes()[:-10])
-        said = self.refusal("--state", self.state, *UNSETTLED)
-        self.assertRegex(said, r"it is damaged: (\d+) transactions were committed, \d+ are there: .*state-wal was cut")
-
-    def test_a_log_or_a_mark_that_was_taken_away_is_missed(self):
-        log = self.killed(20)
-        mark = self.folder / "state-mark"
-        kept = mark.read_bytes()
-        mark.unlink()
-        self.assertIn("state-mark is missing", self.refusal("--state", self.state, *UNSETTLED))
-        mark.write_bytes(kept)
-        log.rename(self.folder / "away")
-        self.assertIn("state-wal was cut or taken away", self.refusal("--state", self.state, *UNSETTLED))
-        (self.folder / "away").rename(log)
-        again = self.service("--state", self.state, *UNSETTLED)
-        self.assertEqual(self.client(again, "digger").welcome["samples"], 20)
-
-    def test_a_damaged_log_is_refused(self):
-        log = self.killed(20)
-        damaged = bytearray(log.read_bytes())
-        damaged[len(damaged) // 2] ^= 1
-        log.write_bytes(damaged)
-        said = self.refusal("--state", self.state, *UNSETTLED)
-        self.assertIn("state-wal is damaged in its frame", said)
-        self.assertIn(f"move it, {self.state}-wal and {self.state}-mark away", said)
-
     def test_one_service_a_file_by_any_of_its_names(self):
         self.service("--state", self.state)
         for name, link in (("soft", os.symlink), ("hard", os.link)):
@@ -156,9 +118,9 @@ class Restart(ServiceTest):
 
     def test_a_full_disk_does_not_end_the_diagnosis(self):
         service = self.service("--state", self.state)
-        service.fill_disk(160000)
         client = self.client(service, "digger")
         client.ask(**CONFIGURATION)
+        service.fill_disk(self.state.stat().st_size)
         for i in range(SAMPLES):
             client.send(**boom(i))
             self.assertEqual(client.receive_type("estimates")["samples"], i + 1)
