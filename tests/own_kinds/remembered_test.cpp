@@ -1,7 +1,7 @@
 // A problem that is dear to evaluate: a worker evaluates each of its strings once, whatever else differs between runs.
 
-#include "gaprocs/remembered_problem.hpp"
 #include "workbench/problems.hpp"
+#include "workbench/study/remembered_problem.hpp"
 #include "workbench/study/sweep.hpp"
 
 #include <doctest/doctest.h>

@@ -249,7 +249,7 @@ TEST_CASE("what is no attribute of a place on a bus, or no value of it, is refus
     CHECK(says(told("cable.level", "1"), "note: it has linkspeed, length\n"));
     CHECK(says(told("spare.level", "1"), "note: it has nothing that can be set\n"));
     CHECK(says(told("at_a.level", "4"), "illegal value of the attribute \"level\": 4\n"));
-    CHECK(says(told("at_a.level", "top"), "hint: it takes an integer from 0 to 3\n"));
+    CHECK(says(told("at_a.level", "top"), "hint: it takes an integer: it goes from 0 to 3\n"));
     CHECK(says(told("a.level", "1"), "hint: the place of \"a\" on its bus has: --set at_a.level=...\n"));
     CHECK(says(told("b.release", "ROR"), "hint: the place of \"b\" on its bus has: --set attachment[0].release=...\n"));
     CHECK(!says(told("t.release", "ROR"), "hint: "));
@@ -267,7 +267,7 @@ TEST_CASE("what cannot be set so is told how it can") {
     CHECK(
         says(said("numbers[0]", "4"), "1:1: error: the val \"numbers\" is set as a whole, not one of its elements\n"));
     CHECK(says(said("numbers[0]", "4"), "hint: the netlist gives it {1, 2, 3}: --set 'numbers=...'\n"));
-    CHECK(says(said("b[0]", "4"), "1:1: error: the val \"b\" is no array\n"));
+    CHECK(says(said("b[0]", "4"), "1:1: error: the val \"b\" is set as a whole, not one of its elements\n"));
     CHECK(says(said("numbers", "4"), "wrong type for the val \"numbers\": 4 is an integer\n"));
     CHECK(says(said("numbers", "4"), "hint: the netlist gives it {1, 2, 3}, an array\n"));
     CHECK(says(said("b", "{1,2}"), "wrong type for the val \"b\": {1, 2} is an array\n"));
@@ -278,7 +278,7 @@ TEST_CASE("what cannot be set so is told how it can") {
     CHECK_FALSE(says(said("linkspeed", "fast"), "FALSE"));
     CHECK(says(said("linkspeed", "numbrs"), "did you mean \"numbers\"?"));
     CHECK(says(said("a[1].clock", "3"), "1:1: error: \"a\" is no array\n"));
-    CHECK(says(said("t[1]", "3"), "1:1: error: say what of \"t\" to set\n"));
+    CHECK(says(said("t[1]", "3"), "1:1: error: \"t\" is a node: say what of it to set\n"));
     CHECK(says(said("t[1]", "3"), "hint: --set t[1].NAME=VALUE\n"));
     CHECK(says(refusal({{"m.priority", "hihg"}}), "hint: it takes HIGH or LOW\n"));
     CHECK(says(refusal({{"seed", "3"}}), "hint: the seed of a run is an option of its own: --seed N\n"));
