@@ -61,13 +61,15 @@ std::string Elaborator::hint_at_other(const std::string& member, const Settable&
 
 /// A name by itself.
 void Elaborator::refuse_name(const SetStatement& set, const std::string& name, const std::vector<Settable>& all) {
-    const std::string& base_of_it = set.target.name;
-    if (auto val = std::ranges::find(vals_, base_of_it, [](const auto& each) { return each.first; });
-        val != vals_.end())
-        refuse(set.target.at, fmt::format("the val \"{}\" is set as a whole, not one of its elements", base_of_it),
-               fmt::format("the netlist gives it {}: --set '{}=...'", shown(val->second), base_of_it));
-    if (auto element = std::ranges::find(all, base_of_it, base); element != all.end())
-        refuse(set.target.at, fmt::format("\"{}\" is a {}: say what of it to set", base_of_it, element->noun()),
+    const std::string& array = set.target.name;
+    if (auto val = std::ranges::find(vals_, array, [](const auto& each) { return each.first; }); val != vals_.end())
+        refuse(
+            set.target.at,
+            fmt::format("the val \"{}\" {}", array,
+                        val->second.array() != nullptr ? "is set as a whole, not one of its elements" : "is no array"),
+            fmt::format("the netlist gives it {}: --set '{}=...'", shown(val->second), array));
+    if (auto element = std::ranges::find(all, array, base); element != all.end())
+        refuse(set.target.at, fmt::format("\"{}\" is a {}: say what of it to set", array, element->noun()),
                fmt::format("--set {}.NAME=VALUE", name), {{element->text_of_members(), {}}});
     if (vals_in_blocks_.contains(name))
         refuse(set.target.at, fmt::format("the val \"{}\" is declared in a block", name),

@@ -234,6 +234,7 @@ TEST_CASE("the level and the release of a master on a bus, of one or of all") {
     CHECK(places_on_bus({{"at_a.level", "1"}, {"at_a.release", "ROR"}}) == Places{{1, true}, {3, false}});
     CHECK(places_on_bus({{"attachment[0].level", "0"}}) == Places{{3, false}, {0, false}});
     CHECK(places_on_bus({{"release", "ROR"}, {"level", "2"}, {"at_a.level", "3"}}) == Places{{3, true}, {2, true}});
+    CHECK(good_text(on_bus, {{"vme.arbiter", "RRS"}}).hash == good_text(on_bus, {{"vme.arbiter", "\"RRS\""}}).hash);
     Network network = good_text(on_bus, {{"release", "\"ROR\""}});
     CHECK(network.set[0].elements == Elements{"at_a", "attachment[0]"});
     CHECK(good_text(print_cfs(network)).hash == network.hash);
@@ -255,6 +256,7 @@ TEST_CASE("what is no attribute of a place on a bus, or no value of it, is refus
     CHECK(!says(told("t.release", "ROR"), "hint: "));
     CHECK(says(told("release", "ROAK"), "hint: it is one of RWD, ROR\n"));
     CHECK(says(told("relase", "ROR"), "hint: did you mean \"release\"?\n"));
+    CHECK(says(told("vme.arbiter", "SQL"), "hint: it is one of PRI, RRS, SGL\n"));
     CHECK(says(told("relase", "ROR"), "at_a, attachment (level, release)"));
 }
 
@@ -267,7 +269,7 @@ TEST_CASE("what cannot be set so is told how it can") {
     CHECK(
         says(said("numbers[0]", "4"), "1:1: error: the val \"numbers\" is set as a whole, not one of its elements\n"));
     CHECK(says(said("numbers[0]", "4"), "hint: the netlist gives it {1, 2, 3}: --set 'numbers=...'\n"));
-    CHECK(says(said("b[0]", "4"), "1:1: error: the val \"b\" is set as a whole, not one of its elements\n"));
+    CHECK(says(said("b[0]", "4"), "1:1: error: the val \"b\" is no array\n"));
     CHECK(says(said("numbers", "4"), "wrong type for the val \"numbers\": 4 is an integer\n"));
     CHECK(says(said("numbers", "4"), "hint: the netlist gives it {1, 2, 3}, an array\n"));
     CHECK(says(said("b", "{1,2}"), "wrong type for the val \"b\": {1, 2} is an array\n"));
