@@ -3,7 +3,6 @@
 #include "classics/kinds.hpp"
 #include "gaprocs/guarded_problem.hpp"
 #include "gaprocs/processes/kinds.hpp"
-#include "gaprocs/remembered_problem.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
@@ -93,13 +92,13 @@ void add_own_problems(std::vector<ProblemFamily> problems) {
     std::ranges::move(problems, std::back_inserter(own_problems()));
 }
 
-ProblemRegistry known_problems(std::uint64_t seed, RememberedProblems* remembered) {
+ProblemRegistry known_problems(std::uint64_t seed, const std::function<ProblemFamily(const ProblemFamily&)>& around) {
     ProblemRegistry problems;
     add_boom(problems, seed);
     problems.add(plant_family(seed));
     add_benchmark_problems(problems);
     for (const ProblemFamily& family : own_problems())
-        add_own_problem(problems, remembered != nullptr ? remembered->around(guarded(family)) : guarded(family));
+        add_own_problem(problems, around(guarded(family)));
     return problems;
 }
 

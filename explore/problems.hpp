@@ -5,17 +5,16 @@
 #include "netlist/kinds/catalogue.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace placedpar {
 
-class RememberedProblems; // gaprocs/remembered_problem.hpp: what each string of them is worth
-
 /// The search problems that this program knows, with the records they are searched over; the noise in the
-/// measurements depends on the seed. A record is simulated when a process first reads it. Those of a program that is
-/// built on PlacedPar, which may be dear to evaluate, are remembered where that is wanted: by what then must outlive
-/// the registry.
-ProblemRegistry known_problems(std::uint64_t seed, RememberedProblems* remembered = nullptr);
+/// measurements depends on the seed. A record is simulated when a process first reads it. `around` makes
+/// others of those of a program that is built on PlacedPar.
+ProblemRegistry known_problems(std::uint64_t seed,
+                               const std::function<ProblemFamily(const ProblemFamily&)>& around = std::identity{});
 
 /// Every process kind that this program knows. Those that search tell the observer, if there is one. Both must outlive
 /// every run.

@@ -1,6 +1,6 @@
 #include "gaprocs/guarded_problem.hpp"
 
-#include "gaprocs/policies/tried.hpp"
+#include "gaprocs/policies/policy.hpp"
 
 #include <fmt/format.h>
 

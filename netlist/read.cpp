@@ -58,19 +58,6 @@ void recognise_occam(const std::shared_ptr<const SourceFile>& main, Reporter& re
                              found->hint);
 }
 
-/// As statements behind those of the netlist.
-Statements read_faults(const std::vector<std::string>& texts, Reporter& reporter) {
-    Statements statements;
-    for (const std::string& text : texts) {
-        LoadedSource source = check_source("--fault", text);
-        for (const auto& problem : source.problems)
-            reporter.error({source.file, 1, 1}, problem.message);
-        TokenStream tokens(source.file, "--fault", reporter);
-        attempt([&] { statements.push_back(Parser(tokens, reporter).parse_fault_option()); });
-    }
-    return statements;
-}
-
 Declared declared_in(const Draft& draft) {
     auto executes = [](const Node& node) { return node.kind && node.kind->make_executive; };
     return {static_cast<std::size_t>(std::ranges::count_if(draft.nodes, executes)), draft.processes.size()};
@@ -132,17 +119,17 @@ std::optional<Network> ParsedNetlist::Syntax::network(const Catalogue& catalogue
                                                       Reporter& reporter, Declared& declared) const {
     if (reporter.failed())
         return std::nullopt;
-    Elaborator elaborator(catalogue, overrides, reporter);
+    const Statements set = read_overrides(overrides, reporter);
+    Elaborator elaborator(catalogue, set, reporter);
     elaborator.run(statements);
     declared = declared_in(elaborator.draft());
-    auto faults = read_faults(options.faults, reporter);
+    const Statements faults = read_faults(options.faults, reporter);
     elaborator.run(faults);
     if (reporter.failed())
         return std::nullopt;
-    elaborator.settle_overrides();
-    if (reporter.failed())
-        return std::nullopt;
-    auto network = complete(elaborator.take(), catalogue, options.programs, reporter);
+    elaborator.use(options.programs);
+    elaborator.run(set);
+    auto network = complete(elaborator.take(), catalogue, reporter);
     if (reporter.failed())
         return std::nullopt;
     network.source_path = file->path();

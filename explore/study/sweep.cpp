@@ -121,6 +121,10 @@ void on_exception(Then then, Work work) {
 
 } // namespace
 
+ProblemRegistry StudyWorker::problems_of(std::uint64_t seed) {
+    return known_problems(seed, [this](const ProblemFamily& family) { return remembered_.around(family); });
+}
+
 /// Their place stays the same: the kinds know it.
 void StudyWorker::go_to_seed(std::uint64_t seed) {
     constexpr std::size_t most = 100;
@@ -130,7 +134,7 @@ void StudyWorker::go_to_seed(std::uint64_t seed) {
         of_others_.clear();
     auto next = of_others_.extract(seed);
     of_others_.emplace(std::exchange(seed_, seed), std::move(problems_));
-    problems_ = next ? std::move(next.mapped()) : known_problems(seed, &remembered_);
+    problems_ = next ? std::move(next.mapped()) : problems_of(seed);
 }
 
 void StudyWorker::go_to_network(const Overrides& set) {

@@ -2,9 +2,9 @@
 
 #include "explore/netlist_run.hpp"
 #include "explore/problems.hpp"
+#include "explore/study/remembered_problem.hpp"
 #include "explore/study/results.hpp"
 #include "explore/study/study.hpp"
-#include "gaprocs/remembered_problem.hpp"
 
 #include <atomic>
 #include <cstdint>
@@ -42,6 +42,7 @@ public:
     std::uint64_t repeated() const { return repeated_; }
 
 private:
+    ProblemRegistry problems_of(std::uint64_t seed);
     void go_to_seed(std::uint64_t seed);
     void go_to_network(const Overrides&);
     RunReport report_of(const StudyRun&, Interruption&);
@@ -52,8 +53,8 @@ private:
     const ParsedNetlist netlist_;
     std::uint64_t seed_ = 0;
     RememberedProblems remembered_;
-    ProblemRegistry problems_ = known_problems(seed_, &remembered_); ///< of the seed
-    std::map<std::uint64_t, ProblemRegistry> of_others_;             ///< of seeds that have been, but not of very many
+    ProblemRegistry problems_ = problems_of(seed_);      ///< of the seed
+    std::map<std::uint64_t, ProblemRegistry> of_others_; ///< of seeds that have been, but not of very many
     const Catalogue kinds_ = known_kinds(problems_);
     std::optional<Overrides> set_; ///< of the network
     Network network_;

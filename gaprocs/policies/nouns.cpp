@@ -4,7 +4,6 @@
 #include "gaprocs/policies/coding.hpp"
 #include "gaprocs/policies/crossover.hpp"
 #include "gaprocs/policies/emigration.hpp"
-#include "gaprocs/policies/forms.hpp"
 #include "gaprocs/policies/initial_population.hpp"
 #include "gaprocs/policies/island_choice.hpp"
 #include "gaprocs/policies/mutation.hpp"
@@ -13,61 +12,111 @@
 #include "gaprocs/policies/topology.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace placedpar {
 
 namespace {
 
+/// The columns are those of Form: noun, name, what it is, how a netlist says it, source, example.
+const std::vector<Form> forms{
+    {"representation", "permutation",
+     "an order of so many places, each of them once, where that is what the problem asks for",
+     "problem = \"tour-circle(cities = 12)\"", "not in the thesis",
+     "run examples/41-own-problem/tin.cfs --set 'problem=\"tour-circle(cities = 12)\"' --set "
+     "'master.coding=\"natural\"'"},
+    {"initial-population", "predefined", "the strings of a file, one in each line; the others are drawn",
+     "initial = \"first.txt\"", "thesis 6.3, predefined populations",
+     "run examples/03-table-e1/cluster.cfs --set 'master.initial=\"examples/03-table-e1/first.txt\"'"},
+    {"fitness", "squared-error", "the sum of B - E^2 over a window of samples, of a problem that has an error at each",
+     "problem = \"plant\", bias = 10", "thesis eq. 3.9, 4.1 and 5.1; without the square 1.7",
+     "run examples/62-coarse-fine/pair.cfs --set alone=1"},
+    {"fitness", "maximised", "any number that a problem gives for an individual, the greater the better",
+     "problem = \"one-max\"", "thesis 5.2.2",
+     "run examples/41-own-problem/tin.cfs --set 'problem=\"one-max\"' --set 'master.coding=\"natural\"'"},
+    {"fitness", "minimised", "any number that a problem gives for an individual, the smaller the better",
+     "problem = \"rastrigin\"", "not in the thesis",
+     "run examples/41-own-problem/tin.cfs --set 'problem=\"rastrigin\"'"},
+    {"window", "sliding",
+     "the newest `window` samples; after `trials` generations the next one comes in, and the oldest goes",
+     "window = 30, first_window = 30, trials = 3", "thesis eq. 1.7, 3.9, 4.1 and 5.1; trials: 4.3",
+     "run examples/62-coarse-fine/pair.cfs"},
+    {"window", "growing", "the same, but the first generation comes before the window is full",
+     "window = 10, first_window = 5", "ours: the thesis does not say",
+     "run examples/03-table-e1/cluster.cfs --set master.window=10 --set master.first_window=5"},
+    {"elitism", "best", "as many of the best as `elite` says go over unchanged, and are evaluated again", "elite = 1",
+     "K. De Jong, 1975", "run examples/03-table-e1/cluster.cfs --set elite=1"},
+    {"distributed-fitness", "distributed",
+     "each island a window and a population of its own, of equal work: the longer the one, the smaller the other",
+     "island[0] (window = 30, population = 24); island[3] (window = 10, population = 50);",
+     "thesis 5.3.1 and Table 5.3", "run examples/22-plant-on-transputers/islands.cfs"},
+    {"distributed-fitness", "equal", "the same for all islands", "island[i] (window = 30, population = 24);",
+     "thesis 4.3; beside the other: Table 5.3", "run examples/22-plant-on-transputers/islands.cfs --set distributed=0"},
+    {"coarse-fine", "coarse", "breeds the most significant bits of each field, the others are 0",
+     "use \"ga.coarse\" for coarse; coarse (bits = \"2 5 5 5 5 5\");", "thesis 6.2, Figure 6.6",
+     "run examples/62-coarse-fine/pair.cfs"},
+    {"coarse-fine", "fine", "breeds steps around the best of the coarse one in the same generation",
+     "use \"ga.fine\" for fine; connect coarse.to_fine to fine.from_coarse;", "thesis 6.2, Figure 6.6",
+     "run examples/62-coarse-fine/pair.cfs"},
+    {"farm", "chain", "one slave behind the other, each passes on what is for those beyond it",
+     "connect master.to_slaves to slave[0].from_master; connect slave[0].to_slaves to slave[1].from_master;",
+     "thesis, appendix E, Figure E.2", "run examples/36-farms/farm.cfs"},
+    {"farm", "star", "a channel from the master to each slave",
+     "connect master.to_slaves[0] to slave[0].from_master; connect master.to_slaves[1] to slave[1].from_master;",
+     "thesis, appendix E, which computes .4 ms for it", "run examples/36-farms/farm.cfs --set links=3"},
+    {"farm", "tree", "anything between: several slaves behind the master, several behind a slave",
+     "connect master.to_slaves[0] to slave[0].from_master; connect slave[0].to_slaves[1] to slave[2].from_master;",
+     "not in the thesis", "run examples/36-farms/farm.cfs --set slaves=6 --set links=2 --set branches=2"}};
+
 template <class Step>
-Noun noun_of() {
+Noun noun_of(std::vector<std::string> also_called = {}) {
     return {.name = std::string(Step::noun),
             .about = std::string(Step::about),
+            .also_called = std::move(also_called),
             .policies = Step::descriptions(),
             .printed = [](const std::string& text) { return Step::named(text).text(); }};
 }
 
 /// Of an operator: each policy says on which strings it can work.
 template <class Step>
-Noun noun_of_operator() {
-    Noun noun = noun_of<Step>();
+Noun noun_of_operator(std::vector<std::string> also_called) {
+    Noun noun = noun_of<Step>(std::move(also_called));
     for (StringKind kind : {StringKind::binary, StringKind::real, StringKind::permutation})
         for (const std::string& name : Step::fitting(kind))
             std::ranges::find(noun.policies, name, &PolicyDescription::name)->strings.emplace_back(name_of(kind));
     return noun;
 }
 
-/// The same, which is also looked for by other words.
-Noun also_called(std::vector<std::string> words, Noun noun) {
-    noun.also_called = std::move(words);
-    return noun;
-}
-
-/// The same, with a way that is no policy.
-Noun with_form(Noun noun, Form form) {
-    noun.forms.push_back(std::move(form));
-    return noun;
-}
-
 } // namespace
 
 std::vector<Noun> policy_nouns() {
-    return {also_called({"encoding", "genome"}, with_form(noun_of<Coding>(), forms::permutation())),
-            also_called({"population"}, with_form(noun_of<InitialPopulation>(), forms::predefined())),
-            forms::fitness(),
-            forms::window(),
-            noun_of<Reproduction>(),
-            also_called({"crossover-rate", "operator"}, noun_of_operator<Crossover>()),
-            also_called({"mutation-rate", "operator"}, noun_of_operator<Mutation>()),
-            forms::elitism(),
-            also_called({"migration", "neighbours"}, noun_of<Topology>()),
-            also_called({"migration"}, noun_of<Schedule>()),
-            also_called({"migration", "emigrants", "migrants"}, noun_of<Emigration>()),
-            also_called({"migration", "immigration", "immigrants", "replacement"}, noun_of<Acceptance>()),
-            forms::distributed_fitness(),
-            also_called({"active-error-analysis", "error-matrix"}, noun_of<IslandChoice>()),
-            forms::coarse_fine(),
-            forms::farm()};
+    std::vector<Noun> nouns{
+        noun_of<Coding>({"encoding", "genome"}),
+        noun_of<InitialPopulation>({"population"}),
+        {"fitness", "what makes one individual better than another: the problem decides"},
+        {"window", "which samples of a record the fitness is summed over, and for how many generations"},
+        noun_of<Reproduction>(),
+        noun_of_operator<Crossover>({"crossover-rate", "operator"}),
+        noun_of_operator<Mutation>({"mutation-rate", "operator"}),
+        {"elitism", "how many of the best go over unchanged (thesis: none)"},
+        noun_of<Topology>({"migration", "neighbours"}),
+        noun_of<Schedule>({"migration"}),
+        noun_of<Emigration>({"migration", "emigrants", "migrants"}),
+        noun_of<Acceptance>({"migration", "immigration", "immigrants", "replacement"}),
+        {"distributed-fitness", "whether islands have the same window and population", {"population"}},
+        noun_of<IslandChoice>({"active-error-analysis", "error-matrix"}),
+        {"coarse-fine",
+         "two searches instead of one: one over a coarse grid, one around its best",
+         {"coarse/fine", "pair"}},
+        {"farm",
+         "how a master deals its population out to slaves (thesis, algorithm A): their form is what the netlist "
+         "connects",
+         {"algorithm-a"}}};
+    for (Noun& noun : nouns)
+        std::ranges::copy_if(forms, std::back_inserter(noun.forms),
+                             [&](const Form& form) { return form.noun == noun.name; });
+    return nouns;
 }
 
 } // namespace placedpar

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "gaprocs/policies/tried.hpp"
+#include "runtime/user_code.hpp"
+#include "text/user_error.hpp"
 
 #include <concepts>
 #include <cstddef>
@@ -119,6 +120,16 @@ Policy make_policy(const std::vector<double>& values) {
     };
     std::apply([&](const auto&... number) { (set(number), ...); }, stated_numbers<Policy>());
     return policy;
+}
+
+/// What `work`, code that a program adds, gives. Throws UserError for whatever it throws: whose() and what was thrown.
+template <class Whose, class Work>
+auto tried(const Whose& whose, const Work& work) {
+    try {
+        return work();
+    } catch (...) {
+        throw UserError(std::string(whose()) + ": " + what_was_thrown());
+    }
 }
 
 /// A policy that a program adds to those of a step. Each step that takes such lists, last of its policies, a class

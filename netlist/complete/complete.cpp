@@ -16,10 +16,9 @@ std::string Completion::free_link(std::size_t node) const {
     return "";
 }
 
-Network complete(Draft draft, const Catalogue& catalogue, const ProgramKinds& programs, Reporter& reporter) {
-    Completion completion{std::move(draft), catalogue, programs, reporter, {}, {}, {}, {}, {}, {}};
-    complete_programs(completion);
-    complete_overrides(completion);
+Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter) {
+    Completion completion{std::move(draft), catalogue, reporter, {}, {}, {}, {}, {}, {}};
+    completion.network.set = std::move(completion.draft.set);
     complete_hosts(completion);
     if (reporter.failed())
         return {};

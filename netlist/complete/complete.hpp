@@ -1,7 +1,6 @@
 #pragma once
 
 #include "netlist/elaborate/draft.hpp"
-#include "netlist/elaborate/overrides.hpp"
 #include "netlist/kinds/catalogue.hpp"
 #include "netlist/network/network.hpp"
 #include "text/reporter.hpp"
@@ -16,13 +15,12 @@ namespace placedpar {
 /// Checks a draft as a whole and makes a Network of it: wires are followed through switches, processes get
 /// their kinds and parameters, channels their directions and carriers. What is wrong is reported; then the result must
 /// not be used.
-Network complete(Draft draft, const Catalogue& catalogue, const ProgramKinds& programs, Reporter& reporter);
+Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter);
 
 /// The parts of complete(), in the order they run. They share:
 struct Completion {
     Draft draft;
     const Catalogue& catalogue;
-    const ProgramKinds& programs;
     Reporter& reporter;
     Network network;
     std::map<std::pair<std::size_t, int>, std::size_t> connection_at; ///< by node and link
@@ -43,10 +41,6 @@ void complete_hosts(Completion& completion);
 void complete_wires(Completion& completion);
 /// buses.cpp: from what is attached to buses to ways over them.
 void complete_buses(Completion& completion);
-/// programs.cpp: the kinds that take the place of programs.
-void complete_programs(Completion& completion);
-/// overrides.cpp: what options set of nodes, connections and processes.
-void complete_overrides(Completion& completion);
 /// processes.cpp: placement, kinds, and interfaces against kinds.
 void complete_processes(Completion& completion);
 /// parameters.cpp: the values of all parameters of one process.

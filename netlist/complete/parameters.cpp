@@ -1,6 +1,6 @@
 #include "netlist/complete/complete.hpp"
-#include "netlist/complete/declared_type.hpp"
 #include "netlist/elaborate/attributes.hpp"
+#include "netlist/elaborate/declared_type.hpp"
 #include "netlist/kinds/own_code.hpp"
 #include "netlist/network/names.hpp"
 #include "text/counted.hpp"

@@ -1,5 +1,5 @@
 #include "netlist/complete/complete.hpp"
-#include "netlist/complete/declared_type.hpp"
+#include "netlist/elaborate/declared_type.hpp"
 #include "netlist/network/names.hpp"
 #include "text/nearest.hpp"
 

@@ -1,13 +1,11 @@
 #pragma once
 
 #include "netlist/elaborate/constant.hpp"
-#include "netlist/elaborate/overrides.hpp"
 #include "netlist/network/network.hpp"
 
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -133,14 +131,6 @@ struct DraftConnectionPlacement {
     Location at;
 };
 
-/// `--set` where it names no val.
-struct DraftOverride {
-    std::string element; ///< "slave[2]", or "slave" for the whole array; "": every element that has the member
-    std::string member;  ///< an attribute or a parameter
-    Location at, member_at;
-    OverrideValue value;
-};
-
 struct Draft {
     std::vector<Node> nodes;
     std::vector<int> links; ///< of each node
@@ -157,11 +147,7 @@ struct Draft {
     std::string default_kind; ///< `use ... for process;`
     Location default_used;
     std::size_t things = 0;
-    std::vector<DraftOverride> overrides;
-    std::vector<SetByOption> set; ///< so far
-    // Of vals outside of blocks, what the netlist gives them; those in blocks. For overrides only.
-    std::vector<std::pair<std::string, Constant>> vals;
-    std::set<std::string> vals_in_blocks;
+    std::vector<SetByOption> set;
 };
 
 } // namespace placedpar

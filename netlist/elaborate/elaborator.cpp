@@ -9,14 +9,14 @@
 
 namespace placedpar {
 
-Elaborator::Elaborator(const Catalogue& catalogue, const Overrides& overrides, Reporter& reporter)
-    : catalogue_(catalogue), reporter_(reporter), scopes_(catalogue), evaluator_(scopes_, reporter) {
+Elaborator::Elaborator(const Catalogue& catalogue, const Statements& overrides, Reporter& reporter)
+    : catalogue_(catalogue), reporter_(reporter), scopes_(catalogue), evaluator_(scopes_, reporter),
+      overrides_(overrides) {
     // what a printed network says by a predefined name must mean that again when it is read
     claimed_.insert("HIGH");
     for (const auto& [name, type] : catalogue.node_types())
         claimed_.insert(type.preset.type);
     scopes_.declare_predefined("host", {DeclaredThings{Category::node, nowhere, {}}, {}});
-    read_overrides(overrides);
 }
 
 void Elaborator::refuse(const Location& at, std::string message, std::string hint, std::vector<SecondPlace> others) {

@@ -5,6 +5,7 @@
 #include "netlist/elaborate/evaluator.hpp"
 #include "netlist/elaborate/overrides.hpp"
 #include "netlist/elaborate/scope.hpp"
+#include "netlist/elaborate/settable.hpp"
 #include "netlist/language/syntax.hpp"
 #include "netlist/network/names.hpp"
 
@@ -20,14 +21,15 @@ inline constexpr std::size_t most_interface_entries = 1000;
 /// connected and placed. A statement that is refused is reported and left out; the next one is tried.
 class Elaborator {
 public:
-    /// REQUIRES: the catalogue outlives it.
-    Elaborator(const Catalogue& catalogue, const Overrides& overrides, Reporter& reporter);
+    /// The overrides are set statements. Where vals are declared those of them are looked up; for all others, run()
+    /// them behind the netlist's statements and use(). REQUIRES: catalogue and overrides outlive it.
+    Elaborator(const Catalogue& catalogue, const Statements& overrides, Reporter& reporter);
 
     void run(const Statements& statements);
-    /// After run(): leaves the overrides that are of no val to complete().
-    void settle_overrides();
+    /// These kinds take the place of programs.
+    void use(const ProgramKinds& kinds);
     const Draft& draft() const { return draft_; }
-    Draft take() { return std::move(draft_); }
+    Draft take();
 
 private:
     using Category = DeclaredThings::Category;
@@ -47,14 +49,29 @@ private:
     void perform(const IfStatement& form, const Location& at);
     void perform(const BlockStatement& form, const Location& at);
 
-    // settle_overrides.cpp
-    void read_overrides(const Overrides& overrides);
-    void evaluate(Override& option);
+    // set.cpp
+    void perform(const SetStatement& form, const Location& at);
     Constant overridden(const std::string& name, const Constant& original);
-    Constant override_val(Override& option, const Constant& original);
+    Constant override_val(const SetStatement& set, const Constant& original);
+    Constant value_of(const SetStatement& set, bool text_wanted, const std::string& what_it_takes);
+    std::vector<Settable> elements_named(const std::string& name, const std::string& member);
+    void name_wires();
+    void name_attachments();
+    template <class Things, class IsMeant>
+    void name_connections(Things& things, const std::string& wanted, IsMeant is_meant);
+    bool set_once(const SetStatement& set, const std::string& member, const Settable& element);
+
+    // refuse_set.cpp; the name is that of the target, with its subscripts
     std::vector<std::string> names_of_vals() const;
-    [[noreturn]] void refuse_element(const Reference& target);
-    DraftOverride settled(Override& option);
+    [[noreturn]] void refuse_set(const SetStatement& set, const std::string& name, const std::vector<Settable>& named);
+    [[noreturn]] void refuse_name(const SetStatement& set, const std::string& name, const std::vector<Settable>& all);
+    [[noreturn]] void refuse_element(const SetStatement& set, const std::string& name,
+                                     const std::vector<Settable>& all);
+    std::string hint_at_other(const std::string& member, const Settable& element,
+                              const std::vector<Settable>& all) const;
+
+    // programs.cpp
+    void check_option(const std::string& program, const std::string& kind, const std::set<std::string>& programs);
 
     // declaration.cpp
     void perform(const DefineStatement& form, const Location& at);
@@ -159,9 +176,14 @@ private:
     std::map<std::pair<std::size_t, std::string>, Location> used_ports_;
     std::set<std::string> claimed_;     ///< names that the network has, without subscripts
     std::map<std::string, int> copies_; ///< how often a name was claimed again
-    std::vector<Override> overrides_;
-    std::map<std::string, Location> overridden_vals_; ///< by the option here
-    std::size_t host_ = nowhere;                      ///< the predefined edge, once it is used
+    const Statements& overrides_;
+    std::map<std::string, Location> overridden_vals_;                        ///< by the option here
+    std::map<std::pair<std::string, std::string>, const SetStatement*> set_; ///< by element and member
+    std::map<std::size_t, SetByOption> reached_;                             ///< by the option's place
+    // Of vals outside of blocks, what the netlist gives them; those in blocks. Where there are overrides only.
+    std::vector<std::pair<std::string, Constant>> vals_;
+    std::set<std::string> vals_in_blocks_;
+    std::size_t host_ = nowhere; ///< the predefined edge, once it is used
 };
 
 } // namespace placedpar

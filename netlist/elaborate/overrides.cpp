@@ -2,78 +2,70 @@
 
 #include "netlist/language/parser.hpp"
 
-#include <fmt/format.h>
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
+#include <functional>
 
 namespace placedpar {
 
 namespace {
 
-constexpr std::string_view blank_characters = " \t";
+std::shared_ptr<const SourceFile> source_of(const char* option, const std::string& text, Reporter& reporter) {
+    LoadedSource source = check_source(option, text);
+    if (source.problems.empty())
+        return source.file;
+    reporter.error({source.file, 1, 1}, source.problems.front().message);
+    throw StatementRefused{};
+}
 
-[[noreturn]] void pass_on(const std::vector<Diagnostic>& problems, Reporter& reporter) {
-    for (const Diagnostic& problem : problems)
+/// What is wrong with the value is not reported before it is known what takes it.
+SetStatement read_override(const std::string& name, const std::string& value, Reporter& reporter) {
+    static constexpr const char* blanks = " \t";
+    std::shared_ptr<const SourceFile> source = source_of("--set", name + "=" + value, reporter);
+    const std::size_t blank = std::min(value.find_first_not_of(blanks), value.size());
+    SetStatement set;
+    set.typed = boost::algorithm::trim_copy_if(value, boost::algorithm::is_any_of(blanks));
+    set.value_at = {source, 1, name.size() + 1 + blank + 1};
+    Reporter here;
+    TokenStream tokens(source, "--set", here);
+    Parser parser(tokens, here);
+    attempt([&] { set.target = parser.parse_target(); });
+    if (!here.failed()) {
+        attempt([&] { set.value = parser.parse_whole_expression(); });
+        set.problems = here.take();
+        return set;
+    }
+    for (const Diagnostic& problem : here.take())
         reporter.error(problem.location, problem.message, problem.hint, problem.others);
     throw StatementRefused{};
 }
 
-std::string without_blanks_around(std::string text) {
-    text.erase(0, text.find_first_not_of(blank_characters));
-    text.erase(text.find_last_not_of(blank_characters) + 1);
-    return text;
-}
-
-/// The option's text as a source of its own, so that messages can show it.
-std::shared_ptr<const SourceFile> source_of(const std::string& name, const std::string& value, Reporter& reporter) {
-    LoadedSource source = check_source("--set", name + "=" + value);
-    if (!source.problems.empty()) {
-        reporter.error({source.file, 1, 1}, source.problems.front().message);
-        throw StatementRefused{};
-    }
-    return source.file;
-}
-
-/// Where the first problem has none of its own.
-std::vector<Diagnostic> with_hint(std::vector<Diagnostic> problems, const std::string& hint) {
-    if (problems.front().hint.empty())
-        problems.front().hint = hint;
-    return problems;
-}
+std::size_t precision(const Statement& statement) { return std::get<SetStatement>(statement.form).precision(); }
 
 } // namespace
 
-Override read_override(const std::string& name, const std::string& value, Reporter& reporter) {
-    std::shared_ptr<const SourceFile> source = source_of(name, value, reporter);
-    Override read;
-    Reporter here;
-    TokenStream tokens(source, "--set", here);
-    Parser parser(tokens, here);
-    attempt([&] { read.target = parser.parse_target(); });
-    if (here.failed())
-        pass_on(here.take(), reporter);
-    attempt([&] { read.expression = parser.parse_whole_expression(); });
-    read.value.problems = here.take();
-    std::size_t blank = std::min(value.find_first_not_of(blank_characters), value.size());
-    read.value.typed = without_blanks_around(value);
-    read.value.at = {source, 1, name.size() + std::string_view("=").size() + blank + 1};
-    return read;
+Statements read_overrides(const Overrides& overrides, Reporter& reporter) {
+    Statements statements;
+    for (const auto& option : overrides)
+        attempt([&] {
+            SetStatement set = read_override(option.first, option.second, reporter);
+            set.place = statements.size();
+            statements.push_back({set.target.at, std::move(set)});
+        });
+    std::ranges::stable_sort(statements, std::ranges::greater{}, precision);
+    return statements;
 }
 
-Constant OverrideValue::take(bool text_wanted, const std::string& what_it_takes, Reporter& reporter) const {
-    bool is_text = constant && constant->text() != nullptr;
-    if (text_wanted && !is_text && !typed.starts_with('"')) {
-        if (typed.size() <= longest_string)
-            return {typed};
-        pass_on({{.message = fmt::format("the string is too long: {} characters are allowed", longest_string),
-                  .location = at}},
-                reporter);
-    }
-    if (typed.empty())
-        pass_on({{.message = "the value is missing", .location = at, .hint = what_it_takes}}, reporter);
-    if (!constant)
-        pass_on(with_hint(problems, what_it_takes), reporter);
-    return *constant;
+Statements read_faults(const std::vector<std::string>& texts, Reporter& reporter) {
+    Statements statements;
+    for (const std::string& text : texts)
+        attempt([&] {
+            TokenStream tokens(source_of("--fault", text, reporter), "--fault", reporter);
+            statements.push_back(Parser(tokens, reporter).parse_fault_option());
+        });
+    return statements;
 }
 
 } // namespace placedpar

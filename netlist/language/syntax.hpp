@@ -2,6 +2,7 @@
 
 #include "netlist/language/token.hpp"
 #include "netlist/network/direction.hpp"
+#include "text/diagnostic.hpp"
 
 #include <memory>
 #include <optional>
@@ -139,6 +140,18 @@ struct ParameterSetting {
     Reference process;
     std::vector<Attribute> values;
 };
+/// `n = 4`, `p[1].n = 4`: an option sets a val, or an attribute or a parameter of what the netlist declares.
+struct SetStatement {
+    Reference target;
+    ExpressionPointer value; ///< null where the text is no expression; a string without quotes need not be one
+    std::string typed;       ///< the text of the value
+    Location value_at;
+    std::vector<Diagnostic> problems; ///< why there is no expression
+    std::size_t place = 0;            ///< among the options
+
+    /// How closely it says what it sets: of every element that has it, of an array, of an element.
+    std::size_t precision() const { return target.field.empty() ? 0 : 1 + target.subscripts.size(); }
+};
 struct ConnectStatement {
     Reference a, b;
     std::optional<Reference> by;
@@ -174,8 +187,8 @@ struct BlockStatement {
 struct Statement {
     Location at; ///< of the name declared by a `val`, else of the first word
     std::variant<ValStatement, DefineStatement, Declaration, ConnectionDeclaration, EdgeChannelDeclaration,
-                 ParameterSetting, ConnectStatement, UseStatement, PlaceStatement, FaultStatement, RepStatement,
-                 IfStatement, BlockStatement>
+                 ParameterSetting, SetStatement, ConnectStatement, UseStatement, PlaceStatement, FaultStatement,
+                 RepStatement, IfStatement, BlockStatement>
         form;
 };
 

@@ -1,8 +1,8 @@
 // A problem that is dear to evaluate: a worker evaluates each of its strings once, whatever else differs between runs.
 
 #include "explore/problems.hpp"
+#include "explore/study/remembered_problem.hpp"
 #include "explore/study/sweep.hpp"
-#include "gaprocs/remembered_problem.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>

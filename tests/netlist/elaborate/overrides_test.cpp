@@ -234,6 +234,7 @@ TEST_CASE("the level and the release of a master on a bus, of one or of all") {
     CHECK(places_on_bus({{"at_a.level", "1"}, {"at_a.release", "ROR"}}) == Places{{1, true}, {3, false}});
     CHECK(places_on_bus({{"attachment[0].level", "0"}}) == Places{{3, false}, {0, false}});
     CHECK(places_on_bus({{"release", "ROR"}, {"level", "2"}, {"at_a.level", "3"}}) == Places{{3, true}, {2, true}});
+    CHECK(good_text(on_bus, {{"vme.arbiter", "RRS"}}).hash == good_text(on_bus, {{"vme.arbiter", "\"RRS\""}}).hash);
     Network network = good_text(on_bus, {{"release", "\"ROR\""}});
     CHECK(network.set[0].elements == Elements{"at_a", "attachment[0]"});
     CHECK(good_text(print_cfs(network)).hash == network.hash);
@@ -249,12 +250,13 @@ TEST_CASE("what is no attribute of a place on a bus, or no value of it, is refus
     CHECK(says(told("cable.level", "1"), "note: it has linkspeed, length\n"));
     CHECK(says(told("spare.level", "1"), "note: it has nothing that can be set\n"));
     CHECK(says(told("at_a.level", "4"), "illegal value of the attribute \"level\": 4\n"));
-    CHECK(says(told("at_a.level", "top"), "hint: it takes an integer from 0 to 3\n"));
+    CHECK(says(told("at_a.level", "top"), "hint: it takes an integer: it goes from 0 to 3\n"));
     CHECK(says(told("a.level", "1"), "hint: the place of \"a\" on its bus has: --set at_a.level=...\n"));
     CHECK(says(told("b.release", "ROR"), "hint: the place of \"b\" on its bus has: --set attachment[0].release=...\n"));
     CHECK(!says(told("t.release", "ROR"), "hint: "));
     CHECK(says(told("release", "ROAK"), "hint: it is one of RWD, ROR\n"));
     CHECK(says(told("relase", "ROR"), "hint: did you mean \"release\"?\n"));
+    CHECK(says(told("vme.arbiter", "SQL"), "hint: it is one of PRI, RRS, SGL\n"));
     CHECK(says(told("relase", "ROR"), "at_a, attachment (level, release)"));
 }
 
@@ -278,7 +280,7 @@ TEST_CASE("what cannot be set so is told how it can") {
     CHECK_FALSE(says(said("linkspeed", "fast"), "FALSE"));
     CHECK(says(said("linkspeed", "numbrs"), "did you mean \"numbers\"?"));
     CHECK(says(said("a[1].clock", "3"), "1:1: error: \"a\" is no array\n"));
-    CHECK(says(said("t[1]", "3"), "1:1: error: say what of \"t\" to set\n"));
+    CHECK(says(said("t[1]", "3"), "1:1: error: \"t\" is a node: say what of it to set\n"));
     CHECK(says(said("t[1]", "3"), "hint: --set t[1].NAME=VALUE\n"));
     CHECK(says(refusal({{"m.priority", "hihg"}}), "hint: it takes HIGH or LOW\n"));
     CHECK(says(refusal({{"seed", "3"}}), "hint: the seed of a run is an option of its own: --seed N\n"));

@@ -1,4 +1,4 @@
-#include "netlist/complete/complete.hpp"
+#include "netlist/elaborate/elaborator.hpp"
 #include "text/nearest.hpp"
 
 #include <fmt/format.h>
@@ -31,35 +31,32 @@ std::string choice(const std::string& wanted, const std::vector<std::string>& na
     return !guess.empty() ? guess : names.empty() ? if_none : fmt::format("there are {}", fmt::join(names, ", "));
 }
 
-void refuse_option(Completion& c, const std::string& program, const std::string& kind, std::size_t column,
+void refuse_option(Reporter& reporter, const std::string& program, const std::string& kind, std::size_t column,
                    const std::string& message, const std::string& hint) {
     auto source = std::make_shared<SourceFile>("--use", program + "=" + kind);
-    c.reporter.error({source, 1, column}, message, hint);
-}
-
-void check_option(Completion& c, const std::string& program, const std::string& kind,
-                  const std::set<std::string>& programs) {
-    if (!programs.contains(program))
-        refuse_option(c, program, kind, 1, fmt::format("the netlist uses no program \"{}\"", program),
-                      choice(program, {programs.begin(), programs.end()}, "it uses none at all"));
-    if (c.catalogue.find(kind) == nullptr)
-        refuse_option(c, program, kind, program.size() + 2, fmt::format("there is no process kind \"{}\"", kind),
-                      choice(kind, c.catalogue.kind_names(), "there is none at all"));
-}
-
-void take_kinds(Completion& c) {
-    for (auto& process : c.draft.processes)
-        if (auto told = c.programs.find(process.kind); told != c.programs.end())
-            process.kind = told->second;
+    reporter.error({source, 1, column}, message, hint);
 }
 
 } // namespace
 
-void complete_programs(Completion& c) {
-    take_default(c.draft);
-    for (auto programs = programs_in(c.draft); const auto& [program, kind] : c.programs)
-        check_option(c, program, kind, programs);
-    take_kinds(c);
+void Elaborator::check_option(const std::string& program, const std::string& kind,
+                              const std::set<std::string>& programs) {
+    if (!programs.contains(program))
+        refuse_option(reporter_, program, kind, 1, fmt::format("the netlist uses no program \"{}\"", program),
+                      choice(program, {programs.begin(), programs.end()}, "it uses none at all"));
+    if (catalogue_.find(kind) == nullptr)
+        refuse_option(reporter_, program, kind, program.size() + 2,
+                      fmt::format("there is no process kind \"{}\"", kind),
+                      choice(kind, catalogue_.kind_names(), "there is none at all"));
+}
+
+void Elaborator::use(const ProgramKinds& kinds) {
+    take_default(draft_);
+    for (auto programs = programs_in(draft_); const auto& [program, kind] : kinds)
+        check_option(program, kind, programs);
+    for (auto& process : draft_.processes)
+        if (auto told = kinds.find(process.kind); told != kinds.end())
+            process.kind = told->second;
 }
 
 } // namespace placedpar

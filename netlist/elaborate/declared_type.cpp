@@ -1,4 +1,4 @@
-#include "netlist/complete/declared_type.hpp"
+#include "netlist/elaborate/declared_type.hpp"
 
 #include "netlist/network/names.hpp"
 

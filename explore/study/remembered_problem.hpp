@@ -3,7 +3,6 @@
 #include "gaprocs/problem_family.hpp"
 #include "gaprocs/search_problem.hpp"
 
-#include <chrono>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -15,20 +14,15 @@
 namespace placedpar {
 
 /// An objective problem whose fitness is computed once for each string, and found again when the string comes back in
-/// another process, generation or run: to the bit what was computed. Where the first strings show that computing takes
-/// hardly longer than finding, nothing is remembered. Not thread-safe, as little as a registry.
+/// another process, generation or run: to the bit what was computed. Not thread-safe; neither is ProblemRegistry.
 class RememberedProblem final : public SearchProblem {
 public:
-    using Duration = std::chrono::steady_clock::duration;
-
     /// Bytes that are left for what is remembered. Several problems may share them.
     using Room = std::shared_ptr<std::size_t>;
     static Room usual_room() { return std::make_shared<std::size_t>(32 << 20); }
 
-    /// Where there is no room left, it begins anew. `worth_it`: what a string must take in the mean. REQUIRES: the
-    /// problem has an objective().
-    explicit RememberedProblem(std::shared_ptr<const SearchProblem> problem, Room room = usual_room(),
-                               Duration worth_it = std::chrono::microseconds(2));
+    /// Where there is no room left, it begins anew. REQUIRES: the problem has an objective().
+    explicit RememberedProblem(std::shared_ptr<const SearchProblem> problem, Room room = usual_room());
     ~RememberedProblem() override { forget(); }
 
     std::size_t bits() const override { return problem_->bits(); }
@@ -54,17 +48,12 @@ private:
 
     /// One for each coding, which remembers its own strings.
     std::shared_ptr<const SearchProblem> coded_plainly(Coding) const override;
-    double compute(const Genome&, std::span<const Sample>, double bias) const;
-    bool is_worth_it() const;
     std::size_t bytes_of_one() const;
     void forget() const;
 
     std::shared_ptr<const SearchProblem> problem_;
     Room room_;
-    Duration worth_it_;
     mutable std::unordered_map<Genome, double, Hash> known_; ///< never iterated over
-    mutable Duration taken_{};                               ///< by the first strings
-    mutable int tried_ = 0;                                  ///< so many
     mutable std::map<std::string, std::shared_ptr<const SearchProblem>> codings_;
 };
 

@@ -1,11 +1,10 @@
-// What is remembered of a problem that is dear to evaluate: what was computed, once for each string and coding.
+// What is remembered of a problem is what was computed, once for each string and coding.
 
-#include "gaprocs/remembered_problem.hpp"
+#include "explore/study/remembered_problem.hpp"
 #include "tests/gaprocs/objectives.hpp"
 
 #include <doctest/doctest.h>
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -40,14 +39,12 @@ std::vector<double> fitness_of_all(const SearchProblem& problem) {
     return fitness;
 }
 
-constexpr RememberedProblem::Duration whatever_it_takes{}, hardly_ever = std::chrono::hours(1);
-
 } // namespace
 
 TEST_CASE("each string is evaluated once in each coding, and worth what it is worth to the problem itself") {
     CountedValley valley;
     auto plain = minimise(valley);
-    RememberedProblem remembered(plain, RememberedProblem::usual_room(), whatever_it_takes);
+    RememberedProblem remembered(plain);
     for (const Coding& coding : {Coding::natural, Coding::gray}) {
         std::vector<double> expected = fitness_of_all(*plain->coded(coding));
         *valley.evaluations = 0;
@@ -59,7 +56,7 @@ TEST_CASE("each string is evaluated once in each coding, and worth what it is wo
 
 TEST_CASE("strings with don't-care bits between the others are evaluated as one, and known from those without") {
     CountedValley valley;
-    RememberedProblem remembered(minimise(valley), RememberedProblem::usual_room(), whatever_it_takes);
+    RememberedProblem remembered(minimise(valley));
     fitness_of_all(*remembered.coded(Coding::gray));
     auto stuffed = remembered.coded(Coding::named("gray(dont_care = 1)"));
     RandomStream random(1, "strings");
@@ -73,22 +70,11 @@ TEST_CASE("strings with don't-care bits between the others are evaluated as one,
     }
 }
 
-TEST_CASE("nothing is remembered of a problem that takes less than is worth it") {
-    CountedValley valley;
-    RememberedProblem remembered(minimise(valley), RememberedProblem::usual_room(), hardly_ever);
-    std::vector<double> expected = fitness_of_all(*minimise(valley));
-    CHECK(fitness_of_all(remembered) == expected);
-    *valley.evaluations = 0;
-    CHECK(fitness_of_all(remembered) == expected);
-    CHECK(*valley.evaluations == 256);
-}
-
 TEST_CASE("what is remembered is bounded, of several problems together") {
     CountedValley valley, other;
     auto room = std::make_shared<std::size_t>(10'000);
     {
-        RememberedProblem first(minimise(valley), room, whatever_it_takes),
-            second(minimise(other), room, whatever_it_takes);
+        RememberedProblem first(minimise(valley), room), second(minimise(other), room);
         const std::vector<double> expected = fitness_of_all(*minimise(CountedValley{}));
         for (const SearchProblem* each : {&first, &second, &first})
             CHECK(fitness_of_all(*each) == expected);

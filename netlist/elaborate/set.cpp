@@ -1,0 +1,165 @@
+#include "netlist/elaborate/elaborator.hpp"
+#include "netlist/language/lexer.hpp"
+#include "text/nearest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace placedpar {
+
+namespace {
+
+bool is_bare(const Reference& target) { return target.subscripts.empty() && target.field.empty(); }
+
+/// Or a number that is the code of one.
+bool is_character(const Constant& constant) {
+    const auto* code = constant.integer();
+    return code != nullptr && code->value > ' ' && code->value <= '~';
+}
+
+} // namespace
+
+Draft Elaborator::take() {
+    for (auto& [place, set] : reached_)
+        if (!set.elements.empty())
+            draft_.set.push_back(std::move(set));
+    return std::move(draft_);
+}
+
+/// In the scopes as they are here. Where a text is wanted it needs no quotes.
+Constant Elaborator::value_of(const SetStatement& set, bool text_wanted, const std::string& what_it_takes) {
+    Reporter here;
+    std::optional<Constant> value;
+    if (set.problems.empty())
+        attempt([&] { value = Evaluator(scopes_, here).evaluate(*set.value); });
+    const bool is_unquoted = text_wanted && !set.typed.starts_with('"') && !(value && value->text() != nullptr);
+    if (is_unquoted && set.typed.size() > longest_string)
+        refuse(set.value_at, fmt::format("the string is too long: {} characters are allowed", longest_string));
+    if (is_unquoted)
+        return {set.typed};
+    if (value)
+        return *value;
+    if (set.typed.empty())
+        refuse(set.value_at, "the value is missing", what_it_takes);
+    std::vector<Diagnostic> problems = set.problems.empty() ? here.take() : set.problems;
+    if (const auto* use = set.value ? std::get_if<NameUse>(&set.value->form) : nullptr)
+        problems.front().hint = did_you_mean(use->name, names_of_vals()); // not FALSE, for "fast"
+    if (problems.front().hint.empty())
+        problems.front().hint = what_it_takes;
+    for (const Diagnostic& problem : problems)
+        reporter_.error(problem.location, problem.message, problem.hint, problem.others);
+    throw StatementRefused{};
+}
+
+/// What an option gives to the val in place of the original; the original where none does. Only vals outside of blocks
+/// are within an option's reach.
+Constant Elaborator::overridden(const std::string& name, const Constant& original) {
+    if (!scopes_.outermost()) {
+        vals_in_blocks_.insert(name);
+        return original;
+    }
+    vals_.emplace_back(name, original);
+    Constant result = original;
+    for (const Statement& each : overrides_)
+        if (const auto& set = std::get<SetStatement>(each.form); is_bare(set.target) && set.target.name == name)
+            result = override_val(set, original);
+    return result;
+}
+
+Constant Elaborator::override_val(const SetStatement& set, const Constant& original) {
+    const std::string& name = set.target.name;
+    if (auto [first, is_new] = overridden_vals_.emplace(name, set.target.at); !is_new)
+        refuse(set.target.at, fmt::format("the val \"{}\" is set twice", name), "",
+               {{"set first here", first->second}});
+    auto given = fmt::format("the netlist gives it {}, {}{}", shown(original), type_name(original),
+                             set.typed.size() == 1 && is_character(original) ? "; a character is written 'c'" : "");
+    Constant value = value_of(set, original.text() != nullptr, given);
+    if (value.value.index() != original.value.index() && !(value.integer() != nullptr && original.real() != nullptr))
+        refuse(set.value_at,
+               fmt::format("wrong type for the val \"{}\": {} is {}", name, shown(value), type_name(value)), given);
+    draft_.set.push_back({name, set.typed, {}});
+    reporter_.add_option(name, set.target.at);
+    return value;
+}
+
+/// A val has taken it where it was declared.
+void Elaborator::perform(const SetStatement& form, const Location&) {
+    const Reference& target = form.target;
+    if (is_bare(target) && overridden_vals_.contains(target.name))
+        return;
+    if (!target.field_subscripts.empty())
+        refuse(target.field_at, fmt::format("\"{}\" is set as a whole, not one of its elements", target.field));
+    const bool of_all = target.field.empty();
+    const std::string name = element_name(target.name, subscripts(target.subscripts));
+    const std::string& member = of_all ? name : target.field;
+    std::vector<Settable> named = elements_named(of_all ? "" : name, member);
+    SetByOption& reached = reached_[form.place];
+    reached = {of_all ? name : name + "." + member, form.typed, {}};
+    bool has_it = false;
+    for (const Settable& each : named)
+        if (each.has(member, of_all)) {
+            has_it = true;
+            if (set_once(form, member, each))
+                reached.elements.push_back(each.name);
+        }
+    if (!has_it)
+        refuse_set(form, name, named);
+}
+
+/// All of them where no name is given. Wires and places on buses have names only where these are asked for.
+std::vector<Settable> Elaborator::elements_named(const std::string& name, const std::string& member) {
+    auto find_them = [&] {
+        std::vector<Settable> all = settable_elements(draft_, catalogue_);
+        std::erase_if(all, [&](const Settable& each) {
+            return !name.empty() && each.name != name && !each.name.starts_with(name + "[");
+        });
+        return all;
+    };
+    std::vector<Settable> found = find_them();
+    if (name.empty() ? member == "length" : found.empty() && name.starts_with("wire"))
+        name_wires();
+    else if (name.empty() ? member == "level" || member == "release" : found.empty() && name.starts_with("attachment"))
+        name_attachments();
+    else
+        return found;
+    return find_them();
+}
+
+/// What an option can set of a wire are the attributes of a connection, and so of one that has a name.
+void Elaborator::name_wires() {
+    name_connections(draft_.wires, "wire", [](const DraftWire&) { return true; });
+}
+
+/// The same of a master's place on a bus.
+void Elaborator::name_attachments() {
+    name_connections(draft_.attachments, "attachment",
+                     [&](const DraftAttachment& each) { return draft_.nodes[each.node].kind->is_master(); });
+}
+
+template <class Things, class IsMeant>
+void Elaborator::name_connections(Things& things, const std::string& wanted, IsMeant is_meant) {
+    const std::string name = claim_name(wanted);
+    std::int64_t number = 0;
+    for (auto& each : things)
+        if (each.connection == nowhere && is_meant(each)) {
+            each.connection = draft_.connections.size();
+            draft_.connections.push_back({element_name(name, {number++}), each.at, {}, {}, each.at, {}});
+        }
+}
+
+/// False where an option that says it more precisely has set it.
+bool Elaborator::set_once(const SetStatement& set, const std::string& member, const Settable& element) {
+    auto [first, is_new] = set_.emplace(std::pair(element.name, member), &set);
+    if (!is_new && first->second->precision() > set.precision())
+        return false;
+    if (!is_new)
+        refuse(set.target.at, fmt::format("\"{}\" of \"{}\" is set twice", member, element.name), "",
+               {{"set first here", first->second->target.at}});
+    const SettableMember* known = element.member(member);
+    const SettableMember taking = known != nullptr ? *known : SettableMember{member};
+    element.set({member, value_of(set, taking.takes_text, taking.what_it_takes()), set.value_at}, reporter_);
+    return true;
+}
+
+} // namespace placedpar
