@@ -42,10 +42,6 @@ const CLI::App* command_called(const CLI::App&, const std::string& name);
 /// Of the app or a command, as they are typed: "--seed", "-I".
 std::vector<std::string> names_of_options(const CLI::App&);
 
-/// Gives the app its commands, and reads a command line without doing what it asks for. Returns what carry_out() would,
-/// were there nothing to do. Throws UserError.
-ExitCode read_command_line(CLI::App& app, const std::vector<Command>& commands, int argc, char** argv);
-
 /// Gives the app its commands, and reads a command line without doing what it asks for. Returns the action; null where
 /// it asks for help alone, or is wrong, which is said on standard error then. Throws UserError where it is wrong, too.
 Action read_command_line(CLI::App& app, const std::vector<Command>& commands, int argc, char** argv);

@@ -16,6 +16,7 @@
 #include "text/user_error.hpp"
 
 #include <CLI/CLI.hpp>
+#include <boost/json.hpp>
 #include <fmt/format.h>
 
 #include <array>

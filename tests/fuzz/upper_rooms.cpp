@@ -314,7 +314,7 @@ void read_scenario_settings(const std::string& text) {
         });
 }
 
-void read_command_line(const std::string& text) {
+void read_arguments(const std::string& text) {
     attempt_to([&] { parse_time(text); });
     attempt_to([&] { StudyMeasure{text}; });
     attempt_to([&] { StudyCondition{text}; });
@@ -341,7 +341,7 @@ void read_command_line(const std::string& text) {
 std::span<const Reader> readers() {
     static const Reader all[] = {{"study", read_study_text},    {"results", read_results},
                                  {"kept", read_kept_runs},      {"message", read_message},
-                                 {"state", read_state},         {"arguments", read_command_line},
+                                 {"state", read_state},         {"arguments", read_arguments},
                                  {"policies", read_policies},   {"strings", read_strings},
                                  {"diagnosis", read_diagnosis}, {"population", read_population},
                                  {"names", read_names},         {"searches", read_searches},

@@ -7,6 +7,7 @@
 #include "tests/report/small_log.hpp"
 #include "text/user_error.hpp"
 
+#include <boost/json.hpp>
 #include <doctest/doctest.h>
 
 #include <limits>

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-using namespace placedpar::identification;
+using namespace placedpar;
 
 TEST_CASE("median") {
     CHECK(median({3}) == 3);

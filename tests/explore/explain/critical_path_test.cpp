@@ -6,6 +6,7 @@
 #include "explore/netlist_run.hpp"
 #include "explore/problems.hpp"
 
+#include <boost/json.hpp>
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
