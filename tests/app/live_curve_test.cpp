@@ -57,3 +57,10 @@ TEST_CASE("a curve of many generations fits its columns and shows the last") {
     }
     CHECK(state_of(log) == "generation 1000: best 1000, mean 0, diversity 0.5000, between 0.2500");
 }
+
+TEST_CASE("a curve leaves out objectives that are no finite number") {
+    GenerationLog log({"east"});
+    test::tell(log, "east", 1, {worst_fitness, worst_fitness}, std::nullopt, Goal::maximise);
+    test::tell(log, "east", 2, {worst_fitness, 2}, std::nullopt, Goal::maximise);
+    CHECK(live_curve(log, 40, 3).size() == 6);
+}

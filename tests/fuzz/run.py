@@ -59,7 +59,6 @@ SEEDS = {
     "searches": lambda: files("examples/**/*.cfs"),
     "wish": lambda: [b"torus\n4x4\n\n\nislands", b"tree\n7\n3\n\nfarm", b"chordal-ring\n8\n\n3\nislands", b"hypercube\n8\n\n\nga.island"],
     "scenario": lambda: [b"bulk_modulus=4.1e-11 m^3/Pa", b"duration=3 s"] + texts_of("tests/app/record_test.py"),
-    "mark": lambda: [b"placedpar-monitor-mark 00000000000000000003 0123456789abcdef\n"],
     "answer": lambda: matches(r'\{"type".*?\}(?=[\n\'"`)])', "docs/monitor.md", "tests/monitor/**/*.cpp"),
     "places": lambda: [b"127.0.0.1", b"::1", b"::ffff:127.0.0.1", b"localhost", b"0.0.0.0", b"monitor.sock", b"fe80::1%lo"],
     "request": lambda: [f"{line} HTTP/1.{minor}\r\nHost: 127.0.0.1\r\n{fields}\r\n".encode() for minor in (0, 1)

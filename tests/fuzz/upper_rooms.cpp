@@ -17,7 +17,6 @@
 #include "hydraulics/data/parameters.hpp"
 #include "identification/on_line/diagnosis.hpp"
 #include "monitor/memory/diagnosis_json.hpp"
-#include "monitor/memory/mark.hpp"
 #include "monitor/memory/state_file.hpp"
 #include "monitor/protocol/bad_message.hpp"
 #include "monitor/protocol/message.hpp"
@@ -185,14 +184,6 @@ void read_names(const std::string& text) {
     });
 }
 
-void read_mark(const std::string& text) {
-    const std::string path = file_of(text, "state-mark");
-    try {
-        require(monitor::Mark::read(path.substr(0, path.size() - 5)).has_value(), "a mark that is taken is one");
-    } catch (const std::runtime_error&) { // it is refused so
-    }
-}
-
 void read_answer(const std::string& line) { monitor::require_answer("monitor", line); }
 
 /// Where a monitor may be told to listen. A socket in the file system is in a folder of its own.
@@ -346,9 +337,8 @@ std::span<const Reader> readers() {
                                  {"diagnosis", read_diagnosis}, {"population", read_population},
                                  {"names", read_names},         {"searches", read_searches},
                                  {"wish", read_wish},           {"scenario", read_scenario_settings},
-                                 {"mark", read_mark},           {"answer", read_answer},
-                                 {"places", read_place},        {"request", read_request},
-                                 {"command", read_words}};
+                                 {"answer", read_answer},       {"places", read_place},
+                                 {"request", read_request},     {"command", read_words}};
     return all;
 }
 

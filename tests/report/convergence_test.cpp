@@ -2,7 +2,6 @@
 
 #include "report/convergence.hpp"
 
-#include "app/live_curve.hpp"
 #include "report/search_report.hpp"
 #include "tests/report/small_log.hpp"
 #include "text/user_error.hpp"
@@ -99,7 +98,6 @@ TEST_CASE("objectives that are no finite number are left out of a curve, the res
     CHECK_THROWS_AS(convergence_plot("", {&seeded, 1}), UserError);
     test::tell(seeded.log, "east", 2, {worst_fitness, 2}, std::nullopt, Goal::maximise);
     CHECK(convergence_plot("", {&seeded, 1}).panels[0].series[0].points.size() == 1);
-    CHECK(live_curve(seeded.log, 40, 3).size() == 6);
     CHECK(searches_json(seeded.log)[0].at("generation_at_99_percent") == 2);
     CHECK(searches_json(seeded.log)[0].at("first").at("best").is_null()); // no number for it in JSON
     CHECK(searches_json(seeded.log)[0].at("last").at("best") == 2.0);
