@@ -32,7 +32,6 @@
 
 #include <CLI/CLI.hpp>
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/local/stream_protocol.hpp>
 #include <boost/json.hpp>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -208,7 +207,8 @@ void read_request(const std::string& all) {
             reply({200, "text/plain", path});
         },
         [](const std::string&) {});
-    web.welcome({io, boost::asio::local::stream_protocol(), ends[0]}, {"loopback", "a test", "127.0.0.1"});
+    monitor::Door::Socket socket(io, monitor::Door::Socket::protocol_type(AF_UNIX, 0), ends[0]);
+    web.welcome(std::move(socket), {"loopback", "a test", "127.0.0.1"});
     for (std::size_t sent = 0; sent < text.size();) {
         const ssize_t more = ::send(ends[1], text.data() + sent, text.size() - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
         if (more < 0)
