@@ -60,7 +60,7 @@ Statements read_faults(const std::vector<std::string>& texts, Reporter& reporter
 }
 
 Declared declared_in(const Draft& draft) {
-    auto executes = [](const Node& node) { return node.kind && node.kind->make_executive; };
+    auto executes = [](const Node& node) { return node.kind && node.kind->has_executive(); };
     return {static_cast<std::size_t>(std::ranges::count_if(draft.nodes, executes)), draft.processes.size()};
 }
 

@@ -12,12 +12,13 @@ std::string Completion::free_link(std::size_t node) const {
                 used.insert(end.link);
     for (int link = 0; link < draft.links[node]; ++link)
         if (!used.contains(link))
-            return link_name(draft.nodes, {node, link});
+            return link_name(network.nodes, {node, link});
     return "";
 }
 
 Network complete(Draft draft, const Catalogue& catalogue, const ProgramKinds& programs, Reporter& reporter) {
     Completion completion{std::move(draft), catalogue, programs, reporter, {}, {}, {}, {}, {}, {}};
+    completion.network.nodes = std::move(completion.draft.nodes);
     complete_programs(completion);
     complete_overrides(completion);
     complete_hosts(completion);
@@ -29,7 +30,6 @@ Network complete(Draft draft, const Catalogue& catalogue, const ProgramKinds& pr
     complete_channels(completion);
     complete_carriers(completion);
     complete_faults(completion);
-    completion.network.nodes = std::move(completion.draft.nodes);
     if (!reporter.failed())
         complete_checks(completion);
     return std::move(completion.network);

@@ -100,7 +100,7 @@ private:
         std::string name = free_name(attachments_by_default);
         std::int64_t number = 0;
         for (DraftAttachment& each : c_.draft.attachments)
-            if (each.connection == nowhere && c_.draft.nodes[each.node].kind->is_master())
+            if (each.connection == nowhere && c_.network.nodes[each.node].kind->is_master())
                 each.connection = add_connection(element_name(name, {number++}), each.at);
     }
 
@@ -140,7 +140,7 @@ private:
     std::string hint_at_other(const DraftOverride& option, const Settable& element) const {
         const auto* process = std::get_if<DraftProcess*>(&element.thing);
         if (process != nullptr && (*process)->node != nowhere) {
-            Node& node = c_.draft.nodes[(*process)->node];
+            Node& node = c_.network.nodes[(*process)->node];
             return hint_at(option, fmt::format("the node that \"{}\" is placed on", element.name), {node.name, &node});
         }
         for (const Settable& each : settable_elements(c_))
@@ -155,7 +155,7 @@ private:
 
     bool is_place_of(const Settable& connection, const Settable& element) const {
         return std::ranges::any_of(c_.draft.attachments, [&](const DraftAttachment& each) {
-            return each.connection != nowhere && c_.draft.nodes[each.node].name == element.name &&
+            return each.connection != nowhere && c_.network.nodes[each.node].name == element.name &&
                    c_.draft.connections[each.connection].name == connection.name;
         });
     }

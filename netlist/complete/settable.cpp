@@ -67,13 +67,13 @@ void set_in(DraftConnection& connection, const Setting& setting, Reporter& repor
 void set_in(DraftProcess& process, const Setting& setting, Reporter&) { process.overrides.push_back(setting); }
 
 /// What each connection is used for.
-std::vector<Settable::Connects> uses_of_connections(const Draft& draft) {
+std::vector<Settable::Connects> uses_of_connections(const Draft& draft, const std::vector<Node>& nodes) {
     std::vector<Settable::Connects> uses(draft.connections.size(), Settable::Connects::other);
     for (const DraftWire& wire : draft.wires)
         if (wire.connection != nowhere)
             uses[wire.connection] = Settable::Connects::wire;
     for (const DraftAttachment& each : draft.attachments)
-        if (each.connection != nowhere && draft.nodes[each.node].kind->is_master())
+        if (each.connection != nowhere && nodes[each.node].kind->is_master())
             uses[each.connection] = Settable::Connects::master;
     return uses;
 }
@@ -172,10 +172,10 @@ void Settable::set(const Setting& setting, Reporter& reporter) const {
 
 std::vector<Settable> settable_elements(Completion& c) {
     std::vector<Settable> all;
-    for (Node& node : c.draft.nodes)
+    for (Node& node : c.network.nodes)
         if (node.kind->has_attributes())
             all.push_back({node.name, &node});
-    auto uses = uses_of_connections(c.draft);
+    auto uses = uses_of_connections(c.draft, c.network.nodes);
     for (std::size_t i = 0; i < uses.size(); ++i)
         all.push_back({c.draft.connections[i].name, &c.draft.connections[i], nullptr, uses[i]});
     for (DraftProcess& process : c.draft.processes)
