@@ -75,7 +75,7 @@ private:
     std::vector<BusWay> all_ways() const {
         std::vector<BusWay> all;
         for (std::size_t i = 0; i < nodes().size(); ++i)
-            if (const auto& medium = nodes()[i].kind->medium)
+            if (const auto& medium = nodes()[i].kind->medium; medium && medium->ways)
                 std::ranges::copy(medium->ways(attached_, i), std::back_inserter(all));
         auto place = [](const BusWay& way) {
             bool in_memory = way.wire == nowhere;
