@@ -11,8 +11,9 @@
 namespace placedpar {
 
 int run_program(int argc, char** argv, std::vector<ProcessKind> own_kinds, std::vector<ProblemFamily> own_problems,
-                std::vector<AddPolicy> own_policies) {
+                std::vector<AddPolicy> own_policies, std::vector<DeviceKind> own_devices) {
     add_own_kinds(std::move(own_kinds));
+    add_own_devices(std::move(own_devices));
     add_own_problems(std::move(own_problems));
     auto begin = [&] {
         for (AddPolicy add : own_policies)

@@ -10,6 +10,7 @@
 #include "gaprocs/policies/schedule.hpp"
 #include "gaprocs/policies/topology.hpp"
 #include "gaprocs/problem_family.hpp"
+#include "netlist/kinds/device_kind.hpp"
 #include "netlist/kinds/process_kind.hpp"
 
 #include <vector>
@@ -20,9 +21,10 @@ namespace placedpar {
 using AddPolicy = void (*)();
 
 /// The main() of a program that has the commands of placedpar, but for those of the thesis's experiments and of the
-/// monitor, and knows kinds, search problems and policies of its own beside PlacedPar's. Messages and help call it by
-/// the name of its file. Returns the exit code; a kind, a problem or a policy whose name is taken is a user's error.
+/// monitor, and knows kinds, search problems, policies and devices of its own beside PlacedPar's. Messages and help
+/// call it by the name of its file. Returns the exit code; a kind, a problem, a policy or a device whose name is taken
+/// is a user's error.
 int run_program(int argc, char** argv, std::vector<ProcessKind> own_kinds, std::vector<ProblemFamily> own_problems = {},
-                std::vector<AddPolicy> own_policies = {});
+                std::vector<AddPolicy> own_policies = {}, std::vector<DeviceKind> own_devices = {});
 
 } // namespace placedpar

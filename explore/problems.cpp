@@ -57,6 +57,11 @@ std::vector<ProcessKind>& own_kinds() {
     return kinds;
 }
 
+std::vector<DeviceKind>& own_devices() {
+    static std::vector<DeviceKind> kinds;
+    return kinds;
+}
+
 std::vector<ProblemFamily>& own_problems() {
     static std::vector<ProblemFamily> problems;
     return problems;
@@ -84,9 +89,24 @@ void add_own_kind(Catalogue& catalogue, const ProcessKind& kind) {
     catalogue.add(std::move(added));
 }
 
+void add_own_device(Catalogue& catalogue, const DeviceKind& kind) {
+    auto refuse = [](const std::string& name) {
+        throw UserError(
+            fmt::format("this program adds a device \"{}\", but that name is taken: give it another", name));
+    };
+    if (catalogue.devices().contains(kind.name))
+        refuse(kind.name);
+    for (const DeviceModel& model : kind.models)
+        if (catalogue.node_types().contains(model.name))
+            refuse(model.name);
+    catalogue.add_device(kind);
+}
+
 } // namespace
 
 void add_own_kinds(std::vector<ProcessKind> kinds) { std::ranges::move(kinds, std::back_inserter(own_kinds())); }
+
+void add_own_devices(std::vector<DeviceKind> kinds) { std::ranges::move(kinds, std::back_inserter(own_devices())); }
 
 void add_own_problems(std::vector<ProblemFamily> problems) {
     std::ranges::move(problems, std::back_inserter(own_problems()));
@@ -109,6 +129,8 @@ Catalogue known_kinds(const ProblemRegistry& problems, SearchObserver* observer)
     add_genetic_algorithm_kinds(catalogue, problems, observer);
     for (const ProcessKind& kind : own_kinds())
         add_own_kind(catalogue, kind);
+    for (const DeviceKind& kind : own_devices())
+        add_own_device(catalogue, kind);
     return catalogue;
 }
 

@@ -23,6 +23,7 @@ Catalogue known_kinds(const ProblemRegistry& problems, SearchObserver* observer 
 /// From now on these are among the known kinds: those of a program that is built on PlacedPar. REQUIRES: called before
 /// anything else here, by one thread.
 void add_own_kinds(std::vector<ProcessKind>);
+void add_own_devices(std::vector<DeviceKind>);
 /// The same of search problems.
 void add_own_problems(std::vector<ProblemFamily>);
 

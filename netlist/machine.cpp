@@ -6,32 +6,18 @@ namespace placedpar {
 
 namespace {
 
-/// Hundredths of a bit time that a bit needs to cross the switches on its way.
-std::int64_t crossing_delay(const LinkConnection& connection, const std::vector<Node>& nodes) {
-    std::int64_t hundredths = 0;
-    for (const SwitchCrossing& crossing : connection.crossings)
-        hundredths += nodes[crossing.node].kind->crossing_delay;
-    return hundredths;
-}
-
-Time wire_delay(const LinkConnection& connection, const std::vector<Node>& nodes) {
-    constexpr auto metre = static_cast<double>(hardware::LinkTiming::metre_of_wire.count());
-    return Time{static_cast<std::int64_t>(connection.metres * metre)} +
-           duration_of(crossing_delay(connection, nodes), 100 * connection.bits_per_second);
-}
-
 /// A link overlaps its acknowledges where both of its ends can.
-hardware::LinkTiming timing_of(const LinkConnection& connection, const std::vector<Node>& nodes) {
+hardware::LinkTiming timing_of(const LinkConnection& connection, const MachineParts& parts) {
+    constexpr auto metre = static_cast<double>(hardware::LinkTiming::metre_of_wire.count());
+    std::int64_t crossing = 0; // in hundredths of a bit time
+    for (const SwitchCrossing& each : connection.crossings)
+        crossing += parts.nodes[each.node]->crossing_delay();
     hardware::LinkTiming timing{.bits_per_second = connection.bits_per_second,
-                                .wire_delay = wire_delay(connection, nodes)};
+                                .wire_delay = Time{static_cast<std::int64_t>(connection.metres * metre)} +
+                                              duration_of(crossing, 100 * connection.bits_per_second)};
     for (const LinkEnd& end : {connection.a, connection.b})
-        timing.overlapped_acknowledge = timing.overlapped_acknowledge && nodes[end.node].overlapped_acknowledge;
+        timing.overlapped_acknowledge &= parts.network.nodes[end.node].overlapped_acknowledge;
     return timing;
-}
-
-hardware::Link& add_link(Simulation& simulation, const LinkConnection& connection, const std::vector<Node>& nodes) {
-    return simulation.add<hardware::Link>(timing_of(connection, nodes), link_name(nodes, connection.a),
-                                          link_name(nodes, connection.b));
 }
 
 bool travels_in_packets(const NetworkChannel& channel) {
@@ -42,81 +28,84 @@ bool travels_in_packets(const NetworkChannel& channel) {
 
 Machine::Machine(const Network& network, const Catalogue& catalogue, std::uint64_t seed)
     : network_(network), software_(network_, catalogue, seed) {
-    make_executives();
+    make_nodes(false);
     make_links();
-    make_buses();
+    make_nodes(true);
+    make_ways();
     make_faults();
-    make_routers();
+    make_router_links();
     place_channels();
     start_processes();
 }
 
-void Machine::make_executives() {
-    for (std::size_t i = 0; i < network_.nodes.size(); ++i) {
-        const DeviceKind& kind = *network_.nodes[i].kind;
-        bool differs = kind.make_executive_on_bus && is_on_bus(network_, i);
-        const auto& make = differs ? kind.make_executive_on_bus : kind.make_executive;
-        executives_.push_back(make ? make(simulation_, network_.nodes[i]) : NodeExecutive{});
-    }
+/// What has slots looks for what is in them, and behind that.
+void Machine::make_nodes(bool with_slots) {
+    parts_.nodes.resize(network_.nodes.size());
+    for (std::size_t i = 0; i < network_.nodes.size(); ++i)
+        if (const DeviceKind& kind = *network_.nodes[i].kind; kind.medium.has_value() == with_slots)
+            parts_.nodes[i] = kind.make ? kind.make(parts_, i) : std::make_unique<MachineNode>(parts_, i);
 }
 
 void Machine::make_links() {
-    carriers_.resize(network_.connections.size());
-    for (const LinkConnection& connection : network_.connections) {
-        if (connection.over_bus) {
-            links_.push_back(nullptr);
-            continue;
-        }
-        links_.push_back(&add_link(simulation_, connection, network_.nodes));
-        carriers_[links_.size() - 1] = {&links_.back()->from_a_to_b(), &links_.back()->from_b_to_a()};
-        if (connection.at_run_time)
-            make_switched(links_.size() - 1);
-        for (const LinkEnd& end : {connection.a, connection.b})
-            if (const auto& has_link = executives_[end.node].has_link)
-                has_link(*links_.back());
-    }
+    connections_.resize(network_.connections.size());
+    for (const LinkConnection& connection : network_.connections)
+        if (connection.over_bus)
+            parts_.links.push_back(nullptr);
+        else
+            make_link(connection);
+}
+
+void Machine::make_link(const LinkConnection& connection) {
+    auto& link = simulation_.add<hardware::Link>(timing_of(connection, parts_), link_name(network_.nodes, connection.a),
+                                                 link_name(network_.nodes, connection.b));
+    const std::size_t index = parts_.links.size();
+    parts_.links.push_back(&link);
+    connections_[index].carriers =
+        connection.at_run_time ? switched(index) : CarrierPair{&link.from_a_to_b(), &link.from_b_to_a()};
+    for (const LinkEnd& end : {connection.a, connection.b})
+        parts_.nodes[end.node]->has_link(link);
 }
 
 /// The switches that a program sets decide what gets over; the engines at its ends may be those of other links, too.
-void Machine::make_switched(std::size_t index) {
+CarrierPair Machine::switched(std::size_t index) {
     const LinkConnection& connection = network_.connections[index];
-    hardware::Link& link = *links_[index];
+    hardware::Link& link = *parts_.links[index];
     for (const SwitchCrossing& crossing : connection.crossings)
         if (is_set_at_run_time(network_, crossing.node))
-            executives_[crossing.node].crossbar->lead_on(link, crossing.from_link, crossing.to_link);
+            parts_.nodes[crossing.node]->lead_on(link, crossing);
     auto lane = [&](hardware::LinkDirection& direction, const LinkEnd& from, const LinkEnd& to) {
-        return &simulation_.add<hardware::SwitchedLane>(direction, engine_at(from, true), engine_at(to, false));
+        return &simulation_.add<hardware::SwitchedLane>(direction, parts_.nodes[from.node]->engine(from.link, true),
+                                                        parts_.nodes[to.node]->engine(to.link, false));
     };
-    carriers_[index] = {lane(link.from_a_to_b(), connection.a, connection.b),
-                        lane(link.from_b_to_a(), connection.b, connection.a)};
+    return {lane(link.from_a_to_b(), connection.a, connection.b), lane(link.from_b_to_a(), connection.b, connection.a)};
 }
 
-hardware::SharedEngine& Machine::engine_at(const LinkEnd& end, bool outputs) {
-    return engines_.try_emplace({end.node, end.link, outputs}, hardware::SharedEngine{link_name(network_.nodes, end)})
-        .first->second;
+void Machine::make_ways() {
+    for (std::size_t i = network_.count_wires(); i < network_.connections.size(); ++i) {
+        std::size_t master = network_.connections[i].over_bus->master;
+        connections_[i].carriers = parts_.nodes[network_.attachments[master].bus]->carriers(i);
+    }
 }
 
-void Machine::make_routers() {
-    for (const NodeExecutive& each : executives_)
-        routers_.push_back(&simulation_.add<hardware::Router>(each.executive));
-    router_links_.resize(links_.size());
+void Machine::make_router_links() {
     for (const NetworkChannel& channel : network_.channels)
         if (travels_in_packets(channel))
             for (const RouteHop& hop : channel.placement.route)
-                if (auto& link = router_links_[hop.connection]; !link)
+                if (auto& link = connections_[hop.connection].router_link; !link)
                     link = &make_router_link(hop.connection);
 }
 
 hardware::RouterLink& Machine::make_router_link(std::size_t index) {
     const LinkConnection& connection = network_.connections[index];
-    return simulation_.add<hardware::RouterLink>(lane(index, true), lane(index, false), *routers_[connection.a.node],
-                                                 *routers_[connection.b.node]);
+    return simulation_.add<hardware::RouterLink>(lane(index, true), lane(index, false),
+                                                 parts_.nodes[connection.a.node]->router(),
+                                                 parts_.nodes[connection.b.node]->router());
 }
 
 hardware::Lane Machine::lane(std::size_t index, bool from_a_to_b) const {
     const LinkConnection& connection = network_.connections[index];
     std::string a = link_name(network_.nodes, connection.a), b = link_name(network_.nodes, connection.b);
-    const Carriers& both = carriers_[index];
+    const CarrierPair& both = connections_[index].carriers;
     return from_a_to_b ? hardware::Lane{*both.from_a_to_b, a + " -> " + b}
                        : hardware::Lane{*both.from_b_to_a, b + " -> " + a};
 }
@@ -127,18 +116,18 @@ void Machine::place_channels() {
         if (const ChannelPlacement& at = network_.channels[i].placement;
             at.kind == ChannelPlacement::Kind::link && at.broadcast_on == nowhere)
             carry(i);
-    for (const Broadcast& each : broadcasts_)
-        for (std::size_t i = 0; i < each.channels.size(); ++i)
-            each.writer->carry(software_.channel(each.channels[i]), i);
+    for (const auto& node : parts_.nodes)
+        node->broadcast([this](std::size_t channel) -> AnyChannel& { return software_.channel(channel); });
 }
 
 void Machine::carry(std::size_t index) {
     AnyChannel& channel = software_.channel(index);
     std::vector<hardware::Hop> hops;
     for (auto [connection, forth] : network_.channels[index].placement.route) {
-        if (!router_links_[connection]) // then there is no other hop
-            return channel.put_on(forth ? *carriers_[connection].from_a_to_b : *carriers_[connection].from_b_to_a);
-        hops.push_back({*router_links_[connection], forth});
+        const auto& [carriers, router_link] = connections_[connection];
+        if (!router_link) // then there is no other hop
+            return channel.put_on(forth ? *carriers.from_a_to_b : *carriers.from_b_to_a);
+        hops.push_back({*router_link, forth});
     }
     auto& route = simulation_.add<hardware::Route>(hops);
     channel.put_on(route);
@@ -153,8 +142,8 @@ void Machine::record(RecordedRun& record) {
 
 void Machine::start_processes() {
     std::vector<Executive*> executives;
-    for (const NodeExecutive& each : executives_)
-        executives.push_back(each.executive);
+    for (const auto& node : parts_.nodes)
+        executives.push_back(node->executive());
     software_.start(simulation_, executives);
     for (std::size_t i = 0; i < network_.processes.size(); ++i)
         if (network_.nodes[network_.processes[i].node].kind->is_set_by_link())

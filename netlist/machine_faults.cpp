@@ -1,8 +1,5 @@
 #include "netlist/kinds/fault_kinds.hpp"
 #include "netlist/machine.hpp"
-#include "runtime/timer.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -45,71 +42,40 @@ void add_effect(FaultUse& use, const hardware::FaultEffect& effect) {
 } // namespace
 
 void Machine::strike_link(std::size_t connection, const hardware::LinkFault& fault) {
-    fault_effects_.back().push_back(&links_[connection]->suffer(fault));
+    effects_.back().of_links.push_back(&parts_.links[connection]->suffer(fault));
 }
 
 /// Of a link that a switch connects during the run, whatever it is connected to.
 void Machine::strike_links_at(const Fault& fault) {
     LinkEnd end{fault.node, fault.link};
-    for (std::size_t i = 0; i < links_.size(); ++i) {
+    for (std::size_t i = 0; i < parts_.links.size(); ++i) {
         const LinkConnection& wire = network_.connections[i];
         if (i == fault.connection || (wire.at_run_time && (wire.a == end || wire.b == end)))
             strike_link(i, of_link(fault, wire));
     }
 }
 
-/// A master that none of the netlist's is: it asks when the fault begins, and lets go when it ends.
-void Machine::hog(const Fault& fault) {
-    std::size_t others = 0;
-    for (const hardware::VmeMaster* each : hogs_)
-        others += each && &each->bus() == buses_[fault.node];
-    hardware::VmePlace place{static_cast<int>(fault.integer("level")), free_slot(network_, fault.node, others)};
-    auto& master = simulation_.add<hardware::VmeMaster>(fmt::format("slot {}", place.slot), *buses_[fault.node], place);
-    hogs_.back() = &master;
-    Time from = begin_of(fault), until = end_of(fault);
-    simulation_
-        .process(print_fault(fault, network_.nodes),
-                 [&master, from, until] {
-                     wait_until(from);
-                     master.hold_until(until);
-                 })
-        .serve_machine();
+/// At its end of each of them.
+void Machine::silence_links(const Fault& fault) {
+    for (std::size_t i = 0; i < parts_.links.size(); ++i) {
+        bool at_a = network_.connections[i].a.node == fault.node;
+        if (!parts_.links[i]) // a way over a bus, whose master has no engine that could fall silent
+            continue;
+        if (at_a || network_.connections[i].b.node == fault.node)
+            strike_link(i, {.from = begin_of(fault), .wire_from_a = at_a, .wire_from_b = !at_a});
+    }
 }
 
-/// An adapter without a wire answers nobody anyway.
-void Machine::leave_bus(const Fault& fault) {
-    if (hardware::BusSlave* slave = slaves_[fault.node])
-        absences_.back() = &slave->leave(begin_of(fault), end_of(fault));
-}
-
-/// A device that falls silent does so at its end of each of its links.
 void Machine::make_faults() {
     for (const Fault& fault : network_.faults) {
-        fault_effects_.emplace_back();
-        hogs_.push_back(nullptr);
-        absences_.push_back(nullptr);
+        Effects& effects = effects_.emplace_back();
         if (fault.link >= 0) {
             strike_links_at(fault);
             continue;
         }
-        if (buses_[fault.node]) {
-            hog(fault);
-            continue;
-        }
-        if (leaves_the_bus(fault)) {
-            leave_bus(fault);
-            continue;
-        }
-        executives_[fault.node].suffer(fault);
-        if (!kind_of(fault, network_).silences_links)
-            continue;
-        for (std::size_t i = 0; i < links_.size(); ++i) {
-            bool at_a = network_.connections[i].a.node == fault.node;
-            if (!links_[i]) // a way over a bus, whose master has no engine that could fall silent
-                continue;
-            if (at_a || network_.connections[i].b.node == fault.node)
-                strike_link(i, {.from = begin_of(fault), .wire_from_a = at_a, .wire_from_b = !at_a});
-        }
+        effects.of_device = parts_.nodes[fault.node]->suffer(fault);
+        if (kind_of(fault, network_).silences_links)
+            silence_links(fault);
     }
 }
 
@@ -125,13 +91,14 @@ std::vector<std::string> Machine::stopped_on(std::size_t node) const {
 /// A way over a bus leads over the wire at its adapter.
 bool Machine::is_stopped_by(const hardware::Route& route, const Fault& fault) const {
     if (fault.link < 0) {
-        const Executive* executive = executives_[fault.node].executive;
+        const Executive* executive = parts_.nodes[fault.node]->executive();
         return executive && route.is_stopped_by(*executive);
     }
-    for (std::size_t i = 0; i < router_links_.size(); ++i) {
+    for (std::size_t i = 0; i < connections_.size(); ++i) {
+        const hardware::RouterLink* link = connections_[i].router_link;
         const auto& over_bus = network_.connections[i].over_bus;
         bool struck = i == fault.connection || (over_bus && over_bus->wire == fault.connection);
-        if (struck && router_links_[i] && route.is_stopped_at(*router_links_[i]))
+        if (struck && link && route.is_stopped_at(*link))
             return true;
     }
     return false;
@@ -151,15 +118,13 @@ std::vector<FaultUse> Machine::fault_uses() const {
         const Fault& fault = network_.faults[i];
         FaultUse& use = uses.emplace_back();
         use.fault = print_fault(fault, network_.nodes);
-        for (const hardware::FaultEffect* effect : fault_effects_[i])
+        for (const hardware::FaultEffect* effect : effects_[i].of_links)
             add_effect(use, *effect);
-        if (const hardware::VmeMaster* master = hogs_[i]; master && master->grants() > 0)
-            use.held_since = begin_of(fault) + master->time_waited();
-        if (absences_[i])
-            use.bus_errors = absences_[i]->unanswered;
         if (fault.link < 0)
             use.stopped = stopped_on(fault.node);
         use.stopped_channels = channels_stopped_by(fault);
+        if (effects_[i].of_device)
+            effects_[i].of_device(use);
     }
     return uses;
 }

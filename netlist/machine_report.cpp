@@ -1,5 +1,6 @@
 #include "netlist/machine.hpp"
 #include "netlist/network/names.hpp"
+#include "runtime/hardware/link_adapter.hpp"
 #include "runtime/user_code.hpp"
 #include "text/diagnostic.hpp"
 #include "text/user_error.hpp"
@@ -123,12 +124,11 @@ std::string failing(const Failure& failure, const ProcessInstance* process) {
 RunReport Machine::run(Time limit) {
     RunReport report;
     auto count_work = [&] {
-        report.processors = processor_uses();
+        for (const auto& node : parts_.nodes)
+            node->report(report);
         report.links = link_uses();
-        report.buses = bus_uses();
         report.processes = process_uses();
         report.faults = fault_uses();
-        report.switches = switch_uses();
     };
     try {
         report.result = simulation_.run(limit, count_work);
@@ -151,21 +151,6 @@ RunReport Machine::run(Time limit) {
     return report;
 }
 
-std::vector<ProcessorUse> Machine::processor_uses() const {
-    std::vector<ProcessorUse> uses;
-    for (std::size_t i = 0; i < executives_.size(); ++i)
-        if (const auto& time_busy = executives_[i].time_busy)
-            uses.push_back({network_.nodes[i].name, network_.nodes[i].type, time_busy(),
-                            executives_[i].memory_taken_by_links(), routers_[i]->packets_passed_on(),
-                            time_passing_on(i)});
-    return uses;
-}
-
-Time Machine::time_passing_on(std::size_t node) const {
-    auto cycles = static_cast<std::int64_t>(routers_[node]->cycles_of_passing_on());
-    return cycles == 0 ? Time{0} : duration_of(cycles, network_.nodes[node].integer("clock"));
-}
-
 std::vector<LinkUse> Machine::link_uses() const {
     std::vector<LinkUse> uses;
     for (std::size_t i = 0, wires = network_.count_wires(); i < wires; ++i) {
@@ -174,49 +159,10 @@ std::vector<LinkUse> Machine::link_uses() const {
         auto add = [&](const std::string& from, const std::string& to, const hardware::LinkDirection& direction) {
             uses.push_back({from, to, direction.bytes_carried(), direction.time_occupied()});
         };
-        add(a, b, links_[i]->from_a_to_b());
-        add(b, a, links_[i]->from_b_to_a());
+        add(a, b, parts_.links[i]->from_a_to_b());
+        add(b, a, parts_.links[i]->from_b_to_a());
     }
     return uses;
-}
-
-std::vector<BusUse> Machine::bus_uses() const {
-    std::vector<BusUse> uses;
-    for (const hardware::VmeBus* bus : buses_)
-        if (bus) {
-            uses.push_back({bus->name(), bus->time_busy(), {}, broadcast_uses(*bus)});
-            for (const hardware::VmeMaster* each : bus->masters())
-                uses.back().masters.push_back({each->name(), each->place().level, each->words_moved(),
-                                               each->bytes_accessed(), each->grants(), each->bus_errors(),
-                                               each->time_waited(), each->longest_wait()});
-        }
-    return uses;
-}
-
-std::vector<SwitchUse> Machine::switch_uses() const {
-    std::vector<SwitchUse> uses;
-    for (std::size_t i = 0; i < executives_.size(); ++i)
-        if (const hardware::Crossbar* crossbar = executives_[i].crossbar; crossbar && is_set_at_run_time(network_, i))
-            uses.push_back(use_of(i, *crossbar));
-    return uses;
-}
-
-SwitchUse Machine::use_of(std::size_t node, const hardware::Crossbar& crossbar) const {
-    SwitchUse use{network_.nodes[node].name, crossbar.commands(), crossbar.connections(), {}};
-    for (const hardware::Crossbar::Loss& loss : crossbar.losses()) {
-        const hardware::FaultEffect& effect = loss.effect;
-        auto link = static_cast<std::size_t>(std::ranges::find(links_, loss.link) - links_.begin());
-        const RouteHop hop{link, loss.leaves_a};
-        SwitchUse::Loss& lost = use.losses.emplace_back();
-        lost.from = link_name(network_.nodes, begin_of(hop, network_.connections));
-        lost.to = link_name(network_.nodes, end_of(hop, network_.connections));
-        lost.bytes = effect.bytes_lost;
-        lost.acknowledges = effect.acknowledges_lost;
-        lost.first = {effect.first->at, effect.first->channel, effect.first->acknowledge, effect.first->byte};
-        lost.output = loss.output;
-        lost.state = loss.state;
-    }
-    return use;
 }
 
 std::vector<ProcessUse> Machine::process_uses() const {

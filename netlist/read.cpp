@@ -59,7 +59,7 @@ void recognise_occam(const std::shared_ptr<const SourceFile>& main, Reporter& re
 }
 
 Declared declared_in(const Draft& draft) {
-    auto executes = [](const Node& node) { return node.kind && node.kind->make_executive; };
+    auto executes = [](const Node& node) { return node.kind && node.kind->has_executive(); };
     return {static_cast<std::size_t>(std::ranges::count_if(draft.nodes, executes)), draft.processes.size()};
 }
 

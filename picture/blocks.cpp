@@ -211,7 +211,7 @@ private:
         blocks_.push_back({nodes, shapes_in_order(Pattern(n_, wiring_, nodes), nodes.size())});
     }
 
-    bool is_single_processor(std::size_t node) const { return is_single(node) && n_.nodes[node].kind->make_executive; }
+    bool is_single_processor(std::size_t node) const { return is_single(node) && n_.nodes[node].kind->has_executive(); }
 
     /// The single processors that a single processor is wired to, each once; none for other nodes.
     std::set<std::size_t> singles_beside(std::size_t node) const {

@@ -19,8 +19,7 @@ std::shared_ptr<const DeviceKind> process_box(bool outside) {
                     .about = "",
                     .attributes = {{.value = description::text("on", {.by_default = ""}, ""),
                                     .drawn = [](const Value& on) { return "on " + std::get<std::string>(on); }}},
-                    .runs_processes = true,
-                    .make_executive = [](Simulation&, const Node&) { return NodeExecutive{}; },
+                    .executes = Execution::in_time,
                     .drawing = {.frame = "#3b5b7a", .heading = "#d5e3f0", .legend = "process"}};
     if (outside)
         kind.drawing = {.frame = "#7a6a3b",

@@ -217,7 +217,7 @@ private:
     /// Of the software's nodes; the others are edges.
     std::size_t count_processes() const {
         return static_cast<std::size_t>(
-            std::ranges::count_if(n_.nodes, [](const Node& node) { return node.kind->runs_processes; }));
+            std::ranges::count_if(n_.nodes, [](const Node& node) { return node.kind->executes != Execution::none; }));
     }
 
     /// The names of the channels on each wire, and in which directions they go.

@@ -89,7 +89,7 @@ json::object device_json(const DeviceKind& kind, const std::string& name) {
         {"about", kind.about},
         {"refusal", kind.refusal},
         {"links", word(kind.links)},
-        {"runs_processes", kind.runs_processes},
+        {"runs_processes", kind.executes != Execution::none},
         {"logic", kind.logic},
         {"models", std::move(models)},
         {"attributes", list(kind.attributes, [](const auto& each) { return parameter_json(each.value); })},

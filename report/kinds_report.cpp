@@ -151,7 +151,7 @@ std::string print_fault_kinds(const char* heading, const std::vector<FaultKind>&
 
 /// What a `fault` statement can say of a node, and of a link at it.
 std::string print_fault_kinds(const DeviceKind& kind) {
-    bool has_links = kind.links == LinkRole::ends && !kind.make_bus;
+    bool has_links = kind.links == LinkRole::ends && !kind.medium;
     return print_fault_kinds("faults", kind.faults) +
            (has_links ? print_fault_kinds("faults of its links", link_faults()) : "");
 }
@@ -165,7 +165,7 @@ std::string print_name(const std::string& name, const NodeType& type) {
 std::string print_what_is_placed(const DeviceKind& kind) {
     if (kind.is_set_by_link())
         return fmt::format("a {}, to be set during the run by the link config", kind.logic);
-    return kind.runs_processes ? "can be placed on it" : "none can be placed on it";
+    return kind.executes != Execution::none ? "can be placed on it" : "none can be placed on it";
 }
 
 /// What nodes can be declared with by this name.

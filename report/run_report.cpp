@@ -137,6 +137,30 @@ std::string print_buses(const RunReport& report) {
     return out;
 }
 
+std::string print_figure(const RunReport& report, const std::variant<std::uint64_t, Time>& figure) {
+    const auto* time = std::get_if<Time>(&figure);
+    return time ? print_part(report, *time) : fmt::format("{}", std::get<std::uint64_t>(figure));
+}
+
+std::string print_devices(const RunReport& report) {
+    std::string out;
+    for (const DeviceUse& device : report.devices) {
+        std::size_t name = width_of(device.rows, &DeviceUse::Row::name, device.columns.front().size());
+        out += painted(Paint::heading, fmt::format("\n{}, busy {}\n", device.title, print_part(report, device.busy)));
+        std::string heading = fmt::format("{:<{}}", device.columns.front(), name);
+        for (std::size_t i = 1; i < device.columns.size(); ++i)
+            heading += fmt::format("  {:>9}", device.columns[i]);
+        out += painted(Paint::heading, heading + "\n");
+        for (const DeviceUse::Row& row : device.rows) {
+            out += fmt::format("{:<{}}", row.name, name);
+            for (const auto& figure : row.figures)
+                out += fmt::format("  {:>9}", print_figure(report, figure));
+            out += "\n";
+        }
+    }
+    return out;
+}
+
 /// In a deadlock a process that waits does so for ever; where a run was stopped, it waited when it was.
 std::string print_wait(const RunReport& report, const ProcessUse& process) {
     if (!process.waits_since)
@@ -289,6 +313,23 @@ boost::json::object json_of(const RunReport& report, const BusUse& b) {
     return json;
 }
 
+boost::json::object json_of(const RunReport& report, const DeviceUse& d) {
+    boost::json::array rows;
+    for (const DeviceUse::Row& row : d.rows) {
+        boost::json::object json{{d.columns.front(), row.name}};
+        for (std::size_t i = 0; i < row.figures.size(); ++i)
+            if (const auto* time = std::get_if<Time>(&row.figures[i]))
+                json[d.columns[i + 1] + "_ps"] = time->count();
+            else
+                json[d.columns[i + 1]] = std::get<std::uint64_t>(row.figures[i]);
+        rows.push_back(std::move(json));
+    }
+    return {{"title", d.title},
+            {"busy", part_json(report, d.busy)},
+            {"busy_ps", d.busy.count()},
+            {"rows", std::move(rows)}};
+}
+
 boost::json::object json_of(const RunReport& report, const ProcessUse& p) {
     boost::json::object json{{"name", p.name},
                              {"on", p.processor},
@@ -410,7 +451,7 @@ std::string print_report(const RunReport& report, const Network& network, const 
     out += print_searches(searches);
     if (!report.processors.empty())
         out += print_processors(report);
-    return out + print_links(report) + print_buses(report) + print_processes(report);
+    return out + print_links(report) + print_buses(report) + print_devices(report) + print_processes(report);
 }
 
 boost::json::object report_json(const RunReport& report, const Network& network, const Manifest& manifest,
@@ -425,6 +466,8 @@ boost::json::object report_json(const RunReport& report, const Network& network,
                              {"processes", array_of(report, report.processes)}};
     if (!report.buses.empty())
         json["buses"] = array_of(report, report.buses);
+    if (!report.devices.empty())
+        json["devices"] = array_of(report, report.devices);
     if (!searches.searches().empty())
         json["searches"] = searches_json(searches);
     if (!report.faults.empty())

@@ -11,7 +11,7 @@ namespace {
 
 using Neighbours = std::vector<std::vector<std::size_t>>;
 
-bool is_processor(const Node& node) { return node.attributes.contains("channelcall") && node.kind->make_executive; }
+bool is_processor(const Node& node) { return node.attributes.contains("channelcall") && node.kind->has_executive(); }
 
 Neighbours neighbours_in(const Network& network) {
     Neighbours neighbours(network.nodes.size());

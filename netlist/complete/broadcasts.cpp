@@ -22,8 +22,7 @@ const DraftPlacement* Broadcasts::placement_of(const ChannelEnd& end) const {
 
 std::optional<Broadcasts::Placed> Broadcasts::placed(const NetworkChannel& channel) const {
     for (const auto* end : {&channel.from, &channel.to})
-        if (const auto* by = placement_of(*end);
-            by != nullptr && c_.draft.nodes[by->where.node].kind->bus == BusRole::is_bus)
+        if (const auto* by = placement_of(*end); by != nullptr && c_.network.nodes[by->where.node].kind->medium)
             return Placed{*end, *by};
     return std::nullopt;
 }
@@ -37,9 +36,9 @@ std::vector<std::size_t> Broadcasts::adapter_ways(std::size_t bus) const {
 }
 
 bool Broadcasts::is_master(std::size_t node, std::size_t bus) const {
-    return c_.draft.nodes[node].kind->is_master() && std::ranges::any_of(attachments(), [&](const BusAttachment& each) {
-               return each.node == node && each.bus == bus;
-           });
+    return c_.network.nodes[node].kind->is_master() &&
+           std::ranges::any_of(attachments(),
+                               [&](const BusAttachment& each) { return each.node == node && each.bus == bus; });
 }
 
 RouteHop Broadcasts::way_of(const NetworkChannel& channel, const Placed& placed) const {
@@ -102,7 +101,7 @@ void Broadcasts::refuse_receiver(const NetworkChannel& channel, const Placed& pl
     const DraftPlacement* told = placement_of(channel.to);
     std::vector<SecondPlace> others{{"the receiver is placed here", receiver.placed}};
     if (told != nullptr)
-        others.push_back({fmt::format("it is to come in by {}", link_name(c_.draft.nodes, told->where)), told->at});
+        others.push_back({fmt::format("it is to come in by {}", link_name(c_.network.nodes, told->where)), told->at});
     refuse(placed.by.at,
            fmt::format("the channel \"{}\" cannot be broadcast on the bus \"{}\": {}", channel.name,
                        node_name(placed.bus()), why_not(channel, placed.bus())),
@@ -132,7 +131,7 @@ std::string Broadcasts::hint_at_adapters(const NetworkChannel& channel, std::siz
     std::vector<std::string> ends;
     for (std::size_t way : adapter_ways(bus))
         if (connection(way).a.node == channel.from.node)
-            ends.push_back(link_name(c_.draft.nodes, connection(way).b));
+            ends.push_back(link_name(c_.network.nodes, connection(way).b));
     std::string master = node_name(channel.from.node);
     if (ends.empty())
         return fmt::format("no link adapter of \"{}\" on \"{}\" leads to a processor", master, node_name(bus));

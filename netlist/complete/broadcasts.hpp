@@ -34,7 +34,7 @@ private:
     const LinkConnection& connection(std::size_t index) const { return c_.network.connections[index]; }
     const BusAttachment& slave_of(const LinkConnection& way) const { return attachments()[way.over_bus->slave]; }
     const std::vector<BusAttachment>& attachments() const { return c_.network.attachments; }
-    const std::string& node_name(std::size_t node) const { return c_.draft.nodes[node].name; }
+    const std::string& node_name(std::size_t node) const { return c_.network.nodes[node].name; }
     std::string end_name(const ChannelEnd& end) const { return c_.draft.processes[end.process].name + "." + end.port; }
     const DraftPlacement* placement_of(const ChannelEnd&) const;
     /// Ways over adapters on the bus.

@@ -19,7 +19,7 @@ namespace {
 class Carriers {
 public:
     explicit Carriers(Completion& c)
-        : c_(c), wires_(c.network.connections), load_(wires_.size() * 2, 0), search_(c.draft.nodes, wires_, load_),
+        : c_(c), wires_(c.network.connections), load_(wires_.size() * 2, 0), search_(c.network.nodes, wires_, load_),
           told_(c, load_), broadcasts_(c, load_) {
         for (std::size_t i = 0; i < c_.network.connections.size(); ++i) {
             const auto& connection = c_.network.connections[i];
@@ -88,7 +88,7 @@ private:
         return route.size() > 1 || std::any_of(route.begin(), route.end(), [&](auto& hop) { return load(hop) > 1; });
     }
 
-    std::string node_name(std::size_t node) const { return c_.draft.nodes[node].name; }
+    std::string node_name(std::size_t node) const { return c_.network.nodes[node].name; }
 
     [[noreturn]] void refuse(const Location& at, std::string message, std::string hint = "",
                              std::vector<SecondPlace> others = {}) {
@@ -212,7 +212,7 @@ private:
     std::string text_of(const std::vector<RouteHop>& route) const {
         std::string text;
         for (const auto& hop : route)
-            text += (text.empty() ? "" : ", ") + link_name(c_.draft.nodes, begin_of(hop, wires_));
+            text += (text.empty() ? "" : ", ") + link_name(c_.network.nodes, begin_of(hop, wires_));
         return text;
     }
 
@@ -283,7 +283,7 @@ private:
             for (auto [near, far] : {std::pair(connection.a, connection.b), std::pair(connection.b, connection.a)})
                 if (far.at_edge() && (edge == nowhere || far.node == edge))
                     return fmt::format("\"{}\" is connected to {}: place the process there", node_name(far.node),
-                                       link_name(c_.draft.nodes, near));
+                                       link_name(c_.network.nodes, near));
         auto link = c_.free_link(node);
         return link.empty() ? fmt::format("all links of \"{}\" are taken: one of them must lead there", node_name(node))
                             : fmt::format("connect {} to {};", link, edge == nowhere ? "host" : node_name(edge));
@@ -330,11 +330,11 @@ private:
 
     /// The processors between them that lead no further channel through.
     void add_quotas(std::vector<SecondPlace>& places, std::size_t from, std::size_t to) const {
-        for (std::size_t node = 0; node < c_.draft.nodes.size(); ++node)
+        for (std::size_t node = 0; node < c_.network.nodes.size(); ++node)
             if (node != from && node != to && search_.is_kept_by_quota(node))
                 places.push_back({fmt::format("\"{}\" leads channels through {} of its links (linkquota)",
-                                              node_name(node), c_.draft.nodes[node].integer("linkquota")),
-                                  c_.draft.nodes[node].declared});
+                                              node_name(node), c_.network.nodes[node].integer("linkquota")),
+                                  c_.network.nodes[node].declared});
     }
 
     std::string missing_wire(std::size_t from, std::size_t to) const {

@@ -141,7 +141,7 @@ private:
             return refuse_placed(process, name, placement);
         ChannelEnd inner{index, name, process.node}, outer{nowhere, "", edge};
         auto inner_name = process.name + "." + name;
-        const auto& edge_name = c_.draft.nodes[edge].name;
+        const auto& edge_name = c_.network.nodes[edge].name;
         bool out = port.direction == Direction::output;
         bind({index, nowhere, name, placement.at}, port.direction);
         add_channel({.name = out ? inner_name + " -> " + edge_name : edge_name + " -> " + inner_name,
@@ -156,7 +156,7 @@ private:
     std::size_t edge_behind(const LinkEnd& end) const {
         auto wire = c_.connection_at.find({end.node, end.link});
         if (wire == c_.connection_at.end())
-            return end.at_edge() && c_.draft.nodes[end.node].kind->links == LinkRole::edge ? end.node : nowhere;
+            return end.at_edge() && c_.network.nodes[end.node].kind->links == LinkRole::edge ? end.node : nowhere;
         const auto& connection = c_.network.connections[wire->second];
         return connection.a.at_edge() ? connection.a.node : connection.b.at_edge() ? connection.b.node : nowhere;
     }

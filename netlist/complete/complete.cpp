@@ -12,13 +12,14 @@ std::string Completion::free_link(std::size_t node) const {
                 used.insert(end.link);
     for (int link = 0; link < draft.links[node]; ++link)
         if (!used.contains(link))
-            return link_name(draft.nodes, {node, link});
+            return link_name(network.nodes, {node, link});
     return "";
 }
 
 Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter) {
     Completion completion{std::move(draft), catalogue, reporter, {}, {}, {}, {}, {}, {}};
     completion.network.set = std::move(completion.draft.set);
+    completion.network.nodes = std::move(completion.draft.nodes);
     complete_hosts(completion);
     if (reporter.failed())
         return {};
@@ -28,7 +29,6 @@ Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter) {
     complete_channels(completion);
     complete_carriers(completion);
     complete_faults(completion);
-    completion.network.nodes = std::move(completion.draft.nodes);
     if (!reporter.failed())
         complete_checks(completion);
     return std::move(completion.network);

@@ -22,7 +22,7 @@ struct Completion {
     Draft draft;
     const Catalogue& catalogue;
     Reporter& reporter;
-    Network network;
+    Network network; ///< its nodes, from the beginning those of the draft, and what is complete
     std::map<std::pair<std::size_t, int>, std::size_t> connection_at; ///< by node and link
     std::map<std::size_t, std::size_t> connection_named;              ///< by draft connection
     std::vector<const ProcessKind*> kinds;                            ///< of each process; null: a stand-in
@@ -39,7 +39,7 @@ struct Completion {
 void complete_hosts(Completion& completion);
 /// wires.cpp: from pieces of wire and crosspoints to connections between processors.
 void complete_wires(Completion& completion);
-/// buses.cpp: from what is attached to buses to ways over them.
+/// buses.cpp: from what is attached to buses to the ways over them.
 void complete_buses(Completion& completion);
 /// processes.cpp: placement, kinds, and interfaces against kinds.
 void complete_processes(Completion& completion);

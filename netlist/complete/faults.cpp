@@ -47,35 +47,22 @@ bool find_named_wire(Completion& c, const DraftFault& draft, Fault& fault) {
 bool find_wire(Completion& c, const DraftFault& draft, Fault& fault) {
     auto wire = c.connection_at.find({fault.node, fault.link});
     if (wire == c.connection_at.end()) {
-        bool crosses = c.draft.nodes[fault.node].kind->links == LinkRole::crosses;
+        bool crosses = c.network.nodes[fault.node].kind->links == LinkRole::crosses;
         c.reporter.error(draft.at, fmt::format("{} \"{}\"",
                                                crosses ? "a fault is stated at an end of the wire, not at its switch"
                                                        : "no wire leads to the link",
-                                               link_name(c.draft.nodes, {fault.node, fault.link})));
+                                               link_name(c.network.nodes, {fault.node, fault.link})));
         return false;
     }
     fault.connection = wire->second;
     return true;
 }
 
-} // namespace
-
-namespace {
-
-/// The master that hogs a bus needs a level that there is, and a slot.
-bool can_suffer(Completion& c, const DraftFault& draft) {
+void check_device(Completion& c, const DraftFault& draft) {
     const Fault& fault = draft.fault;
-    if (fault.link >= 0 || c.draft.nodes[fault.node].kind->bus != BusRole::is_bus)
-        return true;
-    const Node& bus = c.draft.nodes[fault.node];
-    auto others = std::ranges::count_if(c.network.faults,
-                                        [&](const Fault& each) { return each.link < 0 && each.node == fault.node; });
-    bool single = std::get<std::string>(bus.attributes.at("arbiter")) == "SGL";
-    if (single && fault.integer("level") != 3)
-        c.reporter.error(draft.at, fmt::format("\"{}\" has the arbiter SGL: there is only level 3", bus.name));
-    if (free_slot(c.network, fault.node, static_cast<std::size_t>(others)) < 1)
-        c.reporter.error(draft.at, fmt::format("no slot of \"{}\" is free for the master that hogs it", bus.name));
-    return true;
+    const FaultKind& kind = *std::ranges::find(c.network.nodes[fault.node].kind->faults, fault.kind, &FaultKind::name);
+    if (std::string reason = kind.why_not ? kind.why_not(c.network, fault) : ""; !reason.empty())
+        c.reporter.error(draft.at, reason);
 }
 
 } // namespace
@@ -83,9 +70,10 @@ bool can_suffer(Completion& c, const DraftFault& draft) {
 void complete_faults(Completion& completion) {
     for (const DraftFault& draft : completion.draft.faults) {
         Fault fault = draft.fault;
-        bool known = fault.link < 0                ? can_suffer(completion, draft)
-                     : draft.connection != nowhere ? find_named_wire(completion, draft, fault)
-                                                   : find_wire(completion, draft, fault);
+        if (fault.link < 0)
+            check_device(completion, draft);
+        bool known = fault.link < 0 || (draft.connection != nowhere ? find_named_wire(completion, draft, fault)
+                                                                    : find_wire(completion, draft, fault));
         if (known)
             completion.network.faults.push_back(std::move(fault));
     }

@@ -17,7 +17,7 @@ void take_speed(Node& host, const Node& neighbour) {
 /// Nobody needs to draw the host computer: the edge keeps its name and is one.
 void make_workstation(Completion& c, std::size_t index) {
     const auto& type = c.catalogue.node_types().find("workstation")->second;
-    auto& edge = c.draft.nodes[index];
+    auto& edge = c.network.nodes[index];
     auto node = type.preset;
     node.name = edge.name;
     node.declared = edge.declared;
@@ -27,7 +27,7 @@ void make_workstation(Completion& c, std::size_t index) {
         for (auto [near, far] : {std::pair(&wire.a, &wire.b), std::pair(&wire.b, &wire.a)})
             if (near->node == index) {
                 near->link = 0; // an edge has one wire
-                take_speed(edge, c.draft.nodes[far->node]);
+                take_speed(edge, c.network.nodes[far->node]);
             }
 }
 
@@ -38,7 +38,7 @@ void refuse_edge_channels(Completion& c, const DraftProcess& process) {
             c.reporter.error(
                 channel.placed,
                 fmt::format("the edge channel \"{}\" is placed on \"{}\", where the process \"{}\" is", channel.name,
-                            c.draft.nodes[process.node].name, process.name),
+                            c.network.nodes[process.node].name, process.name),
                 fmt::format("leave the edge channel out, and connect what it is connected to with a channel "
                             "of \"{}\"",
                             process.name),
@@ -46,7 +46,7 @@ void refuse_edge_channels(Completion& c, const DraftProcess& process) {
 }
 
 bool is_on_edge(const Completion& c, const DraftProcess& process) {
-    return process.node != nowhere && c.draft.nodes[process.node].kind->links == LinkRole::edge;
+    return process.node != nowhere && c.network.nodes[process.node].kind->links == LinkRole::edge;
 }
 
 } // namespace

@@ -105,7 +105,7 @@ void check_interface(Completion& c, const DraftProcess& process, const ProcessKi
 
 /// On a switch nothing can be placed but the kind that is its logic.
 void check_logic(Completion& c, const DraftProcess& process) {
-    const Node& node = c.draft.nodes[process.node];
+    const Node& node = c.network.nodes[process.node];
     if (node.kind->is_set_by_link() && process.kind != node.kind->logic)
         c.reporter.error(
             process.placed,

@@ -22,7 +22,7 @@ void refuse_sharing(Completion& c, const NetworkChannel& first, const NetworkCha
                     const char* what) {
     c.reporter.error(second.connected,
                      fmt::format("{} by \"{}\", which a switch connects during the run: \"{}\" and \"{}\"", what,
-                                 link_name(c.draft.nodes, link), first.name, second.name),
+                                 link_name(c.network.nodes, link), first.name, second.name),
                      "such a link is one process's each way, and a channel each way leads to each of its partners",
                      {{"the other is connected here", first.connected}});
 }

@@ -56,8 +56,8 @@ private:
 
     const DraftProcess& process_of(const Place& place) const { return c_.draft.processes[place.end.process]; }
     std::string name_of(const Place& place) const { return process_of(place).name + "." + place.end.port; }
-    const std::string& node_name(std::size_t node) const { return c_.draft.nodes[node].name; }
-    std::string link_of(const Place& place) const { return link_name(c_.draft.nodes, place.where()); }
+    const std::string& node_name(std::size_t node) const { return c_.network.nodes[node].name; }
+    std::string link_of(const Place& place) const { return link_name(c_.network.nodes, place.where()); }
     [[noreturn]] void refuse(const Location&, std::string message, std::string hint = "",
                              std::vector<SecondPlace> others = {}) const;
 

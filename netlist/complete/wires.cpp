@@ -47,7 +47,7 @@ private:
     static constexpr std::size_t most_ways = 20'000;
 
     bool at_switch(const LinkEnd& end) const {
-        return c_.draft.nodes[end.node].kind->links == LinkRole::crosses && end.link != configuration_link;
+        return c_.network.nodes[end.node].kind->links == LinkRole::crosses && end.link != configuration_link;
     }
 
     bool set_at_run_time(std::size_t node) const { return wire_at_.contains({node, configuration_link}); }
@@ -111,7 +111,7 @@ private:
         auto next = wire_at_.find(socket(leaves));
         if (next == wire_at_.end())
             return leads_nowhere(connection, leaves, "no wire leaves the switch there",
-                                 fmt::format("connect {} to ...;", link_name(c_.draft.nodes, leaves)));
+                                 fmt::format("connect {} to ...;", link_name(c_.network.nodes, leaves)));
         if (std::ranges::find(pieces, next->second) != pieces.end())
             return false;
         pieces.push_back(next->second);
@@ -123,7 +123,7 @@ private:
                        const std::string& hint) {
         c_.reporter.error(connection.connected,
                           fmt::format("the wire from \"{}\" ends at \"{}\": {}",
-                                      link_name(c_.draft.nodes, connection.a), link_name(c_.draft.nodes, at), why),
+                                      link_name(c_.network.nodes, connection.a), link_name(c_.network.nodes, at), why),
                           hint);
         c_.wire_refused[connection.a.node] = true;
         return false;
@@ -141,11 +141,11 @@ private:
     /// Of two wires that end at the switch it is clear which crosspoint is missing, and both errors name the same.
     void refuse_crosspoint(const LinkConnection& connection, const LinkEnd& at) {
         auto open = open_links(at.node);
-        auto name = [&](const LinkEnd& end) { return link_name(c_.draft.nodes, end); };
+        auto name = [&](const LinkEnd& end) { return link_name(c_.network.nodes, end); };
         leads_nowhere(connection, at, "the switch sets no crosspoint for it",
                       open.size() == 2
                           ? fmt::format("connect {} to {};", name(open[0]), name(open[1]))
-                          : fmt::format("connect {} to {}.link[...];", name(at), c_.draft.nodes[at.node].name));
+                          : fmt::format("connect {} to {}.link[...];", name(at), c_.network.nodes[at.node].name));
     }
 
     void add(LinkConnection connection, const std::vector<std::size_t>& pieces) {
@@ -153,7 +153,7 @@ private:
             return c_.reporter.error(
                 connection.connected,
                 fmt::format("two links of the same processor \"{}\" are connected through a switch",
-                            c_.draft.nodes[connection.a.node].name));
+                            c_.network.nodes[connection.a.node].name));
         if (connection.a.at_edge() && connection.b.at_edge())
             return c_.reporter.error(connection.connected, "two edges cannot be connected, not even through a switch");
         std::optional<std::int64_t> speed;
@@ -223,10 +223,10 @@ private:
 
     /// An edge and a switch's configuration link run at the speed of what they are connected to.
     static bool has_speed(const LinkEnd& end) { return !end.at_edge() && end.link != configuration_link; }
-    std::int64_t link_speed(const LinkEnd& end) const { return c_.draft.nodes[end.node].integer("linkspeed"); }
+    std::int64_t link_speed(const LinkEnd& end) const { return c_.network.nodes[end.node].integer("linkspeed"); }
 
     void refuse_speeds(const LinkConnection& connection) {
-        const auto &a = c_.draft.nodes[connection.a.node], &b = c_.draft.nodes[connection.b.node];
+        const auto &a = c_.network.nodes[connection.a.node], &b = c_.network.nodes[connection.b.node];
         c_.reporter.error(connection.connected,
                           fmt::format("the links run at different speeds: {} at {} bit/s, {} at {} bit/s", a.name,
                                       link_speed(connection.a), b.name, link_speed(connection.b)),
@@ -241,18 +241,18 @@ private:
     std::size_t ways_ = 0;        ///< tried by crosspoints that a program sets
 };
 
-bool is_computer(const Node& node) { return node.kind->runs_processes; }
+bool is_computer(const Node& node) { return node.kind->executes != Execution::none; }
 
 void check_isolated(Completion& c) {
-    std::vector<bool> wired(c.draft.nodes.size(), false);
+    std::vector<bool> wired(c.network.nodes.size(), false);
     for (const auto& connection : c.network.connections)
         wired[connection.a.node] = wired[connection.b.node] = true;
     for (const auto& attachment : c.draft.attachments)
         wired[attachment.node] = true;
-    if (std::count_if(c.draft.nodes.begin(), c.draft.nodes.end(), is_computer) < 2)
+    if (std::count_if(c.network.nodes.begin(), c.network.nodes.end(), is_computer) < 2)
         return;
     for (std::size_t i = 0; i < wired.size(); ++i)
-        if (const auto& node = c.draft.nodes[i]; !wired[i] && is_computer(node) && !c.wire_refused[i])
+        if (const auto& node = c.network.nodes[i]; !wired[i] && is_computer(node) && !c.wire_refused[i])
             c.reporter.error(node.declared, fmt::format("the processor \"{}\" is connected to nothing", node.name),
                              fmt::format("connect {}.link[0] to ...;", node.name));
 }
@@ -260,7 +260,7 @@ void check_isolated(Completion& c) {
 } // namespace
 
 void complete_wires(Completion& completion) {
-    completion.wire_refused.assign(completion.draft.nodes.size(), false);
+    completion.wire_refused.assign(completion.network.nodes.size(), false);
     Wiring(completion).run();
     check_isolated(completion);
 }

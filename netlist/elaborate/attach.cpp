@@ -11,7 +11,6 @@ namespace placedpar {
 
 namespace {
 
-constexpr int slots_of_a_bus = 21;
 constexpr const char* how_to_attach = "a device is connected to a slot of a bus: connect sun.bus[0] to vme.slot[1];";
 
 } // namespace
@@ -33,7 +32,7 @@ void Elaborator::connect_to_bus(const ConnectStatement& form, const Found& a, co
     const auto &bus = first_is_bus ? form.a : form.b, &device = first_is_bus ? form.b : form.a;
     DraftAttachment attachment;
     attachment.bus = bus_end(bus, first_is_bus ? a : b);
-    attachment.slot = bus_subscript(bus, 1, slots_of_a_bus);
+    attachment.slot = bus_subscript(bus, 1, draft_.nodes[attachment.bus].kind->medium->slots);
     attachment.node = device_end(device, first_is_bus ? b : a);
     bus_subscript(device, 0, 0);
     auto known = std::ranges::find(draft_.attachments, attachment.node, &DraftAttachment::node);
@@ -48,7 +47,7 @@ void Elaborator::connect_to_bus(const ConnectStatement& form, const Found& a, co
 
 std::size_t Elaborator::bus_end(const Reference& reference, const Found& found) {
     auto node = element(reference, found);
-    if (draft_.nodes[node].kind->bus != BusRole::is_bus)
+    if (!draft_.nodes[node].kind->medium)
         refuse(reference.field_at, fmt::format("{} has no slots", with_article(draft_.nodes[node].type)),
                "slots are a bus's: VME vme;");
     return node;
@@ -57,7 +56,7 @@ std::size_t Elaborator::bus_end(const Reference& reference, const Found& found) 
 std::size_t Elaborator::device_end(const Reference& reference, const Found& found) {
     auto node = element(reference, found);
     const DeviceKind& kind = *draft_.nodes[node].kind;
-    if (kind.bus == BusRole::is_bus)
+    if (kind.medium)
         refuse(reference.field_at, fmt::format("a {} has slots: {}.slot[...]", draft_.nodes[node].type, reference.name),
                how_to_attach);
     if (kind.bus == BusRole::none)

@@ -27,7 +27,7 @@ void Elaborator::place_process(const PlaceStatement& form) {
     const auto& node = draft_.nodes[index];
     if (!form.where.field.empty())
         refuse(form.where.field_at, "a process is placed on a processor, not on a link");
-    bool takes = node.kind->runs_processes || node.kind->is_set_by_link();
+    bool takes = node.kind->executes != Execution::none || node.kind->is_set_by_link();
     if (!takes && node.kind->links != LinkRole::edge) // there it makes the edge a workstation
         refuse(form.where.at, fmt::format("\"{}\" is {}: no process can be placed on it", node.name, node.kind->noun));
     if (process.node != nowhere)
@@ -49,9 +49,7 @@ void Elaborator::place_port(const PlaceStatement& form) {
                fmt::format("\"{}\" is no link: a channel is placed on a link, a bus or an edge", form.where.name));
     auto link = place_of_channel(form, where);
     auto& known = draft_.placements[{end.process, end.port}];
-    auto tells_a_route = [&](const LinkEnd& at) {
-        return !at.at_edge() && draft_.nodes[at.node].kind->bus != BusRole::is_bus;
-    };
+    auto tells_a_route = [&](const LinkEnd& at) { return !at.at_edge() && !draft_.nodes[at.node].kind->medium; };
     for (const auto& before : known)
         if (before.where.node == link.node || !tells_a_route(before.where) || !tells_a_route(link))
             refuse_placed_twice(form, "channel", draft_.processes[end.process].name + "." + end.port, before.at);
@@ -61,15 +59,18 @@ void Elaborator::place_port(const PlaceStatement& form) {
 /// A link, an edge, a bus as a whole, or a device's place on it.
 LinkEnd Elaborator::place_of_channel(const PlaceStatement& form, const Found& found) {
     const Reference& where = form.where;
-    BusRole role = draft_.nodes[found.first].kind->bus;
-    if (role == BusRole::is_bus && !where.field.empty())
+    const DeviceKind& kind = *draft_.nodes[found.first].kind;
+    if (kind.medium && !kind.medium->broadcasts)
+        refuse(where.at, fmt::format("\"{}\" is {}, on which no channel is placed as a whole", where.name, kind.noun),
+               fmt::format("place {}.{} on the sender's place there, bus[0]", form.what.name, form.what.field));
+    if (kind.medium && !where.field.empty())
         refuse(where.field_at, "a channel is placed on a bus as a whole",
                fmt::format("place {}.{} on {};", form.what.name, form.what.field, where.name));
-    if (role == BusRole::is_bus)
+    if (kind.medium)
         return {element(where, found), bus_port};
     if (where.field != "bus")
         return link_end(where, found);
-    if (role == BusRole::adapter)
+    if (kind.bus == BusRole::adapter)
         refuse(where.field_at, "a channel is placed on the link of an adapter",
                fmt::format("place {}.{} on {}.link[0];", form.what.name, form.what.field, where.name));
     bus_subscript(where, 0, 0);

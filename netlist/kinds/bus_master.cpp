@@ -2,9 +2,26 @@
 #include "netlist/kinds/description.hpp"
 #include "netlist/kinds/devices.hpp"
 #include "netlist/kinds/fault_kinds.hpp"
+#include "netlist/kinds/on_vme.hpp"
+#include "netlist/kinds/transputer_node.hpp"
 #include "runtime/hardware/bus_programs.hpp"
 
 namespace placedpar {
+
+namespace {
+
+class BusMasterNode final : public TransputerNode, public OnVme {
+public:
+    BusMasterNode(MachineParts& parts, std::size_t node) : TransputerNode(parts, node) {
+        program = hardware::bus_programs::bbk_v2;
+    }
+
+    FaultEffects suffer(const Fault& fault) override {
+        return leaves_the_bus(fault) ? leave(*this, fault) : TransputerNode::suffer(fault);
+    }
+};
+
+} // namespace
 
 /// A transputer and all that is said of one, with its place on a bus.
 DeviceKind bus_master() {
@@ -26,7 +43,7 @@ DeviceKind bus_master() {
          .json_name = "conversion_cycles"});
     kind.faults.push_back(leaves_the_bus());
     kind.bus = BusRole::bus_master;
-    kind.bus_program = hardware::bus_programs::bbk_v2;
+    kind.make = make_device<BusMasterNode>;
     kind.drawing = {.frame = "#6b3b6b", .heading = "#ecd5ec", .legend = "bus master"};
     return kind;
 }

@@ -18,8 +18,8 @@ namespace {
 } // namespace
 
 Catalogue::Catalogue() {
-    for (const auto& kind : {transputer(), workstation(), crossbar(), edge(), vme(), link_adapter(), bus_master()})
-        add_device(kind);
+    for (auto device : known_devices)
+        add_device(device());
 }
 
 void Catalogue::add(ProcessKind kind) {

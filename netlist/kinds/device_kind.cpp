@@ -10,12 +10,12 @@ const AttributeDescription* DeviceKind::attribute(std::string_view wanted) const
 }
 
 bool executes_in_time(const Network& network, std::size_t node) {
-    const DeviceKind& kind = *network.nodes[node].kind;
-    return (kind.make_executive && !kind.is_set_by_link()) || (kind.make_executive_on_bus && is_on_bus(network, node));
+    const Execution executes = network.nodes[node].kind->executes;
+    return executes == Execution::in_time || (executes == Execution::in_time_on_a_bus && is_on_bus(network, node));
 }
 
 std::size_t count_processors(const Network& network) {
-    auto executes = [](const Node& node) { return node.kind->make_executive && !node.kind->is_set_by_link(); };
+    auto executes = [](const Node& node) { return node.kind->executes == Execution::in_time; };
     return static_cast<std::size_t>(std::ranges::count_if(network.nodes, executes));
 }
 

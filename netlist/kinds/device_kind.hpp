@@ -2,25 +2,22 @@
 
 #include "netlist/kinds/parameter.hpp"
 #include "netlist/network/network.hpp"
-#include "runtime/hardware/vme_bus.hpp"
-#include "runtime/time.hpp"
 
-#include <cstdint>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace placedpar {
 
-class Executive;  // runtime/executive.hpp: executes processes
-class Simulation; // runtime/simulation.hpp: owns the devices of a run
-namespace hardware {
-class Crossbar;
-class Link;
-} // namespace hardware
+class MachineNode;   // netlist/kinds/machine_node.hpp: the device in a run
+struct MachineParts; // the same: what a run is made of
+class Reporter;      // text/reporter.hpp
 
 /// What a wire finds at a device.
 enum class LinkRole {
@@ -29,13 +26,19 @@ enum class LinkRole {
     edge     ///< no links: the node itself is where the network ends
 };
 
-/// What a bus finds at a device.
+/// Says what a device does in a slot of another (Medium). A VMEbus needs its node to be OnVme, too.
 enum class BusRole {
-    none,        ///< it has no place on one
-    is_bus,      ///< slots
+    none,        ///< it has no place there
     workstation, ///< a master whose bytes are in another order than a transputer's
     bus_master,  ///< a transputer that is a master and shares its memory with the bus
     adapter      ///< registers, which lead to what its link is connected to
+};
+
+/// Says when processes on a device take time.
+enum class Execution {
+    none, ///< no processes can be placed on it
+    in_time,
+    in_time_on_a_bus ///< and nowhere else
 };
 
 /// One attribute in the parentheses of a declaration.
@@ -52,6 +55,8 @@ struct FaultKind {
     std::string about;                                 ///< one line
     std::vector<AttributeDescription> attributes = {}; ///< times in ns
     bool silences_links = false;                       ///< of a device: from then on nothing leaves it by its links
+    /// Says why the device cannot have it, of which each attribute by itself is fine; "" if it can. Empty: it can.
+    std::function<std::string(const Network&, const Fault&)> why_not = {};
 
     /// Null where there is none.
     const AttributeDescription* attribute(std::string_view name) const;
@@ -68,16 +73,23 @@ struct DeviceModel {
     bool needs_type = false; ///< stands for the other models of the kind: the attribute `type` says which
 };
 
-/// What executes the processes placed on a node.
-struct NodeExecutive {
-    Executive* executive = nullptr;       ///< null: they take no time
-    std::function<Time()> time_busy = {}; ///< so far; empty where the executive is null
-    /// Called with each link that ends at it, whose engines use its memory; empty where the executive is null.
-    std::function<void(hardware::Link&)> has_link = {};
-    std::function<Time()> memory_taken_by_links = {}; ///< so far; empty where the executive is null
-    /// Called before the run with each fault of the device, of which its kind has any.
-    std::function<void(const Fault&)> suffer = {};
-    hardware::Crossbar* crossbar = nullptr; ///< of a switch that can be set during the run
+/// Shows a Medium what is in the slots of a network's devices, while the network is checked.
+struct Attached {
+    const Network& network; ///< nodes, connections that are wires, attachments
+    const std::map<std::pair<std::size_t, int>, std::size_t>& connection_at; ///< the wires by node and link
+    Reporter& reporter;
+
+    const Node& node(std::size_t attachment) const { return network.nodes[network.attachments[attachment].node]; }
+};
+
+/// Describes a device with slots, which carries channels between the devices in them: a bus, a ring.
+struct Medium {
+    int slots = 1;           ///< slot[1] to slot[slots]
+    bool broadcasts = false; ///< to link adapters, what is placed on it
+    /// Says whether the device can be attached beside those that are; false after reporting why not. Empty: it can.
+    std::function<bool(const Attached&, const BusAttachment&)> takes = {};
+    /// Returns the ways over this node, none twice; reports what needs one and has none.
+    std::function<std::vector<BusWay>(const Attached&, std::size_t node)> ways;
 };
 
 /// How a device looks in the drawing of a network.
@@ -99,23 +111,21 @@ struct DeviceKind {
     std::string refusal = ""; ///< not empty: known, but cannot be declared yet, and why
     LinkRole links = LinkRole::ends;
     std::vector<AttributeDescription> attributes = {};
-    std::vector<std::string> kept = {}; ///< attributes of the real tool: read and printed, not used by a simulation
-    bool runs_processes = false;        ///< processes can be placed on it; it must then be connected
+    std::vector<std::string> kept = {};   ///< attributes of the real tool: read and printed, not used by a simulation
+    Execution executes = Execution::none; ///< a node that executes processes must be connected
     /// Of a switch that has a link `config` by which it is set during the run: the kind of process that obeys what
     /// comes there. One can be placed on it, and no other process.
     std::string logic = "";
     bool passes_channels_on = false; ///< between other nodes; it then has the attribute "routecost"
-    /// Adds to the simulation what executes the processes placed on the node. Empty: they take no time.
-    std::function<NodeExecutive(Simulation&, const Node&)> make_executive = {};
     /// Why there can be no such node, of which each attribute by itself is fine; "" if there can. Empty: no reason.
     std::function<std::string(const Node&)> why_not = {};
     BusRole bus = BusRole::none;
-    std::function<hardware::VmeBus&(Simulation&, const Node&)> make_bus = {}; ///< where it is one
-    hardware::BusProgram bus_program = {};                                    ///< of a master
-    /// The same as make_executive, for nodes on a bus, where it differs.
-    std::function<NodeExecutive(Simulation&, const Node&)> make_executive_on_bus = {};
+    std::optional<Medium> medium = {};  ///< of one with slots
     std::vector<FaultKind> faults = {}; ///< that nodes of the kind can have, besides those of their links
-    std::int64_t crossing_delay = 0;    ///< of a bit that crosses it, in hundredths of a bit time
+    /// Names its tracks in a trace, as TraceSink::occupied does, besides processes and links. Empty: it has none.
+    std::function<std::vector<std::string>(const Network&, std::size_t node)> tracks = {};
+    /// Makes the device of a run. Empty: it does nothing of its own there.
+    std::function<std::unique_ptr<MachineNode>(MachineParts&, std::size_t node)> make = {};
     Drawing drawing = {};
 
     /// Null where there is none.
@@ -124,6 +134,8 @@ struct DeviceKind {
     bool is_master() const { return bus == BusRole::workstation || bus == BusRole::bus_master; }
     /// Whether a wire to its link `config` makes a program the one that sets it.
     bool is_set_by_link() const { return !logic.empty(); }
+    /// Says whether it executes in time wherever it is: processes, or a switch's logic.
+    bool has_executive() const { return executes == Execution::in_time || is_set_by_link(); }
     /// Whether attributes in parentheses may follow its name in a declaration.
     bool has_attributes() const { return !attributes.empty() || !kept.empty(); }
 };

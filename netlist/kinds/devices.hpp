@@ -21,4 +21,8 @@ DeviceKind link_adapter();
 /// A transputer on a bus, such as the BBK-V2.
 DeviceKind bus_master();
 
+/// All of them.
+inline constexpr DeviceKind (*known_devices[])() = {transputer, workstation,  crossbar,  edge,
+                                                    vme,        link_adapter, bus_master};
+
 } // namespace placedpar

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "netlist/kinds/device_kind.hpp"
+#include "runtime/time.hpp"
 
 #include <string>
 #include <vector>

@@ -1,9 +1,18 @@
 #include "netlist/kinds/description.hpp"
 #include "netlist/kinds/devices.hpp"
-#include "netlist/kinds/fault_kinds.hpp"
+#include "netlist/kinds/on_vme.hpp"
 #include "runtime/hardware/link_timing.hpp"
 
 namespace placedpar {
+
+namespace {
+
+struct AdapterNode final : MachineNode, OnVme {
+    using MachineNode::MachineNode;
+    FaultEffects suffer(const Fault& fault) override { return leave(*this, fault); }
+};
+
+} // namespace
 
 DeviceKind link_adapter() {
     return {
@@ -24,6 +33,7 @@ DeviceKind link_adapter() {
                         .json_name = "master"}},
         .bus = BusRole::adapter,
         .faults = {leaves_the_bus()},
+        .make = make_device<AdapterNode>,
         .drawing = {.frame = "#8a6d2b", .heading = "#f6ebcb", .legend = "link adapter"}};
 }
 

@@ -2,8 +2,7 @@
 #include "netlist/kinds/description.hpp"
 #include "netlist/kinds/devices.hpp"
 #include "netlist/kinds/fault_kinds.hpp"
-#include "runtime/hardware/processor.hpp"
-#include "runtime/simulation.hpp"
+#include "netlist/kinds/transputer_node.hpp"
 
 #include <fmt/format.h>
 
@@ -143,6 +142,10 @@ Cycles access_time(const Node& node) {
     return node.type == "T801" ? Memory::outside_of_a_t801 : Memory::outside;
 }
 
+hardware::Memory memory_of(const Node& node) {
+    return {.access = access_time(node), .bytes_in_a_word = has_short_words(node.type) ? 2 : 4};
+}
+
 /// An address has as many bits as a word (IMS T225 data sheet: 64 Kbytes).
 std::string what_it_cannot_address(const Node& node) {
     constexpr std::int64_t most = 64 * kilobyte;
@@ -152,21 +155,27 @@ std::string what_it_cannot_address(const Node& node) {
                        node.type);
 }
 
-hardware::Memory memory_of(const Node& node) {
-    return {.access = access_time(node), .bytes_in_a_word = has_short_words(node.type) ? 2 : 4};
-}
-
-NodeExecutive make_transputer(Simulation& simulation, const Node& node) {
-    auto& processor = simulation.add<hardware::Processor>(node.name, node.integer("clock"),
-                                                          Cycles{node.integer("channelcall")}, memory_of(node));
-    return {.executive = &processor,
-            .time_busy = [&processor] { return processor.time_busy(); },
-            .has_link = [&processor](hardware::Link& link) { processor.has_link(link); },
-            .memory_taken_by_links = [&processor] { return processor.memory_taken_by_links(); },
-            .suffer = [&processor](const Fault& halts) { processor.halt_at(begin_of(halts)); }};
-}
-
 } // namespace
+
+TransputerNode::TransputerNode(MachineParts& parts, std::size_t index)
+    : MachineNode(parts, index),
+      processor_(simulation().add<hardware::Processor>(node().name, node().integer("clock"),
+                                                       Cycles{node().integer("channelcall")}, memory_of(node()))) {}
+
+FaultEffects TransputerNode::suffer(const Fault& halts) {
+    processor_.halt_at(begin_of(halts));
+    return {};
+}
+
+void TransputerNode::report(MachineUse& use) const {
+    ProcessorUse row{node().name, node().type, processor_.time_busy(), processor_.memory_taken_by_links()};
+    if (const hardware::Router* router = router_if_any()) {
+        row.packets_passed_on = router->packets_passed_on();
+        auto cycles = static_cast<std::int64_t>(router->cycles_of_passing_on());
+        row.passing_on = cycles == 0 ? Time{0} : duration_of(cycles, node().integer("clock"));
+    }
+    use.processors.push_back(std::move(row));
+}
 
 DeviceKind transputer() {
     return {.name = "processor",
@@ -175,14 +184,14 @@ DeviceKind transputer() {
             .models = transputer_models(),
             .attributes = transputer_attributes(),
             .kept = kept_attributes(),
-            .runs_processes = true,
+            .executes = Execution::in_time,
             .passes_channels_on = true,
-            .make_executive = make_transputer,
             .why_not = what_it_cannot_address,
             .faults = {{.name = "halts",
                         .about = "from then on it executes nothing, and its links send nothing",
                         .attributes = {fault_begins()},
                         .silences_links = true}},
+            .make = make_device<TransputerNode>,
             .drawing = {.frame = "#3b5b7a", .heading = "#d5e3f0", .legend = "transputer with its processes"}};
 }
 

@@ -1,8 +1,12 @@
+#include "netlist/kinds/vme.hpp"
 #include "netlist/kinds/description.hpp"
 #include "netlist/kinds/devices.hpp"
 #include "netlist/kinds/fault_kinds.hpp"
 #include "runtime/hardware/vme_bus.hpp"
-#include "runtime/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
 
 namespace placedpar {
 
@@ -36,23 +40,30 @@ AttributeDescription request_level() {
     return {.value = description::integer("level", {.by_default = 3, .least = 0, .most = 3}, "of its request")};
 }
 
-hardware::Arbitration arbitration_of(const Node& node) {
-    const auto& arbiter = std::get<std::string>(node.attributes.at("arbiter"));
-    return arbiter == "RRS"   ? hardware::Arbitration::round_robin
-           : arbiter == "SGL" ? hardware::Arbitration::single_level
-                              : hardware::Arbitration::priority;
+/// What the master that hogs the bus needs: a level that there is, and a slot.
+std::string why_not_hogged(const Network& network, const Fault& hog) {
+    const Node& bus = network.nodes[hog.node];
+    auto others = std::ranges::count_if(network.faults,
+                                        [&](const Fault& each) { return each.link < 0 && each.node == hog.node; });
+    if (has_single_level(bus) && hog.integer("level") != 3)
+        return fmt::format("\"{}\" has the arbiter SGL: there is only level 3", bus.name);
+    if (free_slot(network, hog.node, static_cast<std::size_t>(others)) < 1)
+        return fmt::format("no slot of \"{}\" is free for the master that hogs it", bus.name);
+    return "";
 }
 
-Time nanoseconds_in(const Node& node, const char* attribute) {
-    return std::chrono::nanoseconds{node.integer(attribute)};
-}
-
-hardware::VmeBus& make_vme(Simulation& simulation, const Node& node) {
-    hardware::VmeTiming timing{.word = nanoseconds_in(node, "cycle"),
-                               .byte = nanoseconds_in(node, "bytecycle"),
-                               .arbitration = nanoseconds_in(node, "grant"),
-                               .time_out = nanoseconds_in(node, "timeout")};
-    return simulation.add<hardware::VmeBus>(node.name, arbitration_of(node), timing);
+/// The bus, then its masters, then those that hog it.
+std::vector<std::string> bus_tracks(const Network& network, std::size_t node) {
+    const std::string& bus = network.nodes[node].name;
+    std::vector<std::string> names{bus};
+    for (const BusAttachment& each : network.attachments)
+        if (each.bus == node && network.nodes[each.node].kind->is_master())
+            names.push_back(bus + " <- " + network.nodes[each.node].name);
+    std::size_t hogs = 0;
+    for (const Fault& each : network.faults)
+        if (each.link < 0 && each.node == node)
+            names.push_back(fmt::format("{} <- slot {}", bus, free_slot(network, node, hogs++)));
+    return names;
 }
 
 } // namespace
@@ -64,11 +75,13 @@ DeviceKind vme() {
                      "are placed on it are broadcast to adapters.",
             .models = {{.name = "VME"}},
             .attributes = bus_attributes(),
-            .bus = BusRole::is_bus,
-            .make_bus = make_vme,
+            .medium = Medium{.slots = vme_slots, .broadcasts = true, .takes = can_be_attached, .ways = ways_over_bus},
             .faults = {{.name = "hogged",
                         .about = "another master asks for the bus and does not let go of it",
-                        .attributes = {fault_begins(), fault_must_end(), request_level()}}},
+                        .attributes = {fault_begins(), fault_must_end(), request_level()},
+                        .why_not = why_not_hogged}},
+            .tracks = bus_tracks,
+            .make = make_vme,
             .drawing = {.frame = "#8a4b2b", .heading = "#f6dccb", .legend = "bus"}};
 }
 

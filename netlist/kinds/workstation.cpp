@@ -1,8 +1,8 @@
 #include "runtime/hardware/workstation.hpp"
 #include "netlist/kinds/computer.hpp"
 #include "netlist/kinds/devices.hpp"
+#include "netlist/kinds/on_vme.hpp"
 #include "runtime/hardware/bus_programs.hpp"
-#include "runtime/simulation.hpp"
 
 namespace placedpar {
 
@@ -11,13 +11,23 @@ namespace {
 /// As many links as are used, up to this.
 constexpr int most_workstation_links = 1 << 20;
 
-NodeExecutive make_on_bus(Simulation& simulation, const Node& node) {
-    auto& workstation = simulation.add<hardware::Workstation>(node.name, node.integer("clock"));
-    return {.executive = &workstation,
-            .time_busy = [&workstation] { return workstation.time_busy(); },
-            .has_link = [](hardware::Link&) {},
-            .memory_taken_by_links = [] { return Time{0}; }};
-}
+class WorkstationNode : public MachineNode, public OnVme {
+public:
+    WorkstationNode(MachineParts& parts, std::size_t index) : MachineNode(parts, index) {
+        program = hardware::bus_programs::sun_3_280;
+        if (is_on_bus(network(), index))
+            computer_ = &simulation().add<hardware::Workstation>(node().name, node().integer("clock"));
+    }
+
+    Executive* executive() override { return computer_; }
+    void report(MachineUse& use) const override {
+        if (computer_)
+            use.processors.push_back({node().name, node().type, computer_->time_busy(), Time{0}});
+    }
+
+private:
+    hardware::Workstation* computer_ = nullptr; ///< null: it is on no bus, and its processes take no time
+};
 
 } // namespace
 
@@ -29,10 +39,9 @@ DeviceKind workstation() {
             .models = {{.name = "workstation", .links = most_workstation_links}},
             .attributes = computer_attributes(),
             .kept = attributes_of_the_real_tool(),
-            .runs_processes = true,
+            .executes = Execution::in_time_on_a_bus,
             .bus = BusRole::workstation,
-            .bus_program = hardware::bus_programs::sun_3_280,
-            .make_executive_on_bus = make_on_bus,
+            .make = make_device<WorkstationNode>,
             .drawing = {.frame = "#7a6a3b", .heading = "#f3e9c9", .in_first_row = true, .legend = "workstation"}};
 }
 

@@ -30,18 +30,6 @@ bool is_on_bus(const Network& network, std::size_t node) {
     return std::ranges::find(network.attachments, node, &BusAttachment::node) != network.attachments.end();
 }
 
-int free_slot(const Network& network, std::size_t bus, std::size_t taken) {
-    constexpr int slots = 21;
-    int slot = slots;
-    for (; slot >= 1; --slot) {
-        bool used = std::ranges::any_of(
-            network.attachments, [&](const BusAttachment& each) { return each.bus == bus && each.slot == slot; });
-        if (!used && taken-- == 0)
-            break;
-    }
-    return slot;
-}
-
 bool is_set_at_run_time(const Network& network, std::size_t node) {
     LinkEnd config{node, configuration_link};
     return std::ranges::any_of(network.connections,

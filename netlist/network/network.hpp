@@ -218,10 +218,6 @@ struct Network {
 /// Whether a wire leads to the switch's configuration link.
 bool is_set_at_run_time(const Network& network, std::size_t node);
 
-/// The highest slot of the bus in which nothing is, but for so many that are taken from there downwards; less than 1 if
-/// there is none.
-int free_slot(const Network& network, std::size_t bus, std::size_t taken);
-
 bool is_on_bus(const Network& network, std::size_t node);
 
 /// "t[0].link[2]", "sun.bus[0]", or the name of an edge.

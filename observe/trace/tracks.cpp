@@ -3,13 +3,10 @@
 #include "netlist/kinds/device_kind.hpp"
 #include "runtime/executive.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
-#include <map>
 #include <numeric>
-#include <set>
+#include <utility>
 
 namespace placedpar {
 
@@ -32,8 +29,8 @@ Tracks::Tracks(const Network& network) {
         add(network.processes[i].name, {network.processes[i].node, Track::Kind::process, i, {}});
     for (std::size_t i = 0, wires = network.count_wires(); i < wires; ++i)
         add_links(network, i);
-    add_buses(network);
-    add_switches(network);
+    for (std::size_t i = 0; i < network.nodes.size(); ++i)
+        add_tracks_of(network, i);
     number_as_drawn();
 }
 
@@ -44,32 +41,11 @@ void Tracks::add_links(const Network& network, std::size_t index) {
     add(b + " -> " + a, {connection.b.node, Track::Kind::link, index, {1}});
 }
 
-void Tracks::add_buses(const Network& network) {
-    for (std::size_t i = 0; i < network.nodes.size(); ++i)
-        if (network.nodes[i].kind->bus == BusRole::is_bus)
-            add(network.nodes[i].name, {i, Track::Kind::bus, 0, {}});
-    for (std::size_t i = 0; i < network.attachments.size(); ++i)
-        if (const BusAttachment& each = network.attachments[i]; network.nodes[each.node].kind->is_master())
-            add(network.nodes[each.bus].name + " <- " + network.nodes[each.node].name,
-                {each.bus, Track::Kind::bus, i + 1, {}});
-    std::map<std::size_t, std::size_t> hogs; // of each bus
-    for (std::size_t i = 0; i < network.faults.size(); ++i)
-        if (std::size_t bus = network.faults[i].node;
-            network.faults[i].link < 0 && network.nodes[bus].kind->bus == BusRole::is_bus)
-            add(fmt::format("{} <- slot {}", network.nodes[bus].name, free_slot(network, bus, hogs[bus]++)),
-                {bus, Track::Kind::bus, network.attachments.size() + i + 1, {}});
-}
-
-/// The outputs of a switch that a program sets: each says what it puts out.
-void Tracks::add_switches(const Network& network) {
-    std::set<std::pair<std::size_t, int>> outputs;
-    for (const LinkConnection& connection : network.connections)
-        for (const SwitchCrossing& crossing : connection.crossings)
-            if (connection.at_run_time && is_set_at_run_time(network, crossing.node))
-                for (int link : {crossing.from_link, crossing.to_link})
-                    outputs.emplace(crossing.node, link);
-    for (auto [node, link] : outputs)
-        add(link_name(network.nodes, {node, link}), {node, Track::Kind::bus, static_cast<std::size_t>(link), {}});
+void Tracks::add_tracks_of(const Network& network, std::size_t node) {
+    const DeviceKind& kind = *network.nodes[node].kind;
+    std::size_t number = 0;
+    for (std::string& name : kind.tracks ? kind.tracks(network, node) : std::vector<std::string>{})
+        add(std::move(name), {node, Track::Kind::bus, number++, {}});
 }
 
 void Tracks::number_as_drawn() {

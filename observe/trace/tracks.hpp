@@ -16,8 +16,8 @@ namespace placedpar {
 /// A line of the picture that a trace draws.
 struct Track {
     /// Of a node, in the order in which they are drawn: what its processor executes; the processes that the netlist
-    /// places on it; those of the machine that serve its links; what leaves it over each link;
-    /// of a bus, who has it, and when each of its masters waits for it.
+    /// places on it; those of the machine that serve its links; what leaves it over each link; of a device with tracks
+    /// of its own (DeviceKind::tracks), as of a bus, what occupies each of them.
     enum class Kind { processor, process, machine_process, link, bus };
     /// Where it is drawn: by node and kind, then as the netlist declares them; a process is followed by the components
     /// of its PARs.
@@ -59,8 +59,7 @@ public:
 private:
     std::size_t add(std::string name, Track::Place);
     void add_links(const Network&, std::size_t connection);
-    void add_buses(const Network&);
-    void add_switches(const Network&);
+    void add_tracks_of(const Network&, std::size_t node);
     void number_as_drawn();
     void add_component(const Process&, const std::string& path);
     bool add_machine_process(const Process&, const std::string& path);

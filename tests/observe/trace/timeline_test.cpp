@@ -64,7 +64,7 @@ using Lines = std::vector<std::string>;
 Network on_one_node(const std::vector<std::string>& processes) {
     Network network;
     DeviceKind kind;
-    kind.make_executive = [](Simulation&, const Node&) { return NodeExecutive{}; };
+    kind.executes = Execution::in_time;
     Node node;
     node.name = "t";
     node.kind = std::make_shared<const DeviceKind>(kind);

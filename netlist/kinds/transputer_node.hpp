@@ -1,0 +1,22 @@
+#pragma once
+
+#include "netlist/kinds/machine_node.hpp"
+#include "runtime/hardware/processor.hpp"
+
+namespace placedpar {
+
+/// A transputer in a run: a processor whose links' engines use its memory.
+class TransputerNode : public MachineNode {
+public:
+    TransputerNode(MachineParts&, std::size_t node);
+
+    Executive* executive() override { return &processor_; }
+    void has_link(hardware::Link& link) override { processor_.has_link(link); }
+    FaultEffects suffer(const Fault&) override;
+    void report(MachineUse&) const override;
+
+private:
+    hardware::Processor& processor_;
+};
+
+} // namespace placedpar
