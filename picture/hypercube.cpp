@@ -163,18 +163,13 @@ void draw_cube(SvgPen& pen, const DrawnHypercube& cube, At corner) {
     }
 }
 
-void draw_legend(SvgPen& pen, const VertexLegend& legend, At at) {
+/// Returns its right end.
+double draw_legend(SvgPen& pen, const VertexLegend& legend, At at) {
     for (const auto& [look, words] : legend) {
         pen.add(vertex_symbol(at, look, "")).text(at + At{vertex_radius + 8, 4.5}, "line", words);
         at.x += vertex_radius * 2 + 36 + 6.6 * static_cast<double>(words.size());
     }
-}
-
-double legend_width_of(const VertexLegend& legend) {
-    double width = cube_margin;
-    for (const auto& [look, words] : legend)
-        width += vertex_radius * 2 + 36 + 6.6 * static_cast<double>(words.size());
-    return width;
+    return at.x + 26;
 }
 
 void require_drawable(const std::vector<DrawnHypercube>& cubes) {
@@ -191,7 +186,7 @@ std::string draw_hypercubes(const std::string& title, const std::vector<DrawnHyp
     require_drawable(cubes);
     SvgPen pen;
     pen.text({12, 27}, "title", title);
-    At corner{0, caption}, end{legend_width_of(legend), caption};
+    At corner{0, caption}, end{0, caption};
     double row_height = 0;
     for (std::size_t i = 0; i < cubes.size(); ++i) {
         if (i > 0 && i % columns == 0)
@@ -203,8 +198,8 @@ std::string draw_hypercubes(const std::string& title, const std::vector<DrawnHyp
         end = {std::max(end.x, corner.x), corner.y + row_height};
     }
     double height = end.y + (legend.empty() ? 12 : legend_height + 12);
-    draw_legend(pen, legend, {30, end.y + legend_height / 2});
-    return pen.document({{end.x / 2, height / 2}, end.x, height}, hypercube_style, head_of_moves);
+    double width = std::max(end.x, draw_legend(pen, legend, {30, end.y + legend_height / 2}));
+    return pen.document({{width / 2, height / 2}, width, height}, hypercube_style, head_of_moves);
 }
 
 } // namespace placedpar

@@ -53,30 +53,24 @@ constexpr const char* style_of_faults =
 .fault text { font-size: 10px; font-weight: bold; text-anchor: middle; }
 )";
 
-SvgPen crossed_box(const Box& box, const SvgAttributes& attributes, const std::string& colour) {
-    return SvgPen()
-        .rect(box, attributes)
-        .path(svg_corners({{box.left(), box.top()}, {box.right(), box.bottom()}}) + " " +
-                  svg_corners({{box.left(), box.bottom()}, {box.right(), box.top()}}),
-              {{"class", "cross"}, {"stroke", colour}});
-}
-
 SvgPen frame(const Box& box, const Drawing& drawing) {
     SvgAttributes colours{{"class", "frame"}, {"stroke", drawing.frame}}, filled = colours;
     filled.emplace_back("style", "fill: " + drawing.heading);
+    std::string cross = svg_corners({{box.left(), box.top()}, {box.right(), box.bottom()}}) + " " +
+                        svg_corners({{box.left(), box.bottom()}, {box.right(), box.top()}});
+    SvgPen pen;
     switch (drawing.shape) {
-    case Drawing::Shape::crossed_box: return crossed_box(box, filled, drawing.frame);
-    case Drawing::Shape::ellipse: return SvgPen().ellipse(box, colours);
+    case Drawing::Shape::crossed_box:
+        return pen.rect(box, filled).path(cross, {{"class", "cross"}, {"stroke", drawing.frame}});
+    case Drawing::Shape::ellipse: return pen.ellipse(box.centre, box.width / 2, box.height / 2, colours);
     case Drawing::Shape::box: break;
     }
-    const char* rounded = drawing.in_first_row ? "10" : "";
-    colours.emplace_back("rx", rounded), filled.emplace_back("rx", rounded);
+    const SvgAttribute rounded{"rx", drawing.in_first_row ? "10" : ""};
+    colours.push_back(rounded), filled.push_back(rounded);
     if (box.height < heading_height + process_height)
-        return SvgPen().rect(box, filled);
+        return pen.rect(box, filled);
     Box heading{{box.centre.x, box.top() + 18}, box.width, 36};
-    return SvgPen()
-        .rect(box, colours)
-        .rect(heading, {{"fill", drawing.heading}, {"stroke", drawing.frame}, {"rx", rounded}});
+    return pen.rect(box, colours).rect(heading, {{"fill", drawing.heading}, {"stroke", drawing.frame}, rounded});
 }
 
 /// A line that turns its corners in curves.
@@ -154,20 +148,15 @@ private:
     void print_mark(const FaultMark& mark) {
         std::string struck =
             mark.wire ? data_of(picture_.wires[*mark.wire]) : outline_of(grown(picture_.nodes[*mark.node].box, 3));
-        pen_.group({{"class", "fault"}},
-                   SvgPen()
-                       .path(struck, {{"class", "struck"}})
-                       .rect(mark.box, {{"rx", "3"}})
-                       .text({mark.box.centre.x, mark.box.centre.y + 3.5}, "mark", mark.text),
-                   mark.statement);
+        SvgPen strike;
+        strike.path(struck, {{"class", "struck"}}).rect(mark.box, {{"rx", "3"}});
+        strike.text({mark.box.centre.x, mark.box.centre.y + 3.5}, "mark", mark.text);
+        pen_.group({{"class", "fault"}}, strike, mark.statement);
     }
 
     static std::string outline_of(const Box& box) {
-        return svg_corners({{box.left(), box.top()},
-                            {box.right(), box.top()},
-                            {box.right(), box.bottom()},
-                            {box.left(), box.bottom()}}) +
-               " Z";
+        double left = box.left(), right = box.right(), top = box.top(), bottom = box.bottom();
+        return svg_corners({{left, top}, {right, top}, {right, bottom}, {left, bottom}}) + " Z";
     }
 
     std::string title_of() const {
@@ -234,8 +223,8 @@ private:
         std::string about = view_ == View::software || wire.bits_per_second == 0
                                 ? ends
                                 : fmt::format("{}, {:g} Mbit/s", ends, static_cast<double>(wire.bits_per_second) / 1e6);
-        pen_.path(data_of(picture_.wires[index]),
-                  {{"class", carried_[index].empty() ? "wire idle" : "wire"}, {"data-wire", ends}},
+        const char* style_class = carried_[index].empty() ? "wire idle" : "wire";
+        pen_.path(data_of(picture_.wires[index]), {{"class", style_class}, {"data-wire", ends}},
                   about + carried_[index]);
         if (view_ == View::software)
             print_heads(index);

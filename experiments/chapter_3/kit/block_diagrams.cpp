@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace placedpar {
@@ -43,22 +42,14 @@ struct Block {
     Place bottom() const { return {at.x + width / 2, at.y + block_height}; }
 };
 
-/// Where the first of the lines stands, for all to be in the middle.
-double first_line(const Block& block) {
-    return block.at.y + block_height / 2 + 5 - (static_cast<int>(block.lines.size()) - 1) * line_height / 2;
-}
-
 /// A picture that grows.
 class Diagram {
 public:
-    Diagram(double width, double height, std::string title) : width_(width), height_(height), title_(std::move(title)) {
-        pen_.text({margin, 30}, "title", title_);
-    }
-
     Block add(const Block& block) {
         pen_.rect({{block.at.x + block.width / 2, block.at.y + block_height / 2}, block.width, block_height},
                   {{"class", block.plant ? "block plant" : "block"}, {"rx", "4"}});
-        double y = first_line(block);
+        // Where the first of the lines stands, for all to be in the middle.
+        double y = block.at.y + block_height / 2 + 5 - (static_cast<int>(block.lines.size()) - 1) * line_height / 2;
         for (std::string_view line : block.lines) {
             pen_.text({block.at.x + block.width / 2, y}, "inside", line);
             y += line_height;
@@ -74,13 +65,12 @@ public:
             pen_.text(corners[named_at] + Place{7, -6}, "signal", signal);
     }
 
-    std::string finish() const {
-        return pen_.document({{width_ / 2, height_ / 2}, width_, height_}, block_style, head_of_wires, title_);
+    std::string finish(double height, const std::string& title) {
+        pen_.text({margin, 30}, "title", title);
+        return pen_.document({{450, height / 2}, 900, height}, block_style, head_of_wires, title);
     }
 
 private:
-    double width_, height_;
-    std::string title_;
     picture::SvgPen pen_;
 };
 
@@ -88,7 +78,7 @@ private:
 
 std::string draw_figure_3_4() {
     constexpr int row = 84, first = title_room + 10;
-    Diagram diagram(900, first + 4 * row + 6, "Figure 3.4: from the measured data to the genetic algorithm");
+    Diagram diagram;
     auto y = [](int number) -> double { return first + number * row; };
     const Block pressure = diagram.add({{200, y(0)}, 190, {"line of 5 samples", "by least squares"}});
     const Block angle = diagram.add({{200, y(1)}, 190, {"line of 5 samples", "by least squares"}});
@@ -108,12 +98,12 @@ std::string draw_figure_3_4() {
     diagram.wire({pressure.right(), {805, pressure.right().y}, search.top()}, "P_BOi and dP_BOi/dt [psi/s]");
     diagram.wire({piston.right(), search.left()}, "A_i dX/dt");
     diagram.wire({orifices.right(), {805, orifices.right().y}, search.bottom()}, "a_i, a_e [in²]");
-    return diagram.finish();
+    return diagram.finish(first + 4 * row + 6, "Figure 3.4: from the measured data to the genetic algorithm");
 }
 
 std::string draw_figure_3_7() {
     constexpr int first = title_room + 12, row = 110;
-    Diagram diagram(900, first + 3 * row, "Figure 3.7: identification, and the simulator that checks it");
+    Diagram diagram;
     const Block excavator = diagram.add({{230, first}, 150, {"excavator"}, true});
     const Block search = diagram.add({{560, first}, 150, {"genetic algorithm", "(Figure 3.4)"}});
     const Block other = diagram.add({{230, first + 2 * row - 20}, 150, {"excavator,", "another motion"}, true});
@@ -130,7 +120,7 @@ std::string draw_figure_3_7() {
                  2);
     diagram.wire({simulator.bottom(), comparison.top()});
     diagram.wire({comparison.right(), {876, comparison.right().y}}, "difference");
-    return diagram.finish();
+    return diagram.finish(first + 3 * row, "Figure 3.7: identification, and the simulator that checks it");
 }
 
 } // namespace placedpar

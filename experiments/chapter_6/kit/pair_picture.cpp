@@ -8,7 +8,7 @@ namespace placedpar {
 
 namespace {
 
-using picture::SvgPen;
+using picture::SvgPen, picture::svg_corners;
 
 constexpr double string_left = 250, bit_width = 17, field_gap = 8, row_height = 26, box_left = 20, box_width = 200;
 constexpr double coarse_row = 80, problem_row = 230, fine_row = 380, picture_height = 470;
@@ -27,10 +27,6 @@ constexpr const char* pair_style = R"(text { font-size: 13px; }
 
 constexpr const char* arrow_head = R"(<marker id="head" markerWidth="9" markerHeight="8" refX="8" refY="4" )"
                                    R"(orient="auto"><path d="M0,0 L9,4 L0,8 Z" fill="#445566"/></marker>)";
-
-void pair_arrow(SvgPen& pen, picture::Point from, picture::Point to) {
-    pen.path(picture::svg_corners({from, to}), {{"class", "arrow"}});
-}
 
 /// Its middle at this height.
 void pair_box(SvgPen& pen, double y, const std::string& name, const std::string& about) {
@@ -93,12 +89,12 @@ std::vector<PairField> pair_fields(const CoarseFineSettings& settings, const std
 /// What goes from one to the other. `right` is where the strings end.
 void both_ways(SvgPen& pen, double right) {
     double middle = (string_left + right) / 2, below = problem_row + row_height, answer = fine_row + row_height / 2;
-    pair_arrow(pen, {middle, coarse_row + row_height}, {middle, problem_row - 6});
+    pen.path(svg_corners({{middle, coarse_row + row_height}, {middle, problem_row - 6}}), {{"class", "arrow"}});
     pen.text({middle + 10, (coarse_row + problem_row + row_height) / 2 + 4}, "",
              "best of the generation, its other bits 0");
-    pair_arrow(pen, {middle, below}, {middle, fine_row - 6});
+    pen.path(svg_corners({{middle, below}, {middle, fine_row - 6}}), {{"class", "arrow"}});
     pen.text({middle + 10, (below + fine_row) / 2 + 4}, "", "bias point: around it, in steps of the last bit");
-    pair_arrow(pen, {right, answer}, {right + 46, answer});
+    pen.path(svg_corners({{right, answer}, {right + 46, answer}}), {{"class", "arrow"}});
     pen.text({right + 52, answer + 5}, "", "answer");
 }
 
@@ -106,8 +102,8 @@ void both_ways(SvgPen& pen, double right) {
 void window_of(SvgPen& pen, const CoarseFineSettings& settings) {
     double middle = box_left + box_width / 2, row = problem_row + row_height / 2;
     pair_box(pen, row, "window", fmt::format("newest {} samples", settings.coarse.window.length));
-    pair_arrow(pen, {middle, row - 28}, {middle, coarse_row + row_height / 2 + 30});
-    pair_arrow(pen, {middle, row + 28}, {middle, fine_row + row_height / 2 - 30});
+    pen.path(svg_corners({{middle, row - 28}, {middle, coarse_row + row_height / 2 + 30}}), {{"class", "arrow"}});
+    pen.path(svg_corners({{middle, row + 28}, {middle, fine_row + row_height / 2 - 30}}), {{"class", "arrow"}});
 }
 
 } // namespace
