@@ -101,53 +101,51 @@ bool is_spanned(const DrawnHypercube& cube, std::uint32_t from, std::uint32_t to
 /// One drawing, whose vertex 0 stands at a point.
 class CubeDrawing {
 public:
-    CubeDrawing(const DrawnHypercube& cube, At zero) : cube_(cube), zero_(zero) {}
-
-    SvgPen drawn() const { return links().add(moves()).add(vertices()); }
+    CubeDrawing(SvgPen& pen, const DrawnHypercube& cube, At zero) : pen_(pen), cube_(cube), zero_(zero) {
+        links("link");
+        links("spanned");
+        moves();
+        vertices();
+    }
 
 private:
     At at(std::uint32_t vertex) const { return zero_ + vertex_offset(vertex, cube_.dimensions); }
     std::uint32_t count() const { return 1u << cube_.dimensions; }
 
-    SvgPen links() const {
-        SvgPen thin, thick;
+    void links(const std::string& style_class) {
         for (std::uint32_t from = 0; from < count(); ++from)
             for (std::uint32_t bit = 1; bit < count(); bit <<= 1)
-                if ((from & bit) == 0) {
-                    bool spanned = is_spanned(cube_, from, from | bit);
-                    (spanned ? thick : thin).line(at(from), at(from | bit), {{"class", spanned ? "spanned" : "link"}});
-                }
-        return thin.add(thick);
+                if ((from & bit) == 0 && is_spanned(cube_, from, from | bit) == (style_class == "spanned"))
+                    pen_.line(at(from), at(from | bit), {{"class", style_class}});
     }
 
-    SvgPen moves() const {
-        SvgPen out;
+    void moves() {
         for (auto [from, to] : cube_.moves) {
             At way = at(to) - at(from);
             At unit = (1 / std::max(distance({}, way), 1.0)) * way;
             // Bent to the side, so that two ways between the same vertices do not lie on each other.
             At start = at(from) + vertex_radius * unit, end = at(to) - (vertex_radius + 5) * unit;
             At bend = at(from) + 0.5 * way + 22 * At{-unit.y, unit.x};
-            out.path("M" + svg_point(start) + " Q" + svg_point(bend) + " " + svg_point(end),
-                     {{"class", "move"}, {"marker-end", "url(#arrow)"}});
+            pen_.path("M" + svg_point(start) + " Q" + svg_point(bend) + " " + svg_point(end),
+                      {{"class", "move"}, {"marker-end", "url(#arrow)"}});
         }
-        return out;
     }
 
-    SvgPen vertices() const {
-        SvgPen out, notes;
+    void vertices() {
+        SvgPen notes;
         for (std::uint32_t vertex = 0; vertex < count(); ++vertex) {
             auto drawn = std::ranges::find(cube_.vertices, vertex, &DrawnVertex::number);
             bool empty = drawn == cube_.vertices.end();
-            out.add(vertex_symbol(at(vertex), empty ? VertexLook::empty : drawn->look, fmt::format("{}", vertex)));
-            out.text(at(vertex) + At{0, vertex_radius + 12}, "bits over",
-                     fmt::format("{:0{}b}", vertex, cube_.dimensions));
+            pen_.add(vertex_symbol(at(vertex), empty ? VertexLook::empty : drawn->look, fmt::format("{}", vertex)));
+            pen_.text(at(vertex) + At{0, vertex_radius + 12}, "bits over",
+                      fmt::format("{:0{}b}", vertex, cube_.dimensions));
             if (!empty && !drawn->note.empty())
                 notes.text(at(vertex) + At{vertex_radius, -vertex_radius + 1}, "note over", drawn->note);
         }
-        return out.add(notes);
+        pen_.add(notes);
     }
 
+    SvgPen& pen_;
     const DrawnHypercube& cube_;
     At zero_;
 };
@@ -155,7 +153,7 @@ private:
 void draw_cube(SvgPen& pen, const DrawnHypercube& cube, At corner) {
     CubeArea area = area_of(cube.dimensions, cube.lines.size());
     pen.text(corner + At{12, 24}, "caption", cube.title);
-    pen.add(CubeDrawing(cube, corner + area.zero).drawn());
+    CubeDrawing(pen, cube, corner + area.zero);
     double y = area.height - text_line * static_cast<double>(cube.lines.size()) + 4;
     for (const std::string& line : cube.lines) {
         pen.text(corner + At{12, y}, "line", line);

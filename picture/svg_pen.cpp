@@ -9,19 +9,6 @@
 
 namespace placedpar::picture {
 
-namespace {
-
-/// What is shown while the mouse rests on an element; it may have several lines.
-std::string title_of(std::string_view text) {
-    std::string lines;
-    for (std::size_t end = 0; (end = text.find('\n')) != std::string_view::npos; text.remove_prefix(end + 1))
-        lines += as_markup(text.substr(0, end)) + "\n";
-    lines += as_markup(text);
-    return lines.empty() ? "" : "<title>" + lines + "</title>";
-}
-
-} // namespace
-
 std::string svg_number(double length) { return fmt::format("{}", std::round(length * 10) / 10 + 0.0); }
 
 std::string svg_corners(const std::vector<Point>& corners) {
@@ -31,8 +18,12 @@ std::string svg_corners(const std::vector<Point>& corners) {
     return data;
 }
 
-SvgPen& SvgPen::path(const std::string& data, const SvgAttributes& attributes, std::string_view tooltip) {
-    return element("path", attributes, {{"d", data}}, title_of(tooltip));
+std::string SvgPen::title_of(std::string_view text) {
+    std::string lines;
+    for (std::size_t end = 0; (end = text.find('\n')) != std::string_view::npos; text.remove_prefix(end + 1))
+        lines += as_markup(text.substr(0, end)) + "\n";
+    lines += as_markup(text);
+    return lines.empty() ? "" : "<title>" + lines + "</title>";
 }
 
 SvgPen& SvgPen::text(Point at, const std::string& style_class, std::string_view text) {

@@ -39,7 +39,9 @@ public:
     SvgPen& line(Point from, Point to, const SvgAttributes& more = {}) {
         return element("line", {{"x1", from.x}, {"y1", from.y}, {"x2", to.x}, {"y2", to.y}}, more);
     }
-    SvgPen& path(const std::string& data, const SvgAttributes& = {}, std::string_view tooltip = "");
+    SvgPen& path(const std::string& data, const SvgAttributes& attributes = {}, std::string_view tooltip = "") {
+        return element("path", attributes, {{"d", data}}, title_of(tooltip));
+    }
     SvgPen& text(Point at, const std::string& style_class, std::string_view text);
     SvgPen& group(const SvgAttributes&, const SvgPen& contents, std::string_view tooltip = "");
     SvgPen& add(const SvgPen& other);
@@ -49,6 +51,8 @@ public:
                          const std::string& title = "") const;
 
 private:
+    /// What is shown while the mouse rests on an element; it may have several lines.
+    static std::string title_of(std::string_view text);
     SvgPen& element(const char* tag, const SvgAttributes&, const SvgAttributes& more, const std::string& contents = "");
 
     std::vector<std::string> elements_;

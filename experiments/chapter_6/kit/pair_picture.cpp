@@ -35,13 +35,6 @@ void pair_box(SvgPen& pen, double y, const std::string& name, const std::string&
     pen.text(box.centre - picture::Point{0, 6}, "name", name).text(box.centre + picture::Point{0, 14}, "middle", about);
 }
 
-/// A search, beside the row of its string.
-void search_box(SvgPen& pen, double row, const std::string& name, const SearchSettings& settings,
-                const Recoding& reading) {
-    pair_box(pen, row + row_height / 2, name,
-             fmt::format("{} strings of {} bits", settings.population, reading.length()));
-}
-
 /// `count` bits of a field, from its bit number `first` on.
 void bit_cells(SvgPen& pen, double left, std::size_t first, std::size_t count, double y, const std::string& look) {
     for (std::size_t i = first; i < first + count; ++i)
@@ -57,7 +50,6 @@ struct PairField {
     std::size_t bits, coarse, fine;
 
     double middle() const { return left + bit_width * static_cast<double>(bits) / 2; }
-    bool found_by_itself() const { return fine == bits; }
 
     void draw(SvgPen& pen) const {
         bit_cells(pen, left, 0, coarse, coarse_row, "coarse");
@@ -71,7 +63,7 @@ struct PairField {
 private:
     std::string steps() const {
         std::size_t below = std::size_t{1} << (fine - 1);
-        return found_by_itself() ? "all" : fmt::format("−{} ... +{}", below, below - 1);
+        return fine == bits ? "all" : fmt::format("−{} ... +{}", below, below - 1);
     }
 };
 
@@ -98,14 +90,6 @@ void both_ways(SvgPen& pen, double right) {
     pen.text({right + 52, answer + 5}, "", "answer");
 }
 
-/// The record's window, which both evaluate over.
-void window_of(SvgPen& pen, const CoarseFineSettings& settings) {
-    double middle = box_left + box_width / 2, row = problem_row + row_height / 2;
-    pair_box(pen, row, "window", fmt::format("newest {} samples", settings.coarse.window.length));
-    pen.path(svg_corners({{middle, row - 28}, {middle, coarse_row + row_height / 2 + 30}}), {{"class", "arrow"}});
-    pen.path(svg_corners({{middle, row + 28}, {middle, fine_row + row_height / 2 - 30}}), {{"class", "arrow"}});
-}
-
 } // namespace
 
 std::string draw_pair(const CoarseFineSettings& settings, const std::vector<std::string>& fields) {
@@ -113,16 +97,22 @@ std::string draw_pair(const CoarseFineSettings& settings, const std::vector<std:
     fine.bits = settings.fine_bits;
     SvgPen pen;
     pen.text({20, 30}, "title", "A coarse and a fine genetic algorithm (Figure 6.6)");
-    search_box(pen, coarse_row, "coarse", settings.coarse, settings.coarse_reading);
-    search_box(pen, fine_row, "fine", settings.fine, fine);
-    window_of(pen, settings);
+    auto strings_of = [](const SearchSettings& search, const Recoding& reading) {
+        return fmt::format("{} strings of {} bits", search.population, reading.length());
+    };
+    const double half = row_height / 2, middle = box_left + box_width / 2, window = problem_row + half;
+    pair_box(pen, coarse_row + half, "coarse", strings_of(settings.coarse, settings.coarse_reading));
+    pair_box(pen, fine_row + half, "fine", strings_of(settings.fine, fine));
+    pair_box(pen, window, "window", fmt::format("newest {} samples", settings.coarse.window.length));
+    pen.path(svg_corners({{middle, window - 28}, {middle, coarse_row + half + 30}}), {{"class", "arrow"}});
+    pen.path(svg_corners({{middle, window + 28}, {middle, fine_row + half - 30}}), {{"class", "arrow"}});
     double right = string_left;
     for (const PairField& field : pair_fields(settings, fields)) {
         field.draw(pen);
         right = field.left + bit_width * static_cast<double>(field.bits);
     }
     both_ways(pen, right);
-    pen.text({right + 8, problem_row + row_height / 2 + 5}, "",
+    pen.text({right + 8, window + 5}, "",
              fmt::format("{} bits of the problem", settings.coarse_reading.problem_length()));
     double width = right + 170;
     return pen.document({{width / 2, picture_height / 2}, width, picture_height}, pair_style, arrow_head);
