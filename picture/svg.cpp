@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <set>
 #include <utility>
@@ -86,10 +85,9 @@ std::string curved(const Path& path) {
 }
 
 /// Of an arrow, where a line ends.
-SvgPen arrow_head(Point before, Point tip) {
+std::string arrow_head(Point before, Point tip) {
     Point along = 1 / distance(before, tip) * (tip - before), aside{-along.y, along.x};
-    return SvgPen().path(svg_corners({tip, tip + -9 * along + 4 * aside, tip + -9 * along + -4 * aside}) + " Z",
-                         {{"class", "head"}});
+    return svg_corners({tip, tip + -9 * along + 4 * aside, tip + -9 * along + -4 * aside}) + " Z";
 }
 
 /// Points to the right, below, to the left or above; about 7 pixels long.
@@ -235,9 +233,9 @@ private:
         const Path& path = picture_.wires[index].spans.front();
         auto [onward, back] = directions_[index];
         if (onward)
-            pen_.add(arrow_head(path[path.size() - 2], path.back()));
+            pen_.path(arrow_head(path[path.size() - 2], path.back()), {{"class", "head"}});
         if (back)
-            pen_.add(arrow_head(path[1], path.front()));
+            pen_.path(arrow_head(path[1], path.front()), {{"class", "head"}});
     }
 
     /// Within a switch, a straight line leads from one link to the other.
@@ -338,9 +336,9 @@ private:
     void add_channels_to_legend() {
         if (carried_.empty())
             return;
-        add_to_legend(40, line_across("wire").add(arrow_head({0, 0}, {36, 0})), "channel");
-        add_to_legend(40, line_across("wire").add(arrow_head({0, 0}, {36, 0})).add(arrow_head({36, 0}, {0, 0})),
-                      "a channel each way");
+        SvgPen one_way = line_across("wire").path(arrow_head({0, 0}, {36, 0}), {{"class", "head"}});
+        add_to_legend(40, one_way, "channel");
+        add_to_legend(40, one_way.path(arrow_head({36, 0}, {0, 0}), {{"class", "head"}}), "a channel each way");
         add_to_legend(36, SvgPen().text({16, 3}, "link", "name"), "of the sender's port");
     }
 

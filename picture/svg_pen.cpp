@@ -1,7 +1,5 @@
 #include "picture/svg_pen.hpp"
 
-#include "text/utf8.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -24,10 +22,6 @@ std::string SvgPen::title_of(std::string_view text) {
         lines += as_markup(text.substr(0, end)) + "\n";
     lines += as_markup(text);
     return lines.empty() ? "" : "<title>" + lines + "</title>";
-}
-
-SvgPen& SvgPen::text(Point at, const std::string& style_class, std::string_view text) {
-    return element("text", {{"class", style_class}}, {{"x", at.x}, {"y", at.y}}, as_markup(text));
 }
 
 SvgPen& SvgPen::group(const SvgAttributes& attributes, const SvgPen& contents, std::string_view tooltip) {

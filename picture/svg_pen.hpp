@@ -1,6 +1,7 @@
 #pragma once
 
 #include "picture/geometry.hpp"
+#include "text/utf8.hpp"
 
 #include <string>
 #include <string_view>
@@ -42,7 +43,9 @@ public:
     SvgPen& path(const std::string& data, const SvgAttributes& attributes = {}, std::string_view tooltip = "") {
         return element("path", attributes, {{"d", data}}, title_of(tooltip));
     }
-    SvgPen& text(Point at, const std::string& style_class, std::string_view text);
+    SvgPen& text(Point at, const std::string& style_class, std::string_view text) {
+        return element("text", {{"class", style_class}}, {{"x", at.x}, {"y", at.y}}, as_markup(text));
+    }
     SvgPen& group(const SvgAttributes&, const SvgPen& contents, std::string_view tooltip = "");
     SvgPen& add(const SvgPen& other);
 

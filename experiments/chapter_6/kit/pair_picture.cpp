@@ -97,12 +97,11 @@ std::string draw_pair(const CoarseFineSettings& settings, const std::vector<std:
     fine.bits = settings.fine_bits;
     SvgPen pen;
     pen.text({20, 30}, "title", "A coarse and a fine genetic algorithm (Figure 6.6)");
-    auto strings_of = [](const SearchSettings& search, const Recoding& reading) {
-        return fmt::format("{} strings of {} bits", search.population, reading.length());
-    };
     const double half = row_height / 2, middle = box_left + box_width / 2, window = problem_row + half;
-    pair_box(pen, coarse_row + half, "coarse", strings_of(settings.coarse, settings.coarse_reading));
-    pair_box(pen, fine_row + half, "fine", strings_of(settings.fine, fine));
+    pair_box(pen, coarse_row + half, "coarse",
+             fmt::format("{} strings of {} bits", settings.coarse.population, settings.coarse_reading.length()));
+    pair_box(pen, fine_row + half, "fine",
+             fmt::format("{} strings of {} bits", settings.fine.population, fine.length()));
     pair_box(pen, window, "window", fmt::format("newest {} samples", settings.coarse.window.length));
     pen.path(svg_corners({{middle, window - 28}, {middle, coarse_row + half + 30}}), {{"class", "arrow"}});
     pen.path(svg_corners({{middle, window + 28}, {middle, fine_row + half - 30}}), {{"class", "arrow"}});
