@@ -34,8 +34,8 @@ struct DrawnHypercube {
 /// What a look means.
 using VertexLegend = std::vector<std::pair<VertexLook, std::string>>;
 
-/// Hypercubes in rows of `columns`, as SVG. The same input gives the same bytes. REQUIRES: texts without <, > and &;
-/// vertices below 2^dimensions; columns >= 1. Throws std::invalid_argument for dimensions outside 1 to 4.
+/// Hypercubes in rows of `columns`, as SVG. The same input gives the same bytes. REQUIRES: vertices below 2^dimensions;
+/// columns >= 1. Throws std::invalid_argument for dimensions outside 1 to 4.
 std::string draw_hypercubes(const std::string& title, const std::vector<DrawnHypercube>& cubes, std::size_t columns,
                             const VertexLegend& legend);
 

@@ -6,13 +6,12 @@
 #include "picture/fault_marks.hpp"
 #include "picture/picture.hpp"
 #include "picture/software.hpp"
+#include "picture/svg_pen.hpp"
 #include "text/counted.hpp"
-#include "text/utf8.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <set>
 #include <utility>
@@ -27,8 +26,7 @@ constexpr double border = 24, title_height = 32, legend_line = 24, curve = 14;
 
 /// Readable in grey: what is drawn by colour is drawn by shape, too.
 constexpr const char* style =
-    R"(text { font-family: Helvetica, Arial, "DejaVu Sans", sans-serif; fill: #16202a; }
-.title { font-size: 14px; font-weight: bold; }
+    R"(.title { font-size: 14px; font-weight: bold; }
 .name { font-size: 13px; font-weight: bold; text-anchor: middle; }
 .facts, .key { font-size: 10px; }
 .facts { fill: #445566; text-anchor: middle; }
@@ -54,77 +52,53 @@ constexpr const char* style_of_faults =
 .fault text { font-size: 10px; font-weight: bold; text-anchor: middle; }
 )";
 
-/// To a tenth of a pixel.
-std::string number(double length) { return fmt::format("{}", std::round(length * 10) / 10 + 0.0); }
-
-std::string pair(Point p) { return number(p.x) + " " + number(p.y); }
-
-std::string rectangle_of(const Box& box, const std::string& attributes) {
-    return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" {}/>", number(box.left()), number(box.top()),
-                       number(box.width), number(box.height), attributes);
-}
-
-std::string text_at(Point at, const char* style_class, std::string_view text) {
-    return fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>", style_class, number(at.x), number(at.y),
-                       as_markup(text));
-}
-
-std::string tooltip(const std::string& text) { return "<title>" + as_markup(text) + "</title>"; }
-
-std::string crossed_box(const Box& box, const std::string& attributes, const std::string& colour) {
-    return rectangle_of(box, attributes) + fmt::format("<path class=\"cross\" d=\"M{} L{} M{} L{}\" stroke=\"{}\"/>",
-                                                       pair({box.left(), box.top()}), pair({box.right(), box.bottom()}),
-                                                       pair({box.left(), box.bottom()}), pair({box.right(), box.top()}),
-                                                       colour);
-}
-
-std::string ellipse(const Box& box, const std::string& attributes) {
-    return fmt::format("<ellipse cx=\"{}\" cy=\"{}\" rx=\"{}\" ry=\"{}\" {}/>", number(box.centre.x),
-                       number(box.centre.y), number(box.width / 2), number(box.height / 2), attributes);
-}
-
-std::string frame(const Box& box, const Drawing& drawing) {
-    std::string colours = fmt::format("class=\"frame\" stroke=\"{}\"", drawing.frame);
-    std::string filled =
-        fmt::format("class=\"frame\" stroke=\"{}\" style=\"fill: {}\"", drawing.frame, drawing.heading);
+SvgPen frame(const Box& box, const Drawing& drawing) {
+    SvgAttributes colours{{"class", "frame"}, {"stroke", drawing.frame}}, filled = colours;
+    filled.emplace_back("style", "fill: " + drawing.heading);
+    std::string cross = svg_corners({{box.left(), box.top()}, {box.right(), box.bottom()}}) + " " +
+                        svg_corners({{box.left(), box.bottom()}, {box.right(), box.top()}});
+    SvgPen pen;
     switch (drawing.shape) {
-    case Drawing::Shape::crossed_box: return crossed_box(box, filled, drawing.frame);
-    case Drawing::Shape::ellipse: return ellipse(box, colours);
+    case Drawing::Shape::crossed_box:
+        return pen.rect(box, filled).path(cross, {{"class", "cross"}, {"stroke", drawing.frame}});
+    case Drawing::Shape::ellipse: return pen.ellipse(box.centre, box.width / 2, box.height / 2, colours);
     case Drawing::Shape::box: break;
     }
-    std::string rounded = drawing.in_first_row ? " rx=\"10\"" : "";
+    const SvgAttribute rounded{"rx", drawing.in_first_row ? "10" : ""};
+    colours.push_back(rounded), filled.push_back(rounded);
     if (box.height < heading_height + process_height)
-        return rectangle_of(box, filled + rounded);
+        return pen.rect(box, filled);
     Box heading{{box.centre.x, box.top() + 18}, box.width, 36};
-    return rectangle_of(box, colours + rounded) +
-           rectangle_of(heading, fmt::format("fill=\"{}\" stroke=\"{}\"{}", drawing.heading, drawing.frame, rounded));
+    return pen.rect(box, colours).rect(heading, {{"fill", drawing.heading}, {"stroke", drawing.frame}, rounded});
 }
 
 /// A line that turns its corners in curves.
 std::string curved(const Path& path) {
-    std::string data = "M" + pair(path.front());
+    std::string data = "M" + svg_point(path.front());
     for (std::size_t i = 1; i + 1 < path.size(); ++i) {
         Point before = path[i - 1] - path[i], after = path[i + 1] - path[i];
         double reach = std::min({curve, distance({}, before) / 2, distance({}, after) / 2});
-        data += fmt::format(" L{} Q{} {}", pair(path[i] + (reach / distance({}, before)) * before), pair(path[i]),
-                            pair(path[i] + (reach / distance({}, after)) * after));
+        data += fmt::format(" L{} Q{} {}", svg_point(path[i] + (reach / distance({}, before)) * before),
+                            svg_point(path[i]), svg_point(path[i] + (reach / distance({}, after)) * after));
     }
-    return data + " L" + pair(path.back());
+    return data + " L" + svg_point(path.back());
 }
 
 /// Of an arrow, where a line ends.
 std::string arrow_head(Point before, Point tip) {
     Point along = 1 / distance(before, tip) * (tip - before), aside{-along.y, along.x};
-    return fmt::format("<path class=\"head\" d=\"M{} L{} L{} Z\"/>", pair(tip), pair(tip + -9 * along + 4 * aside),
-                       pair(tip + -9 * along + -4 * aside));
+    return svg_corners({tip, tip + -9 * along + 4 * aside, tip + -9 * along + -4 * aside}) + " Z";
 }
 
 /// Points to the right, below, to the left or above; about 7 pixels long.
 std::string arrow(Point centre, bool upright, bool onward) {
     Point along = upright ? Point{0, 1} : Point{1, 0}, aside{along.y, along.x};
     Point tip = centre + (onward ? 3.5 : -3.5) * along, back = centre - (onward ? 3 : -3) * along;
-    return fmt::format("<path d=\"M{} L{} L{} Z\"/>", pair(tip), pair(back + 3.2 * aside), pair(back - 3.2 * aside));
+    return svg_corners({tip, back + 3.2 * aside, back - 3.2 * aside}) + " Z";
 }
+
+/// A sign of the legend.
+SvgPen line_across(const char* style_class) { return SvgPen().path("M0 0 L36 0", {{"class", style_class}}); }
 
 /// What of a network is drawn: processors and wires, or processes and channels.
 enum class View { hardware, software };
@@ -138,20 +112,12 @@ public:
 
     std::string print() {
         Box drawing = extent();
-        std::string legend =
-            print_legend({drawing.left(), drawing.bottom() + 2 * border}, std::max(drawing.width, 640.));
+        SvgPen legend = print_legend({drawing.left(), drawing.bottom() + 2 * border}, std::max(drawing.width, 640.));
         std::string title = title_of();
         double width =
             std::max({drawing.width, legend_right_ - drawing.left(), width_of(title, 14, true)}) + 2 * border;
         double top = drawing.top() - border - title_height, height = legend_bottom_ - top + border;
-        text_ = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\" width=\"{}\" "
-                            "height=\"{}\">\n<style>\n{}</style>\n",
-                            number(drawing.left() - border), number(top), number(width), number(height), number(width),
-                            number(height), style + std::string(marks_.empty() ? "" : style_of_faults));
-        text_ +=
-            rectangle_of({{drawing.left() - border + width / 2, top + height / 2}, width, height}, "fill=\"#ffffff\"") +
-            "\n";
-        text_ += text_at({drawing.left(), top + border}, "title", title) + "\n";
+        pen_.text({drawing.left(), top + border}, "title", title);
         for (std::size_t i = 0; i < n_.nodes.size(); ++i)
             print_frame(i);
         for (std::size_t i = 0; i < n_.connections.size(); ++i)
@@ -162,7 +128,8 @@ public:
             print_mark(mark);
         for (std::size_t i = 0; i < n_.connections.size(); ++i)
             print_labels(i);
-        return std::move(text_) + legend + "</svg>\n";
+        return pen_.add(legend).document({{drawing.left() - border + width / 2, top + height / 2}, width, height},
+                                         style + std::string(marks_.empty() ? "" : style_of_faults));
     }
 
 private:
@@ -177,17 +144,17 @@ private:
 
     /// Over what it strikes, below the numbers of links and channels.
     void print_mark(const FaultMark& mark) {
-        text_ += "<g class=\"fault\">" + tooltip(mark.statement);
-        text_ += mark.wire ? fmt::format("<path class=\"struck\" d=\"{}\"/>", data_of(picture_.wires[*mark.wire]))
-                           : struck_frame(grown(picture_.nodes[*mark.node].box, 3));
-        text_ += rectangle_of(mark.box, "rx=\"3\"");
-        text_ += text_at({mark.box.centre.x, mark.box.centre.y + 3.5}, "mark", mark.text) + "</g>\n";
+        std::string struck =
+            mark.wire ? data_of(picture_.wires[*mark.wire]) : outline_of(grown(picture_.nodes[*mark.node].box, 3));
+        SvgPen strike;
+        strike.path(struck, {{"class", "struck"}}).rect(mark.box, {{"rx", "3"}});
+        strike.text({mark.box.centre.x, mark.box.centre.y + 3.5}, "mark", mark.text);
+        pen_.group({{"class", "fault"}}, strike, mark.statement);
     }
 
-    static std::string struck_frame(const Box& box) {
-        return fmt::format("<path class=\"struck\" d=\"M{} L{} L{} L{} Z\"/>", pair({box.left(), box.top()}),
-                           pair({box.right(), box.top()}), pair({box.right(), box.bottom()}),
-                           pair({box.left(), box.bottom()}));
+    static std::string outline_of(const Box& box) {
+        double left = box.left(), right = box.right(), top = box.top(), bottom = box.bottom();
+        return svg_corners({{left, top}, {right, top}, {right, bottom}, {left, bottom}}) + " Z";
     }
 
     std::string title_of() const {
@@ -237,9 +204,8 @@ private:
 
     void print_frame(std::size_t index) {
         const Node& node = n_.nodes[index];
-        text_ += fmt::format("<g class=\"node {}\" data-node=\"{}\">{}{}</g>\n", as_markup(class_of(*node.kind)),
-                             as_markup(node.name), tooltip(node.name + " (" + node.type + ")"),
-                             frame(picture_.nodes[index].box, node.kind->drawing));
+        pen_.group({{"class", "node " + class_of(*node.kind)}, {"data-node", node.name}},
+                   frame(picture_.nodes[index].box, node.kind->drawing), node.name + " (" + node.type + ")");
     }
 
     /// One word: those of "link adapter" would be two classes, of which one is that of a link's number.
@@ -255,9 +221,9 @@ private:
         std::string about = view_ == View::software || wire.bits_per_second == 0
                                 ? ends
                                 : fmt::format("{}, {:g} Mbit/s", ends, static_cast<double>(wire.bits_per_second) / 1e6);
-        text_ += fmt::format("<path class=\"wire{}\" data-wire=\"{}\" d=\"{}\">",
-                             carried_[index].empty() ? " idle" : "", as_markup(ends), data_of(picture_.wires[index])) +
-                 tooltip_lines(about + carried_[index]) + "</path>\n";
+        const char* style_class = carried_[index].empty() ? "wire idle" : "wire";
+        pen_.path(data_of(picture_.wires[index]), {{"class", style_class}, {"data-wire", ends}},
+                  about + carried_[index]);
         if (view_ == View::software)
             print_heads(index);
     }
@@ -267,25 +233,16 @@ private:
         const Path& path = picture_.wires[index].spans.front();
         auto [onward, back] = directions_[index];
         if (onward)
-            text_ += arrow_head(path[path.size() - 2], path.back()) + "\n";
+            pen_.path(arrow_head(path[path.size() - 2], path.back()), {{"class", "head"}});
         if (back)
-            text_ += arrow_head(path[1], path.front()) + "\n";
-    }
-
-    static std::string tooltip_lines(const std::string& text) {
-        std::string lines;
-        for (std::size_t start = 0, end = 0; end != std::string::npos; start = end + 1) {
-            end = text.find('\n', start);
-            lines += (start == 0 ? "" : "\n") + as_markup(text.substr(start, end - start));
-        }
-        return "<title>" + lines + "</title>";
+            pen_.path(arrow_head(path[1], path.front()), {{"class", "head"}});
     }
 
     /// Within a switch, a straight line leads from one link to the other.
     static std::string data_of(const DrawnWire& wire) {
         std::string data;
         for (const Path& path : wire.spans)
-            data += (data.empty() ? "" : " L" + pair(path.front()) + " ") + curved(path);
+            data += (data.empty() ? "" : " L" + svg_point(path.front()) + " ") + curved(path);
         return data;
     }
 
@@ -295,57 +252,56 @@ private:
         bool headed = drawing.shape == Drawing::Shape::box;
         bool only_heading = node.box.height < heading_height + process_height;
         double top = headed && !only_heading ? node.box.top() : node.box.centre.y - (node.facts.empty() ? 9 : 18);
-        const char* over = drawing.shape == Drawing::Shape::crossed_box ? " over" : "";
-        text_ += "<g class=\"texts\">";
-        text_ += text_at({node.box.centre.x, top + (node.facts.empty() ? 14 : 16)}, fmt::format("name{}", over).c_str(),
-                         node.name);
+        std::string over = drawing.shape == Drawing::Shape::crossed_box ? " over" : "";
+        SvgPen texts;
+        texts.text({node.box.centre.x, top + (node.facts.empty() ? 14 : 16)}, "name" + over, node.name);
         if (!node.facts.empty())
-            text_ += text_at({node.box.centre.x, top + 29}, fmt::format("facts{}", over).c_str(), node.facts);
+            texts.text({node.box.centre.x, top + 29}, "facts" + over, node.facts);
         for (const ProcessLine& line : node.processes)
-            print_process(line);
+            print_process(line, texts);
         if (!node.inside.empty())
-            text_ += text_at({node.box.centre.x, node.box.bottom() - 6}, "inside", node.inside);
-        text_ += "</g>\n";
+            texts.text({node.box.centre.x, node.box.bottom() - 6}, "inside", node.inside);
+        pen_.group({{"class", "texts"}}, texts);
     }
 
-    void print_process(const ProcessLine& line) {
+    void print_process(const ProcessLine& line, SvgPen& pen) {
         const ProcessInstance& process = n_.processes[line.process];
-        text_ +=
-            fmt::format("<g class=\"placed\" data-process=\"{}\">{}{}{}</g>", as_markup(process.name),
-                        tooltip(process.name + ", " + (process.kind.empty() ? "no program" : process.kind)),
-                        text_at(line.at, "process", line.name), text_at({line.kind_at, line.at.y}, "kind", line.kind));
+        pen.group({{"class", "placed"}, {"data-process", process.name}},
+                  SvgPen().text(line.at, "process", line.name).text({line.kind_at, line.at.y}, "kind", line.kind),
+                  process.name + ", " + (process.kind.empty() ? "no program" : process.kind));
     }
 
     void print_labels(std::size_t index) {
         const DrawnWire& wire = picture_.wires[index];
         for (const LinkLabel& link : wire.links)
-            text_ += text_at({link.box.centre.x, link.box.bottom() - 1.5}, "link over", link.text) + "\n";
+            pen_.text({link.box.centre.x, link.box.bottom() - 1.5}, "link over", link.text);
         bool said = view_ == View::software && wire.channels && wire.channels->onward <= 1 && wire.channels->back <= 1;
         if (wire.channels && !said) // one channel each way is said by the arrows
-            text_ += print_count(*wire.channels) + "\n";
+            pen_.add(print_count(*wire.channels));
     }
 
     /// In the way of the channels: back on the left, onward on the right.
-    static std::string print_count(const ChannelCount& count) {
-        std::string out = "<g class=\"channels\">" + rectangle_of(count.box, "rx=\"4\"");
+    static SvgPen print_count(const ChannelCount& count) {
+        SvgPen halves;
+        halves.rect(count.box, {{"rx", "4"}});
         if (count.back > 0)
-            out += print_half(count, count.box.left() + 4, count.back, false);
+            print_half(count, count.box.left() + 4, count.back, false, halves);
         if (count.onward > 0)
-            out += print_half(count, count.box.right() - 4, count.onward, true);
-        return out + "</g>";
+            print_half(count, count.box.right() - 4, count.onward, true, halves);
+        return SvgPen().group({{"class", "channels"}}, halves);
     }
 
     /// With its arrow at the outer end.
-    static std::string print_half(const ChannelCount& count, double end, std::size_t channels, bool onward) {
+    static void print_half(const ChannelCount& count, double end, std::size_t channels, bool onward, SvgPen& pen) {
         auto digits = fmt::format("{}", channels);
         Point text{onward ? end - arrow_width - digit_width * static_cast<double>(digits.size()) : end + arrow_width,
                    count.box.centre.y + 3.5};
-        return arrow({end + (onward ? -3.5 : 3.5), count.box.centre.y}, count.upright, onward) +
-               text_at(text, "count", digits);
+        pen.path(arrow({end + (onward ? -3.5 : 3.5), count.box.centre.y}, count.upright, onward));
+        pen.text(text, "count", digits);
     }
 
     /// One after the other from this corner on, in lines of at most this width.
-    std::string print_legend(Point corner, double width) {
+    SvgPen print_legend(Point corner, double width) {
         legend_start_ = legend_at_ = corner;
         legend_width_ = width;
         std::set<std::string> seen;
@@ -355,10 +311,10 @@ private:
                               class_of(*node.kind));
         add_wires_to_legend();
         if (!marks_.empty())
-            add_to_legend(40, "<path class=\"struck\" d=\"M0 0 L36 0\"/>", "fails in the run, as it says there");
+            add_to_legend(40, line_across("struck"), "fails in the run, as it says there");
         if (std::ranges::any_of(n_.processes, &ProcessInstance::high_priority) ||
             std::ranges::any_of(n_.nodes, [](const Node& node) { return node.name.ends_with(" !"); }))
-            add_to_legend(12, text_at({2, 4}, "process", "!"), "process of high priority");
+            add_to_legend(12, SvgPen().text({2, 4}, "process", "!"), "process of high priority");
         legend_bottom_ = legend_at_.y + 8;
         return std::move(legend_);
     }
@@ -368,31 +324,30 @@ private:
             return add_channels_to_legend();
         auto idle = [](const std::string& channels) { return channels.empty(); };
         if (!std::ranges::all_of(carried_, idle)) {
-            add_to_legend(40, "<path class=\"wire\" d=\"M0 0 L36 0\"/>", "wire that carries channels");
+            add_to_legend(40, line_across("wire"), "wire that carries channels");
             add_to_legend(48, print_count({{{22, 0}, width_of_count(2, 1), 14}, 1, 2, false}), "how many, each way");
         }
         if (std::ranges::any_of(carried_, idle))
-            add_to_legend(40, "<path class=\"wire idle\" d=\"M0 0 L36 0\"/>", "wire without a channel");
+            add_to_legend(40, line_across("wire idle"), "wire without a channel");
         if (!carried_.empty())
-            add_to_legend(12, text_at({5, 3}, "link", "0"), "number of a link");
+            add_to_legend(12, SvgPen().text({5, 3}, "link", "0"), "number of a link");
     }
 
     void add_channels_to_legend() {
         if (carried_.empty())
             return;
-        add_to_legend(40, "<path class=\"wire\" d=\"M0 0 L36 0\"/>" + arrow_head({0, 0}, {36, 0}), "channel");
-        add_to_legend(
-            40, "<path class=\"wire\" d=\"M0 0 L36 0\"/>" + arrow_head({0, 0}, {36, 0}) + arrow_head({36, 0}, {0, 0}),
-            "a channel each way");
-        add_to_legend(36, text_at({16, 3}, "link", "name"), "of the sender's port");
+        SvgPen one_way = line_across("wire").path(arrow_head({0, 0}, {36, 0}), {{"class", "head"}});
+        add_to_legend(40, one_way, "channel");
+        add_to_legend(40, one_way.path(arrow_head({36, 0}, {0, 0}), {{"class", "head"}}), "a channel each way");
+        add_to_legend(36, SvgPen().text({16, 3}, "link", "name"), "of the sender's port");
     }
 
-    void add_to_legend(double room, const std::string& sign, const std::string& about, const std::string& kind = "") {
+    void add_to_legend(double room, SvgPen sign, const std::string& about, const std::string& kind = "") {
         double width = room + width_of(about, fact_size) + 20;
         if (legend_at_.x > legend_start_.x && legend_at_.x + width > legend_start_.x + legend_width_)
             legend_at_ = {legend_start_.x, legend_at_.y + legend_line};
-        legend_ += fmt::format("<g class=\"legend {}\" transform=\"translate({} {})\">{}{}</g>\n", as_markup(kind),
-                               number(legend_at_.x), number(legend_at_.y), sign, text_at({room, 3.5}, "key", about));
+        legend_.group({{"class", "legend " + kind}, {"transform", fmt::format("translate({})", svg_point(legend_at_))}},
+                      sign.text({room, 3.5}, "key", about));
         legend_at_.x += width;
         legend_right_ = std::max(legend_right_, legend_at_.x);
     }
@@ -404,7 +359,7 @@ private:
         directions_;                   ///< by each wire: whether channels lead from its a to its b, and back
     std::vector<std::string> carried_; ///< by each wire; "" where there is none
     std::vector<FaultMark> marks_;
-    std::string text_, legend_;
+    SvgPen pen_, legend_;
     Point legend_start_, legend_at_;
     double legend_width_ = 0, legend_right_ = 0, legend_bottom_ = 0;
 };

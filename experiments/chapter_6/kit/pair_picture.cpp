@@ -1,16 +1,19 @@
 #include "experiments/chapter_6/kit/pair_picture.hpp"
 
+#include "picture/svg_pen.hpp"
+
 #include <fmt/format.h>
 
 namespace placedpar {
 
 namespace {
 
+using picture::SvgPen, picture::svg_corners;
+
 constexpr double string_left = 250, bit_width = 17, field_gap = 8, row_height = 26, box_left = 20, box_width = 200;
 constexpr double coarse_row = 80, problem_row = 230, fine_row = 380, picture_height = 470;
 
-constexpr const char* pair_style = R"(text { font-family: Helvetica, Arial, "DejaVu Sans", sans-serif; fill: #16202a;
-font-size: 13px; }
+constexpr const char* pair_style = R"(text { font-size: 13px; }
 .title { font-size: 17px; font-weight: bold; }
 .name { font-size: 14px; font-weight: bold; text-anchor: middle; }
 .middle { text-anchor: middle; }
@@ -22,41 +25,21 @@ font-size: 13px; }
 .arrow { stroke: #445566; stroke-width: 2; fill: none; marker-end: url(#head); }
 )";
 
-constexpr const char* arrow_head = R"(<defs><marker id="head" markerWidth="9" markerHeight="8" refX="8" refY="4" )"
-                                   R"(orient="auto"><path d="M0,0 L9,4 L0,8 Z" fill="#445566"/></marker></defs>)";
+constexpr const char* arrow_head = R"(<marker id="head" markerWidth="9" markerHeight="8" refX="8" refY="4" )"
+                                   R"(orient="auto"><path d="M0,0 L9,4 L0,8 Z" fill="#445566"/></marker>)";
 
-std::string pair_text(double x, double y, const char* look, const std::string& text) {
-    return fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", look, x, y, text);
-}
-
-std::string pair_arrow(double x, double y, double to_x, double to_y) {
-    return fmt::format("<path class=\"arrow\" d=\"M{},{} L{},{}\"/>\n", x, y, to_x, to_y);
-}
-
-std::string pair_box(double y, double height, const std::string& name, const std::string& about) {
-    double middle = box_left + box_width / 2;
-    return fmt::format("<rect class=\"box\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"6\"/>\n", box_left, y,
-                       box_width, height) +
-           pair_text(middle, y + 22, "name", name) + pair_text(middle, y + 42, "middle", about);
-}
-
-/// A search, beside the row of its string.
-std::string search_box(double row, const std::string& name, const SearchSettings& settings, const Recoding& reading) {
-    return pair_box(row + row_height / 2 - 28, 56, name,
-                    fmt::format("{} strings of {} bits", settings.population, reading.length()));
-}
-
-std::string bit_cell(double x, double y, const char* look) {
-    return fmt::format("<rect class=\"bit {}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n", look, x, y, bit_width,
-                       row_height);
+/// Its middle at this height.
+void pair_box(SvgPen& pen, double y, const std::string& name, const std::string& about) {
+    const picture::Box box{{box_left + box_width / 2, y}, box_width, 56};
+    pen.rect(box, {{"class", "box"}, {"rx", "6"}});
+    pen.text(box.centre - picture::Point{0, 6}, "name", name).text(box.centre + picture::Point{0, 14}, "middle", about);
 }
 
 /// `count` bits of a field, from its bit number `first` on.
-std::string bit_cells(double left, std::size_t first, std::size_t count, double y, const char* look) {
-    std::string cells;
+void bit_cells(SvgPen& pen, double left, std::size_t first, std::size_t count, double y, const std::string& look) {
     for (std::size_t i = first; i < first + count; ++i)
-        cells += bit_cell(left + bit_width * static_cast<double>(i), y, look);
-    return cells;
+        pen.rect({{left + bit_width * (static_cast<double>(i) + 0.5), y + row_height / 2}, bit_width, row_height},
+                 {{"class", "bit " + look}});
 }
 
 /// A field of both searches' strings, above and below that of the problem: the coarse one has its first bits, the fine
@@ -67,20 +50,20 @@ struct PairField {
     std::size_t bits, coarse, fine;
 
     double middle() const { return left + bit_width * static_cast<double>(bits) / 2; }
-    bool found_by_itself() const { return fine == bits; }
 
-    std::string text() const {
-        return bit_cells(left, 0, coarse, coarse_row, "coarse") + bit_cells(left, 0, coarse, problem_row, "coarse") +
-               bit_cells(left, coarse, bits - coarse, problem_row, "zero") +
-               bit_cells(left, bits - fine, fine, fine_row, "fine") +
-               pair_text(middle(), coarse_row - 8, "middle", name) +
-               pair_text(middle(), fine_row + row_height + 18, "middle", steps());
+    void draw(SvgPen& pen) const {
+        bit_cells(pen, left, 0, coarse, coarse_row, "coarse");
+        bit_cells(pen, left, 0, coarse, problem_row, "coarse");
+        bit_cells(pen, left, coarse, bits - coarse, problem_row, "zero");
+        bit_cells(pen, left, bits - fine, fine, fine_row, "fine");
+        pen.text({middle(), coarse_row - 8}, "middle", name);
+        pen.text({middle(), fine_row + row_height + 18}, "middle", steps());
     }
 
 private:
     std::string steps() const {
         std::size_t below = std::size_t{1} << (fine - 1);
-        return found_by_itself() ? "all" : fmt::format("−{} ... +{}", below, below - 1);
+        return fine == bits ? "all" : fmt::format("−{} ... +{}", below, below - 1);
     }
 };
 
@@ -96,23 +79,15 @@ std::vector<PairField> pair_fields(const CoarseFineSettings& settings, const std
 }
 
 /// What goes from one to the other. `right` is where the strings end.
-std::string both_ways(double right) {
-    double middle = (string_left + right) / 2, below = problem_row + row_height;
-    return pair_arrow(middle, coarse_row + row_height, middle, problem_row - 6) +
-           pair_text(middle + 10, (coarse_row + problem_row + row_height) / 2 + 4, "",
-                     "best of the generation, its other bits 0") +
-           pair_arrow(middle, below, middle, fine_row - 6) +
-           pair_text(middle + 10, (below + fine_row) / 2 + 4, "", "bias point: around it, in steps of the last bit") +
-           pair_arrow(right, fine_row + row_height / 2, right + 46, fine_row + row_height / 2) +
-           pair_text(right + 52, fine_row + row_height / 2 + 5, "", "answer");
-}
-
-/// The record's window, which both evaluate over.
-std::string window_of(const CoarseFineSettings& settings) {
-    double middle = box_left + box_width / 2, row = problem_row + row_height / 2;
-    return pair_box(row - 28, 56, "window", fmt::format("newest {} samples", settings.coarse.window.length)) +
-           pair_arrow(middle, row - 28, middle, coarse_row + row_height / 2 + 30) +
-           pair_arrow(middle, row + 28, middle, fine_row + row_height / 2 - 30);
+void both_ways(SvgPen& pen, double right) {
+    double middle = (string_left + right) / 2, below = problem_row + row_height, answer = fine_row + row_height / 2;
+    pen.path(svg_corners({{middle, coarse_row + row_height}, {middle, problem_row - 6}}), {{"class", "arrow"}});
+    pen.text({middle + 10, (coarse_row + problem_row + row_height) / 2 + 4}, "",
+             "best of the generation, its other bits 0");
+    pen.path(svg_corners({{middle, below}, {middle, fine_row - 6}}), {{"class", "arrow"}});
+    pen.text({middle + 10, (below + fine_row) / 2 + 4}, "", "bias point: around it, in steps of the last bit");
+    pen.path(svg_corners({{right, answer}, {right + 46, answer}}), {{"class", "arrow"}});
+    pen.text({right + 52, answer + 5}, "", "answer");
 }
 
 } // namespace
@@ -120,23 +95,26 @@ std::string window_of(const CoarseFineSettings& settings) {
 std::string draw_pair(const CoarseFineSettings& settings, const std::vector<std::string>& fields) {
     Recoding fine = settings.coarse_reading;
     fine.bits = settings.fine_bits;
-    std::string strings;
+    SvgPen pen;
+    pen.text({20, 30}, "title", "A coarse and a fine genetic algorithm (Figure 6.6)");
+    const double half = row_height / 2, middle = box_left + box_width / 2, window = problem_row + half;
+    pair_box(pen, coarse_row + half, "coarse",
+             fmt::format("{} strings of {} bits", settings.coarse.population, settings.coarse_reading.length()));
+    pair_box(pen, fine_row + half, "fine",
+             fmt::format("{} strings of {} bits", settings.fine.population, fine.length()));
+    pair_box(pen, window, "window", fmt::format("newest {} samples", settings.coarse.window.length));
+    pen.path(svg_corners({{middle, window - 28}, {middle, coarse_row + half + 30}}), {{"class", "arrow"}});
+    pen.path(svg_corners({{middle, window + 28}, {middle, fine_row + half - 30}}), {{"class", "arrow"}});
     double right = string_left;
     for (const PairField& field : pair_fields(settings, fields)) {
-        strings += field.text();
+        field.draw(pen);
         right = field.left + bit_width * static_cast<double>(field.bits);
     }
+    both_ways(pen, right);
+    pen.text({right + 8, window + 5}, "",
+             fmt::format("{} bits of the problem", settings.coarse_reading.problem_length()));
     double width = right + 170;
-    return fmt::format(
-               "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n"
-               "<style>{2}</style>{3}\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-               width, picture_height, pair_style, arrow_head) +
-           pair_text(20, 30, "title", "A coarse and a fine genetic algorithm (Figure 6.6)") +
-           search_box(coarse_row, "coarse", settings.coarse, settings.coarse_reading) +
-           search_box(fine_row, "fine", settings.fine, fine) + window_of(settings) + strings + both_ways(right) +
-           pair_text(right + 8, problem_row + row_height / 2 + 5, "",
-                     fmt::format("{} bits of the problem", settings.coarse_reading.problem_length())) +
-           "</svg>\n";
+    return pen.document({{width / 2, picture_height / 2}, width, picture_height}, pair_style, arrow_head);
 }
 
 } // namespace placedpar
