@@ -87,6 +87,27 @@ double place_of(const End& end, const Series& series, std::size_t first, std::si
     return end.along(points[first]);
 }
 
+/// The points of a series, and the ends of its bars.
+std::vector<Point> with_ends_of_bars(const Series& series) {
+    std::vector<Point> points = series.points;
+    for (std::size_t i = 0; i < series.intervals.size(); ++i)
+        for (double y : {series.intervals[i].low, series.intervals[i].high})
+            points.push_back({series.points[i].x, y});
+    for (std::size_t i = 0; i < series.x_intervals.size(); ++i)
+        for (double x : {series.x_intervals[i].low, series.x_intervals[i].high})
+            points.push_back({x, series.points[i].y});
+    return points;
+}
+
+/// Where a bar goes over the end from a point within it.
+void add_places_of_bars(const End& end, const Series& series, std::vector<double>& places) {
+    const std::vector<Point> all = with_ends_of_bars(series);
+    for (std::size_t i = series.points.size(); i < all.size(); ++i)
+        if (end.cuts(all[i]) && end.is_along(end.along(all[i])) &&
+            std::ranges::find(places, end.along(all[i])) == places.end())
+            places.push_back(end.along(all[i]));
+}
+
 std::vector<double> places_of(const End& end, const Series& series) {
     std::vector<double> places;
     auto cut = [&](const Point& point) { return end.cuts(point); };
@@ -98,12 +119,13 @@ std::vector<double> places_of(const End& end, const Series& series) {
             places.push_back(place);
         first = std::find_if(last, series.points.end(), cut);
     }
+    add_places_of_bars(end, series, places);
     return places;
 }
 
 std::optional<double> farthest_of(const End& end, const Series& series) {
     std::optional<double> farthest;
-    for (const Point& point : series.points)
+    for (const Point& point : with_ends_of_bars(series))
         if (end.cuts(point))
             farthest = end.farther(end.value(point), farthest.value_or(end.value(point)));
     return farthest;

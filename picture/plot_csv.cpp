@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstddef>
 
 namespace placedpar {
@@ -24,6 +25,8 @@ public:
     Rows(std::string& out, const Panel& panel) : out_(out), panel_(panel) {}
 
     void add(const std::string& curve, double x, double y) {
+        if (std::isnan(x) || std::isnan(y)) // no interval at this point
+            return;
         out_ += fmt::format("{},{},{},{},{},{}\n", quoted_cell(panel_.title), quoted_cell(curve),
                             quoted_cell(panel_.x.label), x, quoted_cell(panel_.y.label), y);
     }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -36,6 +37,18 @@ public:
                 add(interval.high);
             }
         }
+    }
+
+    /// Counts what else is drawn in the panel, too.
+    void add_bands_and_marks(const Panel& panel, const AxisParts& parts) {
+        for (const Band& band : panel.bands)
+            for (const BandPoint& point : band.points)
+                for (double value :
+                     parts.letter == 'X' ? std::array{point.x, point.x} : std::array{point.low, point.high})
+                    add(value);
+        if (parts.letter == 'Y')
+            for (const Mark& mark : panel.marks)
+                add(mark.y);
     }
 
     double least() const { return least_; }
@@ -100,7 +113,8 @@ std::string room_commands(const Panel& panel, std::size_t number, const AxisPart
 }
 
 void widen_axis(Panel& panel, const AxisParts& parts) {
-    const Extent extent(panel, parts);
+    Extent extent(panel, parts);
+    extent.add_bands_and_marks(panel, parts);
     Axis& axis = panel.*parts.axis;
     if (axis.from || axis.to || extent.least() != extent.most())
         return;

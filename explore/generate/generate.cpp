@@ -72,7 +72,7 @@ std::string body_of(const Wish& wish, const Job& job, const Topology& topology) 
 
 /// A channel is written out wire by wire.
 Network read(const Wish& wish, const std::string& text, const Catalogue& catalogue) {
-    constexpr std::string_view too_large = "the network is too large: ";
+    constexpr std::string_view too_large = "the network is too large: written out ";
     ReadResult result = read_netlist_text(text, catalogue, {}, "the netlist");
     for (const Diagnostic& each : result.diagnostics)
         if (each.message.starts_with(too_large))

@@ -27,7 +27,8 @@ std::int64_t row_checksum(const KeptMessage& m) { return checksum_of(fmt::format
 std::int64_t row_checksum(const KeptState& s) { return checksum_of(s.machine, fmt::format("{}", s.taken), s.state); }
 
 std::string way_out(const fs::path& path) {
-    return fmt::format("; put a whole one there, or move {} away and begin with nothing known", path.string());
+    return fmt::format("; put a whole one there without {}-journal, or move {} away and begin with nothing known",
+                       path.filename().string(), path.string());
 }
 
 std::uint64_t unsigned_of(std::int64_t number) { return static_cast<std::uint64_t>(number); }
@@ -51,8 +52,11 @@ StateFile::StateFile(const fs::path& path, const std::string& settings, std::uin
                      StateContent& content)
     : given_(path), path_(path), settings_(settings), most_history_(most_history) {
     require_path_of_file(path_);
-    if (!fs::exists(path_))
+    if (!fs::exists(path_)) {
+        if (fs::exists(place_aside(path_))) // an earlier start put it there and came no further
+            content.said = told_aside(path_);
         create_state_file(path_, settings_);
+    }
     lock();
     path_ = fs::canonical(path_); // SQLite's own file is beside it, not beside a link
     std::error_code another_owner;

@@ -172,18 +172,27 @@ std::uint32_t require_identity(const store::FileLock& file) {
     return version;
 }
 
+std::string place_aside(const fs::path& path) {
+    return fmt::format("{}.version-{}", path.string(), earlier_file_version);
+}
+
 std::string put_aside(const fs::path& path) {
-    const std::string aside = fmt::format("{}.version-{}", path.string(), earlier_file_version);
+    const std::string aside = place_aside(path);
     if (fs::exists(aside))
         throw OtherFile(
             fmt::format("it is of version {}, and so is {}: move one of them away", earlier_file_version, aside));
-    for (const char* part : {"-wal", "-shm", "-mark", ""}) // the file itself last: what is beside it belongs to it
+    for (const char* part :
+         {"-wal", "-shm", "-mark", "-journal", ""}) // the file itself last: what is beside it belongs to it
         if (fs::exists(path.string() + part))
             fs::rename(path.string() + part, aside + part);
+    return told_aside(path);
+}
+
+std::string told_aside(const fs::path& path) {
     return fmt::format(
         "{}: it was of version {}, of an earlier placedpar monitor: it is now {}, and all machines begin "
         "anew",
-        path.string(), earlier_file_version, aside);
+        path.string(), earlier_file_version, place_aside(path));
 }
 
 void require_integrity(store::Database& database) {

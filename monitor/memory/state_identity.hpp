@@ -38,6 +38,10 @@ std::uint32_t require_identity(const store::FileLock& file);
 
 /// Gives a file of the earlier version, with those beside it, another name; tells the operator which.
 std::string put_aside(const std::filesystem::path& path);
+/// Returns where put_aside() puts it.
+std::string place_aside(const std::filesystem::path& path);
+/// Returns what put_aside() does.
+std::string told_aside(const std::filesystem::path& path);
 
 /// The ledger's sum of the other rows' checksums, but for messages', is of so many bits. A sum, since two rows that
 /// change alike would leave an exclusive or as it was.

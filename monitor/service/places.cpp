@@ -35,13 +35,13 @@ void MachinePlaces::keep(Machine& machine, bool kept) {
 bool MachinePlaces::find_kept_place() {
     if (kept_ < most_kept(limits_.machines))
         return true;
-    auto found = std::ranges::find_if(
-        machines_, [&](const Machine& each) { return each.kept && each.samples < limits_.known_samples; },
-        &std::map<std::string, Machine>::value_type::second);
-    if (found == machines_.end())
-        return false;
-    keep(found->second, false);
-    return true;
+    Machine* least = nullptr;
+    for (auto& [name, each] : machines_)
+        if (each.kept && each.samples < limits_.known_samples && (!least || each.samples < least->samples))
+            least = &each;
+    if (least)
+        keep(*least, false);
+    return least != nullptr;
 }
 
 void MachinePlaces::restored(const std::string& machine, std::uint64_t samples, Clock::time_point now) {

@@ -21,8 +21,8 @@ inline constexpr std::size_t most_interface_entries = 1000;
 /// connected and placed. A statement that is refused is reported and left out; the next one is tried.
 class Elaborator {
 public:
-    /// The overrides are set statements. Where vals are declared those of them are looked up; for all others, run()
-    /// them behind the netlist's statements and use(). REQUIRES: catalogue and overrides outlive it.
+    /// The overrides are set statements. Those of vals are looked up where the vals are declared. For the others, call
+    /// run() with them after use(). REQUIRES: catalogue and overrides outlive it.
     Elaborator(const Catalogue& catalogue, const Statements& overrides, Reporter& reporter);
 
     void run(const Statements& statements);

@@ -197,7 +197,7 @@ void read_place(const std::string& text) {
 
 /// All that one connection sends, and then its end.
 void read_request(const std::string& all) {
-    const std::string text = all.substr(0, 4000); // its answers fit into a socket that is not read meanwhile
+    const std::string text = all.substr(0, 1000); // its answers fit into a socket that is not read meanwhile
     int ends[2];
     require(::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) == 0, "there are sockets");
     boost::asio::io_context io;
@@ -228,10 +228,10 @@ void read_request(const std::string& all) {
 class Quiet {
 public:
     Quiet() {
-        const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+        const int null_device = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
         for (int stream : {STDOUT_FILENO, STDERR_FILENO})
-            ::dup2(nowhere, stream);
-        ::close(nowhere);
+            ::dup2(null_device, stream);
+        ::close(null_device);
     }
     ~Quiet() {
         ::dup2(out_, STDOUT_FILENO);

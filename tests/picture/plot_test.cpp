@@ -1,5 +1,7 @@
 #include "picture/plot.hpp"
 
+#include "picture/cut_off.hpp"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -369,4 +371,30 @@ TEST_CASE("the curves as comma-separated values: every point, with units") {
                                 "\"p\",\"line, upper end\",\"x\",3,\"y\",5\n"
                                 "\"p\",\"line, left end\",\"x\",2,\"y\",4\n"
                                 "\"p\",\"line, right end\",\"x\",4,\"y\",4\n"));
+}
+
+TEST_CASE("where a curve is constant, bands and marks are seen whole") {
+    Panel panel{.series = {{"median", {{1, 4}, {2, 4}}}},
+                .marks = {{"as it is", 9}},
+                .bands = {{"", {{1, 0, 20}, {2, 0, 20}}, 0}}};
+    const std::string drawn = draw_svg({"", {panel}});
+    CHECK(drawn.find(">20<") != std::string::npos); // a tick at the band's upper end
+    panel.bands.clear();
+    CHECK(draw_svg({"", {panel}}).find(">8<") != std::string::npos);
+}
+
+TEST_CASE("a bar that an axis cuts off has an arrow that says how far it goes") {
+    Panel panel{.y = {.from = 0, .to = 10}, .series = {{"rate", {{1, 4}, {2, 5}}, Stroke::points}}};
+    panel.series[0].intervals = {{3, 5}, {4, 55}};
+    const std::vector<CutOff> found = cut_offs(panel.series[0], panel);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].farthest == 55);
+    CHECK(found[0].places == std::vector<double>{2});
+}
+
+TEST_CASE("a bar that a point lacks has no row") {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    Panel panel{.series = {{"rate", {{1, 4}, {2, 5}}, Stroke::points}}};
+    panel.series[0].intervals = {{3, 5}, {none, none}};
+    CHECK(curves_csv({"", {panel}}).find("nan") == std::string::npos);
 }

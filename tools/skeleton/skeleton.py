@@ -75,9 +75,9 @@ PIECES = {
         next="placedpar kinds csp.@snake@"),
     "device": Piece(
         "@article@ @words@, which executes a process at a time, beside a transputer",
-        [Insertion("netlist/kinds/devices.hpp", END_OF_NAMESPACE,
+        [Insertion("netlist/kinds/devices.hpp", "\n/// All of them.\n",
                    "/// Executes one process at a time: runtime/hardware/@snake@.hpp.\nDeviceKind @snake@();\n"),
-         Insertion("netlist/kinds/catalogue.cpp", "})\n        add_device(kind);", ", @snake@()"),
+         Insertion("netlist/kinds/devices.hpp", "};\n\n} // namespace placedpar", ", @snake@"),
          Insertion("docs/netlist-language.md", "\n| attribute | of | meaning | default |",
                    "| `@snake@` | @article@ @words@: four links, executes one process at a time |\n"),
          Insertion("runtime/README.md", "| the host's side of it |",

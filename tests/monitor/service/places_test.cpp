@@ -131,7 +131,7 @@ TEST_CASE("what was restored is known, as far as places may be kept, until other
     limits.machines = 8;
     MachinePlaces machines(limits);
     for (int i = 0; i < 8; ++i)
-        machines.restored(fmt::format("m{}", i), i < 6 ? 9000 : 8 - static_cast<std::uint64_t>(i), at(0));
+        machines.restored(fmt::format("m{}", i), i > 0 && i < 6 ? 9000 : 8 - static_cast<std::uint64_t>(i), at(0));
     for (int i = 0; i < 8; ++i)
         CHECK(machines.known(fmt::format("m{}", i)) == (i < 7));
     CHECK_FALSE(machines.gives_way("p", false, always)); // one each
