@@ -76,9 +76,10 @@ Network read(const Wish& wish, const std::string& text, const Catalogue& catalog
     ReadResult result = read_netlist_text(text, catalogue, {}, "the netlist");
     for (const Diagnostic& each : result.diagnostics)
         if (each.message.starts_with(too_large))
-            refuse_size(wish, fmt::format("its channels pass through so many processors that {}; say fewer, or a "
-                                          "topology of a smaller diameter",
-                                          each.message.substr(too_large.size())));
+            refuse_size(wish,
+                        fmt::format("its channels pass through so many processors that written out {}; say fewer, or a "
+                                    "topology of a smaller diameter",
+                                    each.message.substr(too_large.size())));
     if (!result.network)
         throw RefusedInput(render(result));
     return std::move(*result.network);

@@ -58,8 +58,8 @@ TEST_CASE("points of a study are where they were measured, with Student's interv
         CHECK(series.points.front().y == 2);
     }
     REQUIRE(panel.series[0].intervals.size() == 1);
-    CHECK(panel.series[0].intervals[0].high == doctest::Approx(2 + 12.706)); // Student's, of one degree of freedom
-    CHECK(panel.series[0].intervals[0].low == doctest::Approx(2 - 12.706));
+    CHECK(panel.series[0].intervals[0].high == doctest::Approx(2 + 12.7062)); // Student's, of one degree of freedom
+    CHECK(panel.series[0].intervals[0].low == doctest::Approx(2 - 12.7062));
     CHECK(panel.series[1].intervals.empty());
     CHECK(panel.series[2].intervals.empty());
 }

@@ -339,8 +339,9 @@ TEST_CASE("no state file: what it is instead, and what to do") {
               fmt::format("{}: this state file cannot be used: {}", (scratch / "state").string(), because));
         CHECK(scratch.read("state") == text);
     };
-    std::string away = fmt::format("; put a whole one there, or move {} away and begin with nothing known",
-                                   (scratch / "state").string());
+    std::string away =
+        fmt::format("; put a whole one there without state-journal, or move {} away and begin with nothing known",
+                    (scratch / "state").string());
     refused("", ("it is empty" + away).c_str());
     refused("rubbish", ("it is no state file of the monitor" + away).c_str());
     refused("{\"placedpar_monitor_state\":1,\"settings\":\"--seed 1\"",

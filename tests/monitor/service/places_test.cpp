@@ -145,6 +145,11 @@ TEST_CASE("what was restored is known, as far as places may be kept, until other
     CHECK_FALSE(machines.known("m6"));
     machines.introduced("newer", "p", at(0));
     machines.heard("newer", 1, at(0));
-    CHECK_FALSE(machines.heard("newer", 5000, at(1000)));
+    CHECK(machines.known("m0"));
+    CHECK(machines.heard("newer", 5000, at(1000))); // in place of the next one, which has eight
+    CHECK_FALSE(machines.known("m0"));
+    machines.introduced("newest", "p", at(0));
+    machines.heard("newest", 1, at(0));
+    CHECK_FALSE(machines.heard("newest", 5000, at(1000)));
     CHECK(machines.known("m5"));
 }
