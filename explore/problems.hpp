@@ -11,8 +11,8 @@
 namespace placedpar {
 
 /// The search problems that this program knows, with the records they are searched over; the noise in the
-/// measurements depends on the seed. A record is simulated when a process first reads it. `around` makes
-/// others of those of a program that is built on PlacedPar.
+/// measurements depends on the seed. A record is simulated when a process first reads it. `around` may
+/// wrap each family that a program built on PlacedPar adds.
 ProblemRegistry known_problems(std::uint64_t seed,
                                const std::function<ProblemFamily(const ProblemFamily&)>& around = std::identity{});
 

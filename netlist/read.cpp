@@ -25,7 +25,7 @@ std::size_t count_words(std::string text) {
     return count;
 }
 
-/// No fewer than count_words() finds in a printed text, which holds nothing illegal, and found in one pass.
+/// Counts, in one pass, at least as many words as count_words() finds in a printed text, which holds nothing illegal.
 std::size_t most_words_in(std::string_view printed) {
     std::size_t count = 0;
     bool in_word = false;

@@ -152,7 +152,7 @@ std::string cut_commands(const Panel& panel, std::size_t place) {
     return out;
 }
 
-/// Arrows whose heads are caps.
+/// Draws bars as arrows whose heads are caps.
 std::string bars_of(const Panel& panel, std::size_t number, std::size_t place) {
     return fmt::format("$panel{}bars{} using {}:2:3:4 notitle with vectors heads size screen 0.004,90 fixed nofilled "
                        "linewidth 2 linecolor rgb '{}'",

@@ -66,7 +66,8 @@ private:
     };
 
     void keep(Machine& machine, bool kept);
-    /// May one more place be kept? Yes, too, where one that is kept for too few samples can be given up.
+    /// Finds a place that one more machine may keep, if need be by giving up that of the machine with the fewest
+    /// samples, fewer than known_samples. Returns false where there is none.
     bool find_kept_place();
 
     const ServiceLimits& limits_;

@@ -71,7 +71,8 @@ private:
                                   fmt::format("connect {}.bus[0] to vme.slot[...];", adapter.name));
     }
 
-    /// Those to link adapters first, so that a channel which may take either is led as the netlist attaches them.
+    /// Returns the ways to link adapters first, so that a channel which may take either is led as the netlist attaches
+    /// them.
     std::vector<BusWay> all_ways() const {
         std::vector<BusWay> all;
         for (std::size_t i = 0; i < nodes().size(); ++i)

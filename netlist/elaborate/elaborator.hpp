@@ -180,7 +180,8 @@ private:
     std::map<std::string, Location> overridden_vals_;                        ///< by the option here
     std::map<std::pair<std::string, std::string>, const SetStatement*> set_; ///< by element and member
     std::map<std::size_t, SetByOption> reached_;                             ///< by the option's place
-    // Of vals outside of blocks, what the netlist gives them; those in blocks. Where there are overrides only.
+    // These are noted only where there are overrides: what the netlist gives the vals outside of blocks, and the names
+    // of those in blocks.
     std::vector<std::pair<std::string, Constant>> vals_;
     std::set<std::string> vals_in_blocks_;
     std::size_t host_ = nowhere; ///< the predefined edge, once it is used

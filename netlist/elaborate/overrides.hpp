@@ -26,10 +26,10 @@ void attempt(Work work) {
     }
 }
 
-/// As statements behind those of the netlist, the most precise first. Each is a source of its own that messages can
-/// show.
+/// Reads overrides as statements that come behind those of the netlist, the most precise first. Each is a source of its
+/// own that messages can show.
 Statements read_overrides(const Overrides&, Reporter&);
-/// The same of `--fault`.
+/// Reads what `--fault` says likewise.
 Statements read_faults(const std::vector<std::string>&, Reporter&);
 
 } // namespace placedpar

@@ -41,7 +41,7 @@ void Elaborator::refuse_set(const SetStatement& set, const std::string& name, co
            meant.empty() ? hint_at_other(member, first, all) : meant, {{first.text_of_members(), {}}});
 }
 
-/// Where the processor of a process is meant, or the place of a master on its bus.
+/// Returns a hint if the processor of a process is meant, or the place of a master on its bus.
 std::string Elaborator::hint_at_other(const std::string& member, const Settable& element,
                                       const std::vector<Settable>& all) const {
     std::string other;
@@ -59,7 +59,7 @@ std::string Elaborator::hint_at_other(const std::string& member, const Settable&
     return fmt::format("{} has: --set {}.{}=...", which, other, member);
 }
 
-/// A name by itself.
+/// Refuses a name that stands by itself, without a member.
 void Elaborator::refuse_name(const SetStatement& set, const std::string& name, const std::vector<Settable>& all) {
     const std::string& array = set.target.name;
     if (auto val = std::ranges::find(vals_, array, [](const auto& each) { return each.first; }); val != vals_.end())

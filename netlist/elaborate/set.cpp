@@ -27,7 +27,7 @@ Draft Elaborator::take() {
     return std::move(draft_);
 }
 
-/// In the scopes as they are here. Where a text is wanted it needs no quotes.
+/// Evaluates the value in the scopes as they are at the call. A text needs no quotes where one is wanted.
 Constant Elaborator::value_of(const SetStatement& set, bool text_wanted, const std::string& what_it_takes) {
     Reporter here;
     std::optional<Constant> value;
@@ -131,7 +131,7 @@ void Elaborator::name_wires() {
     name_connections(draft_.wires, "wire", [](const DraftWire&) { return true; });
 }
 
-/// The same of a master's place on a bus.
+/// Names each master's place on a bus likewise.
 void Elaborator::name_attachments() {
     name_connections(draft_.attachments, "attachment",
                      [&](const DraftAttachment& each) { return draft_.nodes[each.node].kind->is_master(); });

@@ -76,7 +76,7 @@ struct FaultUse {
 struct SwitchUse {
     std::string name;
     std::uint64_t commands = 0, connections = 0; ///< obeyed; made, one for each output
-    /// Of messages that it did not lead on.
+    /// Counts the messages that it did not lead on.
     struct Loss {
         std::string from, to; ///< the links
         std::uint64_t bytes = 0, acknowledges = 0;

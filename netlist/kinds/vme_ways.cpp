@@ -31,7 +31,7 @@ private:
     const DeviceKind& kind_of(std::size_t attachment) const { return *node(attachment).kind; }
     bool is_here(std::size_t attachment) const { return attachments()[attachment].bus == bus_; }
 
-    /// Of two bus masters each reaches the other's memory: one way, from the one that is attached first.
+    /// Two bus masters reach each other's memory: that is one way, from the one that is attached first.
     bool shares_memory_with(std::size_t slave, std::size_t master) const {
         return slave != master && is_here(slave) && is_here(master) && kind_of(slave).bus == BusRole::bus_master &&
                kind_of(master).is_master() && (kind_of(master).bus == BusRole::workstation || master < slave);

@@ -445,7 +445,7 @@ private:
     Routes routes_ = Routes::written;
     std::string text_;
     std::size_t counted_ = 0;             ///< bytes of routes
-    std::vector<std::string> told_names_; ///< of a connection's end b, and a, if asked for before
+    std::vector<std::string> told_names_; ///< each connection's end b, then its end a; empty: not asked for yet
 };
 
 } // namespace
