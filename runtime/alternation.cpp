@@ -171,10 +171,9 @@ void note(std::span<const Guard> guards, History& history) {
 
 std::size_t select(std::span<const Guard> guards, const SourceLocation& where) {
     Process& self = Kernel::here().running();
-    History* history = self.history();
+    History* history = self.kernel().begin_operation(self);
     if (!history)
         return choose(self, guards, where);
-    self.kernel().heed_interruption();
     note(guards, *history);
     return static_cast<std::size_t>(history->sees(
         History::Action::alternation, [&] { return static_cast<std::int64_t>(choose(self, guards, where)); }));

@@ -37,7 +37,7 @@ void require_nobody_in(const void* end, const AnyChannel& channel) {
 /// Of the process that makes it; outside of a run by its name.
 std::uint64_t AnyChannel::new_identity(const std::string& name) {
     const Kernel* kernel = Kernel::current();
-    if (!kernel || !kernel->is_attentive())
+    if (!kernel || !kernel->keeps_histories())
         return std::hash<std::string>()(name);
     const Process* maker = kernel->who_runs();
     History* history = maker ? maker->history() : nullptr;
@@ -139,21 +139,13 @@ std::uint64_t two_parts(const WireForm& form, std::size_t first) {
 
 } // namespace
 
-/// Or throws, while the process is unwound.
-void AnyChannel::note_output(Process& self, const WireForm& form) {
-    self.kernel().heed_interruption();
-    History* history = self.history();
-    if (history && form.total() == 0)
-        history->does_what_is_not_noted(); // a link refuses it
-    if (history)
-        history->does(History::Action::output, identity() ^ form.parts(), {two_parts(form, 0), two_parts(form, 2)});
+void AnyChannel::note_output(History& history, const WireForm& form) const {
+    if (form.total() == 0)
+        history.does_what_is_not_noted(); // a link refuses it
+    history.does(History::Action::output, identity() ^ form.parts(), {two_parts(form, 0), two_parts(form, 2)});
 }
 
-void AnyChannel::note_input(Process& self) {
-    self.kernel().heed_interruption();
-    if (History* history = self.history())
-        history->does(History::Action::input, identity());
-}
+void AnyChannel::note_input(History& history) const { history.does(History::Action::input, identity()); }
 
 void AnyChannel::hand_over() {
     note_communication(inputter_.process->kernel());

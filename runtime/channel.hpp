@@ -162,14 +162,14 @@ protected:
     // parts from it; or it waits, on a hard channel always, in whose carrier the partner may be there already.
 
     void begin_output(Process& self, const WireForm& form) {
-        if (self.kernel().is_attentive()) [[unlikely]]
-            note_output(self, form);
+        if (History* history = self.kernel().begin_operation(self)) [[unlikely]]
+            note_output(*history, form);
         begin(self);
         own(outputter_, self, "outputs to");
     }
     void begin_input(Process& self) {
-        if (self.kernel().is_attentive()) [[unlikely]]
-            note_input(self);
+        if (History* history = self.kernel().begin_operation(self)) [[unlikely]]
+            note_input(*history);
         begin(self);
         own(inputter_, self, "inputs from");
     }
@@ -246,8 +246,8 @@ private:
     virtual void move_message(void* from, void* to) = 0;
     virtual std::optional<bool> are_same(const void* message, const void* other) const = 0;
 
-    void note_output(Process& self, const WireForm&);
-    void note_input(Process& self);
+    void note_output(History&, const WireForm&) const;
+    void note_input(History&) const;
     void begin(Process& self) {
         if (self.executive() && !carrier_)
             charge(self, &OperationCosts::soft_communication);

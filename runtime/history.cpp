@@ -86,7 +86,7 @@ std::int64_t History::saw_then(Action what) {
         note(what, 0);
         return original_->seen_[seen_again_++].value;
     }
-    constexpr std::uint64_t very_often = 100'000; // as Kernel::reads_clock
+    constexpr std::uint64_t very_often = 100'000; // as Kernel::unheeded_readings
     if (what != Action::now || ++asked_in_vain_ > very_often)
         depart();
     departs_quietly();

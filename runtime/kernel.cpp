@@ -69,8 +69,17 @@ void Kernel::refuse_outside_a_run() {
     throw Unwinding{};
 }
 
+/// What keeps histories or is over takes its time here, so that the gate is short for all others.
+[[gnu::cold, gnu::noinline]] History* Kernel::attend(const Process& running) {
+    if (circumstances_.any_of(Circumstances::unwinding | Circumstances::interrupted))
+        give_way();
+    return running.history();
+}
+
 /// The running process may have been doing such things for ever.
 void Kernel::heed_operations() {
+    if (circumstances_.any_of(Circumstances::unwinding))
+        return;
     if (circumstances_.any_of(Circumstances::interrupted))
         return give_way();
     if (operations_at_once_ > most_operations_at_once)

@@ -22,6 +22,7 @@
 namespace placedpar {
 
 class FiberScheduler;
+class History;
 class TraceSink;
 
 /// Why a run ended. `stuck`: processes are left that nothing will ever wake.
@@ -108,32 +109,29 @@ public:
     void wait(Process* successor = nullptr);
     /// The same, but the process keeps its executive, as while it computes, or has left it already.
     void give_way();
-    /// Throws Unwinding when the simulation is over. Ends the program with a message when the running process has
-    /// caught it many times.
-    void throw_if_unwinding() {
-        if (circumstances_.any_of(Circumstances::unwinding)) [[unlikely]]
-            unwind_running();
+    /// Every operation of the running process passes this gate first: before it communicates, computes, waits for its
+    /// timer or begins a PAR. Returns the history that is to be told of the operation; null where the process keeps
+    /// none. Throws Unwinding when the simulation is over; one that keeps histories also when it was interrupted, since
+    /// what is repeated waits for nothing. Ends the program with a message when the process has caught that many times.
+    History* begin_operation(const Process& running) {
+        if (circumstances_.any_of(Circumstances::unwinding | Circumstances::histories)) [[unlikely]]
+            return attend(running);
+        return nullptr;
     }
-    /// Whether processes are unwound, or keep histories.
-    bool is_attentive() const { return circumstances_.any_of(Circumstances::unwinding | Circumstances::histories); }
-    /// Ends the running process where the run is interrupted or over. One with a history may be asked nowhere else.
-    void heed_interruption() {
-        if (circumstances_.any_of(Circumstances::unwinding | Circumstances::interrupted)) [[unlikely]]
-            give_way();
-    }
-    /// The running process does something that takes no time. Lets the run be interrupted; throws std::logic_error when
-    /// it has done so `most_operations_at_once` times since time last passed: nothing else would ever happen.
-    void takes_no_time() {
-        throw_if_unwinding();
-        takes_no_time(0);
-    }
-    /// The same of reading the clock, but destructors may do that: it does not throw while a process is unwound, nor
-    /// before much has been done since time last passed.
-    void reads_clock() {
-        if (!circumstances_.any_of(Circumstances::unwinding)) [[likely]]
-            takes_no_time(most_operations_at_once / 1000);
+    /// Whether processes keep histories.
+    bool keeps_histories() const { return circumstances_.any_of(Circumstances::histories); }
+    /// Counts an operation that took no time. Lets the run be interrupted when more than `unheeded` were counted since
+    /// time last passed; throws std::logic_error after `most_operations_at_once`: nothing else would ever happen. Does
+    /// neither while processes are unwound.
+    void takes_no_time(std::uint64_t unheeded = 0) {
+        if (std::exchange(operations_at_, now_) != now_)
+            operations_at_once_ = 0;
+        if (++operations_at_once_ > unheeded)
+            heed_operations();
     }
     static constexpr std::uint64_t most_operations_at_once = 100'000'000;
+    /// How many readings of the clock are not heeded: destructors may read it, and should not be thrown through.
+    static constexpr std::uint64_t unheeded_readings = most_operations_at_once / 1000;
     /// Makes the process ready when the work is over. It waits until then.
     void after_work(Process& p) { after_work_.push_back(p); }
     /// Moves virtual time on to `until` if nothing else could happen before or at that moment; returns whether it did.
@@ -175,12 +173,11 @@ private:
 
     [[noreturn]] static void refuse_outside_a_run();
     [[noreturn]] void unwind_running();
-    void takes_no_time(std::uint64_t operations_unheeded) {
-        if (std::exchange(operations_at_, now_) != now_)
-            operations_at_once_ = 0;
-        if (++operations_at_once_ > operations_unheeded)
-            heed_operations();
+    void throw_if_unwinding() {
+        if (circumstances_.any_of(Circumstances::unwinding)) [[unlikely]]
+            unwind_running();
     }
+    History* attend(const Process& running);
     void heed_operations();
     void tell_and_make_ready(Process&);
 

@@ -43,7 +43,7 @@ void run_in_parallel(std::vector<Component> components, const SourceLocation& wh
         return;
     Kernel& kernel = Kernel::here();
     Process& self = kernel.running();
-    History* history = self.history();
+    History* history = kernel.begin_operation(self);
     if (history)
         note_beginning(components, *history);
     charge(self, [&](const OperationCosts& cost) { return cost_of_starting(components, self.priority(), cost); });

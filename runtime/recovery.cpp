@@ -10,16 +10,17 @@ namespace placedpar {
 
 namespace {
 
-/// Whether a message comes in time is nothing that a history knows.
-void tell_history(const Process& self) {
-    if (History* history = self.history())
+/// The process begins an operation of which no history knows how it ends: whether a message comes in time.
+Process& begin_attempt(Kernel& kernel) {
+    Process& self = kernel.running();
+    if (History* history = kernel.begin_operation(self))
         history->does_what_is_not_noted();
+    return self;
 }
 
 } // namespace
 
-Attempt::Attempt(AnyChannel& channel, End end) : channel_(channel), end_(end), process_(Kernel::here().running()) {
-    tell_history(process_);
+Attempt::Attempt(AnyChannel& channel, End end) : channel_(channel), end_(end), process_(begin_attempt(Kernel::here())) {
     charge(process_, &OperationCosts::attempt);
     end_ == End::output ? channel_.attempt_output(this) : channel_.attempt_input(this);
     process_.may_give_up(true);
@@ -60,8 +61,7 @@ void Attempt::happen() noexcept {
 }
 
 std::uint64_t reset(AnyChannel& channel, Attempt::End end) {
-    tell_history(Kernel::here().running());
-    charge(Kernel::here().running(), &OperationCosts::reset_channel);
+    charge(begin_attempt(Kernel::here()), &OperationCosts::reset_channel);
     return end == Attempt::End::output ? channel.reset_output() : channel.reset_input();
 }
 

@@ -28,18 +28,15 @@ std::int64_t seen_by(const Process& self, History::Action what, Look look) {
 
 [[gnu::noinline]] Time now_as_seen(Kernel& kernel) {
     return Time{seen_by(kernel.running(), History::Action::now, [&] {
-        kernel.reads_clock();
+        kernel.takes_no_time(Kernel::unheeded_readings);
         return kernel.now().count();
     })};
 }
 
 /// A delay.
-[[gnu::noinline]] bool only_repeats(const Process& self, Time due) {
-    self.kernel().heed_interruption();
-    History* history = self.history();
-    if (history)
-        history->does(History::Action::delay, 0, {static_cast<std::uint64_t>(due.count())});
-    return history && history->repeats();
+[[gnu::noinline]] bool only_repeats(History& history, Time due) {
+    history.does(History::Action::delay, 0, {static_cast<std::uint64_t>(due.count())});
+    return history.repeats();
 }
 
 Time tick_of(const Process& self) {
@@ -57,15 +54,15 @@ std::int32_t as_word(std::int64_t number, int bits) {
 namespace {
 
 inline Time now(Kernel& kernel) {
-    if (kernel.is_attentive()) [[unlikely]]
+    if (kernel.keeps_histories()) [[unlikely]]
         return now_as_seen(kernel);
-    kernel.reads_clock();
+    kernel.takes_no_time(Kernel::unheeded_readings);
     return kernel.now();
 }
 
 inline void wait_until(Kernel& kernel, Time due, const SourceLocation& where) {
     Process& self = kernel.running();
-    if (kernel.is_attentive() && only_repeats(self, due)) [[unlikely]]
+    if (History* history = kernel.begin_operation(self); history && only_repeats(*history, due)) [[unlikely]]
         return;
     if (self.executive() && due <= kernel.now())
         return charge(self, &OperationCosts::timer_wait_past);
@@ -91,8 +88,7 @@ void wait_for(Time how_long, const SourceLocation& where) {
 
 void wait_until_work_is_over(const SourceLocation& where) {
     Kernel& kernel = Kernel::here();
-    if (History* history = kernel.running().history()) {
-        kernel.heed_interruption();
+    if (History* history = kernel.begin_operation(kernel.running())) {
         history->does(History::Action::after_work, 0);
         if (history->repeats())
             return;
@@ -136,12 +132,13 @@ Time Timer::moment_after(std::int32_t ticks) const {
 }
 
 void Timer::wait_after(std::int32_t ticks, const SourceLocation& where) const {
-    if (History* history = Kernel::here().running().history())
+    Kernel& kernel = Kernel::here();
+    if (History* history = kernel.begin_operation(kernel.running()))
         history->does(History::Action::timer_wait, static_cast<std::uint32_t>(ticks));
     Time moment = moment_after(ticks);
     bool has_to_wait = moment > now();
     if (has_to_wait)
-        charge(Kernel::here().running(), &OperationCosts::timer_wait);
+        charge(kernel.running(), &OperationCosts::timer_wait);
     if (!has_to_wait || moment > now())
         wait_until(moment, where);
 }

@@ -193,8 +193,8 @@ void VmeMaster::require_answer(BusSlave& slave) {
 }
 
 void VmeMaster::move(std::uint64_t words, Time each, Time until) {
-    kernel_.throw_if_unwinding();
     Process& self = kernel_.running();
+    kernel_.begin_operation(self);
     Block block{self, words, each, until};
     blocks_.push_back(&block);
     if (bus_.holder_ != this && !asks_)
