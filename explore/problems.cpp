@@ -8,6 +8,7 @@
 #include "hydraulics/plant/excavator_values.hpp"
 #include "identification/circuit_problem.hpp"
 #include "netlist/kinds/csp_kinds.hpp"
+#include "netlist/language/parser.hpp"
 #include "problems/benchmark/benchmark.hpp"
 #include "problems/plant/plant_family.hpp"
 #include "runtime/random.hpp"
@@ -97,9 +98,15 @@ void add_own_device(Catalogue& catalogue, const DeviceKind& kind) {
     if (catalogue.devices().contains(kind.name))
         refuse(kind.name);
     for (const DeviceModel& model : kind.models)
-        if (catalogue.node_types().contains(model.name))
+        if (!can_be_a_name(model.name))
+            throw UserError(fmt::format("this program adds a device \"{}\", which no netlist could declare: its name is to "
+                                        "be one word, and no word of the language",
+                                        model.name));
+        else if (catalogue.node_types().contains(model.name))
             refuse(model.name);
-    catalogue.add_device(kind);
+    DeviceKind added = kind;
+    added.is_own = true;
+    catalogue.add_device(std::move(added));
 }
 
 } // namespace

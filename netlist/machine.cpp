@@ -43,7 +43,8 @@ void Machine::make_nodes(bool with_slots) {
     parts_.nodes.resize(network_.nodes.size());
     for (std::size_t i = 0; i < network_.nodes.size(); ++i)
         if (const DeviceKind& kind = *network_.nodes[i].kind; kind.medium.has_value() == with_slots)
-            parts_.nodes[i] = kind.make ? kind.make(parts_, i) : std::make_unique<MachineNode>(parts_, i);
+            parts_.nodes[i] = kind.make ? ask_device(network_.nodes[i], [&] { return kind.make(parts_, i); })
+                                        : std::make_unique<MachineNode>(parts_, i);
 }
 
 void Machine::make_links() {
@@ -63,7 +64,7 @@ void Machine::make_link(const LinkConnection& connection) {
     connections_[index].carriers =
         connection.at_run_time ? switched(index) : CarrierPair{&link.from_a_to_b(), &link.from_b_to_a()};
     for (const LinkEnd& end : {connection.a, connection.b})
-        parts_.nodes[end.node]->has_link(link);
+        ask(end.node, &MachineNode::has_link, link);
 }
 
 /// The switches that a program sets decide what gets over; the engines at its ends may be those of other links, too.
@@ -83,7 +84,7 @@ CarrierPair Machine::switched(std::size_t index) {
 void Machine::make_ways() {
     for (std::size_t i = network_.count_wires(); i < network_.connections.size(); ++i) {
         std::size_t master = network_.connections[i].over_bus->master;
-        connections_[i].carriers = parts_.nodes[network_.attachments[master].bus]->carriers(i);
+        connections_[i].carriers = ask(network_.attachments[master].bus, &MachineNode::carriers, i);
     }
 }
 
@@ -116,8 +117,9 @@ void Machine::place_channels() {
         if (const ChannelPlacement& at = network_.channels[i].placement;
             at.kind == ChannelPlacement::Kind::link && at.broadcast_on == nowhere)
             carry(i);
-    for (const auto& node : parts_.nodes)
-        node->broadcast([this](std::size_t channel) -> AnyChannel& { return software_.channel(channel); });
+    auto channel = [this](std::size_t index) -> AnyChannel& { return software_.channel(index); };
+    for (std::size_t i = 0; i < parts_.nodes.size(); ++i)
+        ask(i, &MachineNode::broadcast, channel);
 }
 
 void Machine::carry(std::size_t index) {
@@ -142,8 +144,8 @@ void Machine::record(RecordedRun& record) {
 
 void Machine::start_processes() {
     std::vector<Executive*> executives;
-    for (const auto& node : parts_.nodes)
-        executives.push_back(node->executive());
+    for (std::size_t i = 0; i < parts_.nodes.size(); ++i)
+        executives.push_back(ask(i, &MachineNode::executive));
     software_.start(simulation_, executives);
     for (std::size_t i = 0; i < network_.processes.size(); ++i)
         if (network_.nodes[network_.processes[i].node].kind->is_set_by_link())

@@ -2,6 +2,7 @@
 
 #include "netlist/kinds/catalogue.hpp"
 #include "netlist/kinds/machine_node.hpp"
+#include "netlist/kinds/own_code.hpp"
 #include "netlist/network/network.hpp"
 #include "netlist/repeated_run.hpp"
 #include "netlist/run_report.hpp"
@@ -11,6 +12,8 @@
 #include "runtime/simulation.hpp"
 
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace placedpar {
@@ -45,6 +48,13 @@ private:
         std::vector<const hardware::FaultEffect*> of_links; ///< of each that it strikes
         FaultEffects of_device = {};
     };
+    /// Calls the member of the node's device.
+    template <class Member, class... Arguments>
+    auto ask(std::size_t node, Member member, Arguments&&... arguments) const {
+        return ask_device(network_.nodes[node], [&] {
+            return std::invoke(member, *parts_.nodes[node], std::forward<Arguments>(arguments)...);
+        });
+    }
     void make_nodes(bool with_slots);
     void make_links();
     void make_link(const LinkConnection&);

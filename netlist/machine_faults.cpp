@@ -73,7 +73,7 @@ void Machine::make_faults() {
             strike_links_at(fault);
             continue;
         }
-        effects.of_device = parts_.nodes[fault.node]->suffer(fault);
+        effects.of_device = ask(fault.node, &MachineNode::suffer, fault);
         if (kind_of(fault, network_).silences_links)
             silence_links(fault);
     }

@@ -71,12 +71,17 @@ std::string failing(const Failure& failure, const ProcessInstance* process) {
                        failure.time == Time{0} ? "" : " at " + to_string(failure.time));
 }
 
+/// Whether what a process throws may come from a device of another program, which carries its messages.
+bool has_own_devices(const Network& network) {
+    return std::ranges::any_of(network.nodes, [](const Node& node) { return node.kind->is_own; });
+}
+
 /// Rethrows what is being handled, with the process that threw it and where that was declared, after a file's own
 /// places. What a process of PlacedPar throws without a user's doing is a defect; what the system refuses is not the
 /// process's fault.
 [[noreturn]] void rethrow_with_process(const Failure& failure, const Network& network, const Catalogue& catalogue) {
     const ProcessInstance* process = outermost(network, failure.process);
-    const bool is_own = process && catalogue.find(process->kind)->is_own;
+    const bool is_own = (process && catalogue.find(process->kind)->is_own) || has_own_devices(network);
     std::string place = process ? process->declared.text() : "";
     std::string who = fmt::format("{}{}{}", place, place.empty() ? "" : ": ", failing(failure, process));
     try {
@@ -124,8 +129,8 @@ std::string failing(const Failure& failure, const ProcessInstance* process) {
 RunReport Machine::run(Time limit) {
     RunReport report;
     auto count_work = [&] {
-        for (const auto& node : parts_.nodes)
-            node->report(report);
+        for (std::size_t i = 0; i < parts_.nodes.size(); ++i)
+            ask(i, &MachineNode::report, report);
         report.links = link_uses();
         report.processes = process_uses();
         report.faults = fault_uses();

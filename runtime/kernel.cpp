@@ -61,9 +61,9 @@ void Kernel::refuse_outside_a_run() {
 
 [[gnu::cold, gnu::noinline]] void Kernel::unwind_running() {
     constexpr unsigned enough = 1000;
-    if (++running_->times_unwound_ > enough) {
+    if (++hot_.running->times_unwound_ > enough) {
         std::fprintf(stderr, "process %s catches every exception, also the one that ends it: let Unwinding pass\n",
-                     running_->path().c_str());
+                     hot_.running->path().c_str());
         std::abort();
     }
     throw Unwinding{};
@@ -71,49 +71,49 @@ void Kernel::refuse_outside_a_run() {
 
 /// What keeps histories or is over takes its time here, so that the gate is short for all others.
 [[gnu::cold, gnu::noinline]] History* Kernel::attend(const Process& running) {
-    if (circumstances_.any_of(Circumstances::unwinding | Circumstances::interrupted))
+    if (hot_.circumstances.any_of(Circumstances::unwinding | Circumstances::interrupted))
         give_way();
     return running.history();
 }
 
 /// The running process may have been doing such things for ever.
 void Kernel::heed_operations() {
-    if (circumstances_.any_of(Circumstances::unwinding))
+    if (hot_.circumstances.any_of(Circumstances::unwinding))
         return;
-    if (circumstances_.any_of(Circumstances::interrupted))
+    if (hot_.circumstances.any_of(Circumstances::interrupted))
         return give_way();
-    if (operations_at_once_ > most_operations_at_once)
-        throw std::logic_error(fmt::format("process {} computes for ever without any time passing", running_->path()));
+    if (hot_.operations_at_once > most_operations_at_once)
+        throw std::logic_error(fmt::format("process {} computes for ever without any time passing", hot_.running->path()));
 }
 
-Kernel::Kernel() { circumstances_.set(Circumstances::nobody_left); }
+Kernel::Kernel() { hot_.circumstances.set(Circumstances::nobody_left); }
 Kernel::~Kernel() = default;
 
 void Kernel::add(Process& p) {
-    p.ordinal_ = next_ordinal_++;
-    p.slot_ = processes_.size();
-    processes_.push_back(&p);
-    if (program_processes_++ == 0)
-        circumstances_.clear(Circumstances::nobody_left);
+    p.ordinal_ = population_.next_ordinal++;
+    p.slot_ = population_.all.size();
+    population_.all.push_back(&p);
+    if (population_.of_the_program++ == 0)
+        hot_.circumstances.clear(Circumstances::nobody_left);
 }
 
 /// A process of the program has ended, or is none.
 void Kernel::count_out() {
-    if (--program_processes_ == 0)
-        circumstances_.set(Circumstances::nobody_left);
+    if (--population_.of_the_program == 0)
+        hot_.circumstances.set(Circumstances::nobody_left);
 }
 
 void Kernel::remove(Process& p) {
     if (!p.ended() && !p.serves_machine())
         count_out();
-    processes_[p.slot_] = processes_.back();
-    processes_[p.slot_]->slot_ = p.slot_;
-    processes_.pop_back();
+    population_.all[p.slot_] = population_.all.back();
+    population_.all[p.slot_]->slot_ = p.slot_;
+    population_.all.pop_back();
 }
 
 void Kernel::tell_and_make_ready(Process& p) {
-    if (trace_)
-        trace_->made_ready(p, now_);
+    if (hot_.trace)
+        hot_.trace->made_ready(p, hot_.now);
     if (p.executive_)
         p.executive_->make_ready(p);
     else
@@ -121,22 +121,22 @@ void Kernel::tell_and_make_ready(Process& p) {
 }
 
 inline bool Kernel::over() const {
-    return circumstances_.any_of(Circumstances::nobody_left | Circumstances::failed | Circumstances::at_the_limit |
+    return hot_.circumstances.any_of(Circumstances::nobody_left | Circumstances::failed | Circumstances::at_the_limit |
                                  Circumstances::interrupted);
 }
 
 /// Lets the next event happen, unless the run ends before it.
 [[gnu::noinline]] void Kernel::pass_to(Time next) {
-    if (next > limit_) {
-        now_ = limit_;
-        circumstances_.set(Circumstances::at_the_limit);
+    if (next > hot_.limit) {
+        hot_.now = hot_.limit;
+        hot_.circumstances.set(Circumstances::at_the_limit);
     } else if (next == Time::max()) {
         fail_with(beyond_the_end_of_time(*this));
     } else {
-        now_ = next;
-        between_programs_ = true;
-        future_.happen_next();
-        between_programs_ = false;
+        hot_.now = next;
+        hot_.between_programs = true;
+        hot_.future.happen_next();
+        hot_.between_programs = false;
     }
 }
 
@@ -145,27 +145,27 @@ inline bool Kernel::over() const {
 constexpr std::size_t stacks_in_a_cache = 500;
 
 inline bool Kernel::begin_communication(Process& p) {
-    between_programs_ = true;
+    hot_.between_programs = true;
     bool waits = p.begin_communication();
-    between_programs_ = false;
+    hot_.between_programs = false;
     return waits;
 }
 
 Process* Kernel::choose_next() {
     for (;;) {
-        if (circumstances_.any()) [[unlikely]] {
+        if (hot_.circumstances.any()) [[unlikely]] {
             if (over())
                 return nullptr;
             if (shuffle_)
-                put_off_some(ready_, *shuffle_);
+                put_off_some(hot_.ready, *shuffle_);
         }
-        if (Process* p = ready_.pop_front()) {
+        if (Process* p = hot_.ready.pop_front()) {
             if (p->communication_ && begin_communication(*p))
                 continue;
             return p;
         }
-        if (!future_.empty())
-            pass_to(future_.next_time());
+        if (!hot_.future.empty())
+            pass_to(hot_.future.next_time());
         else if (!go_on_after_work())
             return nullptr;
     }
@@ -173,27 +173,27 @@ Process* Kernel::choose_next() {
 
 /// Ends the work and wakes those that wait for this; returns whether there are any.
 [[gnu::cold, gnu::noinline]] bool Kernel::go_on_after_work() {
-    if (after_work_.empty())
+    if (end_.after_work.empty())
         return false;
     end_work();
-    limit_ = Time::max();
-    while (Process* p = after_work_.pop_front())
+    hot_.limit = Time::max();
+    while (Process* p = end_.after_work.pop_front())
         make_ready(*p);
     return true;
 }
 
 void Kernel::end_work() {
-    if (std::exchange(work_over_, true))
+    if (std::exchange(end_.work_over, true))
         return;
-    tell(observer_.work_over);
-    if (TraceSink* trace = std::exchange(trace_, nullptr))
-        tell([&] { trace->over(now_); });
+    tell(end_.observer.work_over);
+    if (TraceSink* trace = std::exchange(hot_.trace, nullptr))
+        tell([&] { trace->over(hot_.now); });
 }
 
 /// After a failure nothing is told.
 void Kernel::tell(const std::function<void()>& observer) {
     try {
-        if (!failure_)
+        if (!end_.failure)
             observer();
     } catch (...) {
         fail_with(std::current_exception());
@@ -201,8 +201,8 @@ void Kernel::tell(const std::function<void()>& observer) {
 }
 
 [[gnu::cold, gnu::noinline]] void Kernel::fail_with(std::exception_ptr what) {
-    failure_ = std::move(what);
-    circumstances_.set(Circumstances::failed);
+    end_.failure = std::move(what);
+    hot_.circumstances.set(Circumstances::failed);
 }
 
 /// The process to run next, with a fiber to run on; null when the run is over.
@@ -210,70 +210,70 @@ Process* Kernel::next_with_worker() {
     Process* next = choose_next();
     if (!next || (!next->worker_ && !employ(*next)))
         return nullptr;
-    if (stacks_exceed_cache_) [[unlikely]]
-        Worker::fetch_stack(running_, *next);
+    if (hot_.stacks_exceed_cache) [[unlikely]]
+        Worker::fetch_stack(hot_.running, *next);
     return next;
 }
 
 bool Kernel::pass_time(Time until) {
-    if (!ready_.empty() || until > limit_ || until == Time::max())
+    if (!hot_.ready.empty() || until > hot_.limit || until == Time::max())
         return false;
-    if (circumstances_.any() && (circumstances_.any_of(Circumstances::unwinding) || over())) [[unlikely]]
+    if (hot_.circumstances.any() && (hot_.circumstances.any_of(Circumstances::unwinding) || over())) [[unlikely]]
         return false;
-    if (!future_.empty() && future_.next_time() <= until)
+    if (!hot_.future.empty() && hot_.future.next_time() <= until)
         return false;
-    now_ = until;
+    hot_.now = until;
     return true;
 }
 
 /// Null means the fiber that called run.
 void Kernel::switch_to(Process* p) {
-    running_ = p;
-    SwitchedStack& from = *stack_in_use_;
+    hot_.running = p;
+    SwitchedStack& from = *hot_.stack_in_use;
     if (SwitchedStack::is_watched()) [[unlikely]] {
-        stack_left_ = &from;
-        stack_in_use_ = p ? &p->worker_->stack : &host_stack_;
-        from.leave_for(*stack_in_use_);
+        fibers_.stack_left = &from;
+        hot_.stack_in_use = p ? &p->worker_->stack : &fibers_.host_stack;
+        from.leave_for(*hot_.stack_in_use);
     }
     if (p)
         p->worker_->resume();
     else
-        scheduler_->host()->resume();
+        fibers_.scheduler->host()->resume();
     from.arrive();
 }
 
 /// Gives a process that runs for the first time a fiber; returns whether there was memory for it. If not, the run ends.
 [[gnu::cold, gnu::noinline]] bool Kernel::employ(Process& p) {
     try {
-        if (idle_.empty()) {
-            workers_.push_back(Worker::make(*this, stacks_.allocate()));
-            idle_.push_back(workers_.back().get());
-            if (!stacks_.all_guarded())
-                circumstances_.set(Circumstances::unguarded);
-            stacks_exceed_cache_ = workers_.size() > stacks_in_a_cache;
+        if (fibers_.idle.empty()) {
+            fibers_.workers.push_back(Worker::make(*this, fibers_.stacks.allocate()));
+            fibers_.idle.push_back(fibers_.workers.back().get());
+            if (!fibers_.stacks.all_guarded())
+                hot_.circumstances.set(Circumstances::unguarded);
+            hot_.stacks_exceed_cache = fibers_.workers.size() > stacks_in_a_cache;
         }
     } catch (...) {
         fail_with(std::current_exception());
         return false;
     }
-    p.worker_ = idle_.back();
+    p.worker_ = fibers_.idle.back();
     p.worker_->process = &p;
-    idle_.pop_back();
+    fibers_.idle.pop_back();
     return true;
 }
 
 void Kernel::wait(Process* successor) {
-    Process& self = *running_;
-    if (self.executive_ && !circumstances_.any_of(Circumstances::unwinding))
+    Process& self = *hot_.running;
+    if (self.executive_ && !hot_.circumstances.any_of(Circumstances::unwinding))
         self.executive_->leave(self, successor);
     give_way();
 }
 
 void Kernel::give_way() {
-    Process& self = *running_;
-    if (circumstances_.any()) [[unlikely]] {
+    Process& self = *hot_.running;
+    if (hot_.circumstances.any()) [[unlikely]] {
         throw_if_unwinding();
-        if (circumstances_.any_of(Circumstances::unguarded))
+        if (hot_.circumstances.any_of(Circumstances::unguarded))
             require_own_stack(self);
     }
     Process* next = next_with_worker();
@@ -289,7 +289,7 @@ StackUser stack_user(const Process& process) { return {process.outermost().name(
 } // namespace
 
 std::optional<StackUser> Kernel::who_overflowed(const void* address) {
-    const Process* running = current_ ? current_->running_ : nullptr;
+    const Process* running = current_ ? current_->hot_.running : nullptr;
     if (!running || !running->worker_ || !running->worker_->memory.was_left_for(address))
         return std::nullopt;
     return stack_user(*running);
@@ -306,28 +306,28 @@ std::optional<StackUser> Kernel::who_overflowed(const void* address) {
 
 /// The process that ran on the worker throws. Only the first failure counts.
 void Kernel::fail(const Process& p) noexcept {
-    if (circumstances_.any_of(Circumstances::failed | Circumstances::unwinding))
+    if (hot_.circumstances.any_of(Circumstances::failed | Circumstances::unwinding))
         return;
     fail_with(std::current_exception());
-    who_failed_ = {p.path(), now_, text_of(p.place_in_program())};
+    end_.who_failed = {p.path(), hot_.now, text_of(p.place_in_program())};
 }
 
 /// The process that ran on the worker has ended. If it was the last component of a PAR, its parent can go on.
 void Kernel::finish(Process& p) noexcept {
-    if (!stacks_.all_guarded())
+    if (!fibers_.stacks.all_guarded())
         require_own_stack(p);
     p.activity_ = Activity::ended;
     p.stands_still();
     if (!p.serves_machine())
         count_out();
-    fingerprint_.mix(static_cast<std::uint64_t>(now_.count()));
-    fingerprint_.mix(p.ordinal_);
-    idle_.push_back(p.worker_);
+    hot_.fingerprint.mix(static_cast<std::uint64_t>(hot_.now.count()));
+    hot_.fingerprint.mix(p.ordinal_);
+    fibers_.idle.push_back(p.worker_);
     p.worker_ = nullptr;
-    if (circumstances_.any_of(Circumstances::unwinding))
+    if (hot_.circumstances.any_of(Circumstances::unwinding))
         return;
-    if (trace_)
-        trace_->ended(p, now_);
+    if (hot_.trace)
+        hot_.trace->ended(p, hot_.now);
     Process* parent = p.join_ && --p.join_->components_left == 0 ? &p.join_->parent : nullptr;
     if (p.executive_)
         p.executive_->leave(p, parent);
@@ -338,53 +338,53 @@ void Kernel::finish(Process& p) noexcept {
 Ending Kernel::run(Time limit, Observer observer) {
     if (current_)
         throw std::logic_error("a simulation is already running on this thread");
-    if (circumstances_.any_of(Circumstances::unwinding))
+    if (hot_.circumstances.any_of(Circumstances::unwinding))
         throw std::logic_error("a simulation runs only once");
-    limit_ = limit;
-    observer_ = std::move(observer);
-    boost::fibers::use_scheduling_algorithm<FiberScheduler>(boost::fibers::context::active(), scheduler_);
+    hot_.limit = limit;
+    end_.observer = std::move(observer);
+    boost::fibers::use_scheduling_algorithm<FiberScheduler>(boost::fibers::context::active(), fibers_.scheduler);
     current_ = this;
     StackOverflowWatch watch(who_overflowed);
-    stack_in_use_ = &host_stack_;
+    hot_.stack_in_use = &fibers_.host_stack;
     introduce_to_trace();
     if (Process* first = next_with_worker())
         switch_to(first);
     Ending how = ending();
     end_work();
-    tell([&] { observer_.run_over(how); });
+    tell([&] { end_.observer.run_over(how); });
     unwind_all();
     current_ = nullptr;
     boost::fibers::use_scheduling_algorithm<boost::fibers::algo::round_robin>();
-    scheduler_ = nullptr;
-    if (failure_)
-        std::rethrow_exception(failure_);
+    fibers_.scheduler = nullptr;
+    if (end_.failure)
+        std::rethrow_exception(end_.failure);
     return how;
 }
 
 Ending Kernel::ending() const {
     if (living().empty())
         return Ending::completed;
-    if (circumstances_.any_of(Circumstances::interrupted))
+    if (hot_.circumstances.any_of(Circumstances::interrupted))
         return Ending::interrupted;
-    return circumstances_.any_of(Circumstances::at_the_limit) ? Ending::time_limit : Ending::stuck;
+    return hot_.circumstances.any_of(Circumstances::at_the_limit) ? Ending::time_limit : Ending::stuck;
 }
 
 std::vector<Process*> Kernel::by_age() const {
-    std::vector<Process*> result = processes_;
+    std::vector<Process*> result = population_.all;
     std::ranges::sort(result, {}, &Process::ordinal_);
     return result;
 }
 
 /// The processes that were made before the run.
 void Kernel::introduce_to_trace() {
-    if (trace_)
+    if (hot_.trace)
         for (const Process* p : by_age())
-            trace_->began(*p, now_);
+            hot_.trace->began(*p, hot_.now);
 }
 
 /// The youngest process first, so that components go before the processes that wait for them.
 void Kernel::unwind_all() {
-    circumstances_.set(Circumstances::unwinding);
+    hot_.circumstances.set(Circumstances::unwinding);
     std::vector<Process*> left = by_age();
     std::ranges::reverse(left);
     for (Process* p : left) {
@@ -393,8 +393,8 @@ void Kernel::unwind_all() {
             switch_to(p);
         p->activity_ = Activity::ended;
     }
-    workers_.clear();
-    idle_.clear();
+    fibers_.workers.clear();
+    fibers_.idle.clear();
 }
 
 std::vector<const Process*> Kernel::living() const {

@@ -76,34 +76,34 @@ public:
     /// The kernel that runs the caller. Throws std::logic_error when the caller is no process: outside a run nobody can
     /// communicate, compute or wait.
     static Kernel& here() {
-        if (!current_ || !current_->running_)
+        if (!current_ || !current_->hot_.running)
             refuse_outside_a_run();
         return *current_;
     }
 
-    Time now() const { return now_; }
+    Time now() const { return hot_.now; }
     /// The process whose program is being executed.
-    Process& running() const { return *running_; }
+    Process& running() const { return *hot_.running; }
     /// The same; null while an event happens, or the kernel begins a communication for a process.
-    const Process* who_runs() const { return between_programs_ ? nullptr : running_; }
-    EventQueue& future() { return future_; }
-    Fingerprint& fingerprint() { return fingerprint_; }
+    const Process* who_runs() const { return hot_.between_programs ? nullptr : hot_.running; }
+    EventQueue& future() { return hot_.future; }
+    Fingerprint& fingerprint() { return hot_.fingerprint; }
     /// Null if no trace is wanted.
-    TraceSink* trace() const { return trace_; }
-    void trace_to(TraceSink& sink) { trace_ = &sink; }
+    TraceSink* trace() const { return hot_.trace; }
+    void trace_to(TraceSink& sink) { hot_.trace = &sink; }
     /// The first of so many successive ranks for the events of one more device. Devices rank in the order in which they
     /// ask.
     std::uint64_t new_ranks(std::uint64_t count) { return std::exchange(ranks_, ranks_ + count); }
 
     /// Lets a process go on: at once if it is not placed, else when its executive gives it its turn.
     void make_ready(Process& p) {
-        if (trace_ || p.executive())
+        if (hot_.trace || p.executive())
             tell_and_make_ready(p);
         else
             enqueue(p);
     }
     /// Puts the process at the back of the ready queue. For executives; all others call make_ready.
-    void enqueue(Process& p) { ready_.push_back(p); }
+    void enqueue(Process& p) { hot_.ready.push_back(p); }
     /// Takes the running process off its executive and runs others until it is made ready. A successor, which needs an
     /// executive, is made ready. Throws Unwinding when the simulation is over.
     void wait(Process* successor = nullptr);
@@ -114,26 +114,26 @@ public:
     /// none. Throws Unwinding when the simulation is over; one that keeps histories also when it was interrupted, since
     /// what is repeated waits for nothing. Ends the program with a message when the process has caught that many times.
     History* begin_operation(const Process& running) {
-        if (circumstances_.any_of(Circumstances::unwinding | Circumstances::histories)) [[unlikely]]
+        if (hot_.circumstances.any_of(Circumstances::unwinding | Circumstances::histories)) [[unlikely]]
             return attend(running);
         return nullptr;
     }
     /// Whether processes keep histories.
-    bool keeps_histories() const { return circumstances_.any_of(Circumstances::histories); }
+    bool keeps_histories() const { return hot_.circumstances.any_of(Circumstances::histories); }
     /// Counts an operation that took no time. Lets the run be interrupted when more than `unheeded` were counted since
     /// time last passed; throws std::logic_error after `most_operations_at_once`: nothing else would ever happen. Does
     /// neither while processes are unwound.
     void takes_no_time(std::uint64_t unheeded = 0) {
-        if (std::exchange(operations_at_, now_) != now_)
-            operations_at_once_ = 0;
-        if (++operations_at_once_ > unheeded)
+        if (std::exchange(hot_.operations_at, hot_.now) != hot_.now)
+            hot_.operations_at_once = 0;
+        if (++hot_.operations_at_once > unheeded)
             heed_operations();
     }
     static constexpr std::uint64_t most_operations_at_once = 100'000'000;
     /// How many readings of the clock are not heeded: destructors may read it, and should not be thrown through.
     static constexpr std::uint64_t unheeded_readings = most_operations_at_once / 1000;
     /// Makes the process ready when the work is over. It waits until then.
-    void after_work(Process& p) { after_work_.push_back(p); }
+    void after_work(Process& p) { end_.after_work.push_back(p); }
     /// Moves virtual time on to `until` if nothing else could happen before or at that moment; returns whether it did.
     /// Same effect as waiting, without two context switches.
     bool pass_time(Time until);
@@ -156,13 +156,13 @@ public:
     /// the program's possible courses, to find what depends on order. Executives share themselves out as before.
     void shuffle(std::uint64_t seed) {
         shuffle_.emplace(seed, "ready queue");
-        circumstances_.set(Circumstances::shuffled);
+        hot_.circumstances.set(Circumstances::shuffled);
     }
     /// Ends the run before the next process or event. May be called from a signal handler or another thread.
-    void interrupt() { circumstances_.set(Circumstances::interrupted); }
+    void interrupt() { hot_.circumstances.set(Circumstances::interrupted); }
 
     /// The process that ended the run by throwing, if one did.
-    const std::optional<Failure>& who_failed() const { return who_failed_; }
+    const std::optional<Failure>& who_failed() const { return end_.who_failed; }
     /// Every process of the program that exists and has not ended, in order of creation.
     std::vector<const Process*> living() const;
 
@@ -174,7 +174,7 @@ private:
     [[noreturn]] static void refuse_outside_a_run();
     [[noreturn]] void unwind_running();
     void throw_if_unwinding() {
-        if (circumstances_.any_of(Circumstances::unwinding)) [[unlikely]]
+        if (hot_.circumstances.any_of(Circumstances::unwinding)) [[unlikely]]
             unwind_running();
     }
     History* attend(const Process& running);
@@ -206,35 +206,51 @@ private:
 
     static constinit thread_local Kernel* current_; // constinit: it is read without asking whether it exists
 
-    Time now_{}, limit_{Time::max()};
-    Circumstances circumstances_;
-    ProcessQueue ready_;
-    ProcessQueue after_work_;
-    EventQueue future_;
-    Fingerprint fingerprint_;
-    TraceSink* trace_ = nullptr;
-    Process* running_ = nullptr;
-    std::vector<Process*> processes_;   ///< all that exist, in no order
-    std::size_t program_processes_ = 0; ///< how many of the program have not ended; none: Circumstances::nobody_left
-    std::uint32_t next_ordinal_ = 0;
-    std::uint64_t ranks_ = 0; ///< how many were given out
+    /// What each step of a run needs, side by side in few lines of the cache.
+    struct Hot {
+        Time now{}, limit{Time::max()};
+        Circumstances circumstances;
+        ProcessQueue ready;
+        EventQueue future;
+        Fingerprint fingerprint;
+        TraceSink* trace = nullptr;
+        Process* running = nullptr;
+        SwitchedStack* stack_in_use = nullptr;
+        Time operations_at{};                 ///< when the operations were done that took no time
+        std::uint64_t operations_at_once = 0; ///< and how many
+        bool between_programs = false;
+        bool stacks_exceed_cache = false;
+    };
+    /// The processes that exist.
+    struct Population {
+        std::vector<Process*> all;      ///< in no order
+        std::size_t of_the_program = 0; ///< that have not ended; none: Circumstances::nobody_left
+        std::uint32_t next_ordinal = 0;
+    };
+    /// What processes run on.
+    struct Fibers {
+        StackArena stacks;
+        std::vector<std::unique_ptr<Worker, EndWorker>> workers;
+        std::vector<Worker*> idle; ///< workers without a process
+        FiberScheduler* scheduler = nullptr;
+        SwitchedStack host_stack; ///< of the fiber that called run
+        SwitchedStack* stack_left = nullptr;
+    };
+    /// How the work and the run end, and who is told.
+    struct End {
+        ProcessQueue after_work; ///< processes that wait for the end of the work
+        Observer observer;
+        bool work_over = false;
+        std::exception_ptr failure; ///< what a process threw: Circumstances::failed
+        std::optional<Failure> who_failed;
+    };
 
-    StackArena stacks_;
-    std::vector<std::unique_ptr<Worker, EndWorker>> workers_;
-    std::vector<Worker*> idle_; ///< workers without a process
-    bool stacks_exceed_cache_ = false;
-    FiberScheduler* scheduler_ = nullptr;
-    Observer observer_;
-    bool between_programs_ = false;
-    bool work_over_ = false;
-    std::exception_ptr failure_; ///< what a process threw: Circumstances::failed
-    std::optional<Failure> who_failed_;
-    Time operations_at_{};                 ///< when the operations were done that took no time
-    std::uint64_t operations_at_once_ = 0; ///< and how many
-    std::optional<RandomStream> shuffle_;  ///< Circumstances::shuffled
-    SwitchedStack host_stack_;             ///< of the fiber that called run
-    SwitchedStack* stack_in_use_ = nullptr;
-    SwitchedStack* stack_left_ = nullptr;
+    Hot hot_;
+    Population population_;
+    Fibers fibers_;
+    End end_;
+    std::uint64_t ranks_ = 0;             ///< how many were given out
+    std::optional<RandomStream> shuffle_; ///< Circumstances::shuffled
 };
 
 } // namespace placedpar

@@ -28,7 +28,7 @@ Process::~Process() { kernel_.remove(*this); }
 
 void Process::keep(History& history) {
     history_ = &history;
-    kernel_.circumstances_.set(Circumstances::histories);
+    kernel_.hot_.circumstances.set(Circumstances::histories);
 }
 
 void Process::serve_machine() {

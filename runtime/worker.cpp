@@ -41,12 +41,12 @@ std::unique_ptr<Worker, EndWorker> Worker::make(Kernel& kernel, const Stack& sta
 
 Worker::Worker(Kernel& kernel, const Stack& stack_memory) : memory(stack_memory) {
     using boost::fibers::fiber;
-    kernel.scheduler_->expect_worker();
+    kernel.fibers_.scheduler->expect_worker();
     stack.lies_at(memory.bottom, Stack::bytes());
     fiber(boost::fibers::launch::post, std::allocator_arg, InArena{memory.bottom}, [this, &kernel] {
         work(kernel);
     }).detach();
-    context_ = kernel.scheduler_->newest_worker();
+    context_ = kernel.fibers_.scheduler->newest_worker();
 }
 
 // What a process looks at first are its registers, at the end of its stack, and its youngest frames above them: it
@@ -62,7 +62,7 @@ void Worker::fetch_stack(Process* leaves, const Process& next) {
 }
 
 void Worker::work(Kernel& kernel) {
-    stack.arrive_from(*kernel.stack_left_);
+    stack.arrive_from(*kernel.fibers_.stack_left);
     for (;;) {
         Process& self = *process;
         try {
@@ -75,9 +75,9 @@ void Worker::work(Kernel& kernel) {
         }
         process = nullptr;
         kernel.finish(self);
-        Process* next = kernel.circumstances_.any_of(Circumstances::unwinding) ? nullptr : kernel.next_with_worker();
+        Process* next = kernel.hot_.circumstances.any_of(Circumstances::unwinding) ? nullptr : kernel.next_with_worker();
         if (next && next->worker_ == this)
-            kernel.running_ = next;
+            kernel.hot_.running = next;
         else
             kernel.switch_to(next);
     }

@@ -1,5 +1,7 @@
 #include "netlist/complete/complete.hpp"
 
+#include "netlist/kinds/own_code.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +36,8 @@ private:
         if (draft.connection != nowhere && !take_attributes(attachment, c_.draft.connections[draft.connection]))
             return;
         const auto& takes = nodes()[draft.bus].kind->medium->takes;
-        if (!takes || takes(attached_, attachment))
+        auto is_taken = [&] { return takes(attached_, attachment); };
+        if (!takes || ask_device(nodes()[draft.bus], is_taken))
             attachments().push_back(std::move(attachment));
     }
 
@@ -77,7 +80,8 @@ private:
         std::vector<BusWay> all;
         for (std::size_t i = 0; i < nodes().size(); ++i)
             if (const auto& medium = nodes()[i].kind->medium; medium && medium->ways)
-                std::ranges::copy(medium->ways(attached_, i), std::back_inserter(all));
+                std::ranges::copy(ask_device(nodes()[i], [&] { return medium->ways(attached_, i); }),
+                                  std::back_inserter(all));
         auto place = [](const BusWay& way) {
             bool in_memory = way.wire == nowhere;
             return std::tuple(in_memory, in_memory ? way.master : 0, way.slave);

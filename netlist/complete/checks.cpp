@@ -68,7 +68,9 @@ std::vector<Complaint> complaints_of(const Completion& c, std::size_t process) {
 
 void check_nodes(Completion& c) {
     for (const Node& node : c.network.nodes)
-        if (std::string reason = node.kind->why_not ? node.kind->why_not(node) : ""; !reason.empty())
+        if (!node.kind->why_not)
+            continue;
+        else if (std::string reason = ask_device(node, [&] { return node.kind->why_not(node); }); !reason.empty())
             c.reporter.error(node.declared, reason);
 }
 

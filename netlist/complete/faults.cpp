@@ -1,5 +1,7 @@
 #include "netlist/complete/complete.hpp"
 
+#include "netlist/kinds/own_code.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -60,8 +62,10 @@ bool find_wire(Completion& c, const DraftFault& draft, Fault& fault) {
 
 void check_device(Completion& c, const DraftFault& draft) {
     const Fault& fault = draft.fault;
-    const FaultKind& kind = *std::ranges::find(c.network.nodes[fault.node].kind->faults, fault.kind, &FaultKind::name);
-    if (std::string reason = kind.why_not ? kind.why_not(c.network, fault) : ""; !reason.empty())
+    const Node& node = c.network.nodes[fault.node];
+    const FaultKind& kind = *std::ranges::find(node.kind->faults, fault.kind, &FaultKind::name);
+    auto reason_against = [&] { return kind.why_not ? kind.why_not(c.network, fault) : ""; };
+    if (std::string reason = ask_device(node, reason_against); !reason.empty())
         c.reporter.error(draft.at, reason);
 }
 

@@ -127,6 +127,8 @@ struct DeviceKind {
     /// Makes the device of a run. Empty: it does nothing of its own there.
     std::function<std::unique_ptr<MachineNode>(MachineParts&, std::size_t node)> make = {};
     Drawing drawing = {};
+    /// Whether a program that is built on PlacedPar adds it: what it throws is then that program's error.
+    bool is_own = false;
 
     /// Null where there is none.
     const AttributeDescription* attribute(std::string_view name) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "netlist/kinds/device_kind.hpp"
 #include "netlist/kinds/process_kind.hpp"
 #include "netlist/network/network.hpp"
 #include "runtime/user_code.hpp"
@@ -11,8 +12,8 @@ namespace placedpar {
 
 /// Returns what `work` gives, which asks the kind's own code. Whatever a kind that a program adds throws becomes a
 /// UserError with the same text; a UserError is thrown on as it is.
-template <class Work>
-auto ask_kind(const ProcessKind& kind, const Work& work) {
+template <class Kind, class Work>
+auto ask_kind(const Kind& kind, const Work& work) {
     try {
         return work();
     } catch (const UserError&) {
@@ -34,6 +35,18 @@ auto ask_kind(const ProcessKind& kind, const ProcessInstance& process, const cha
     } catch (const UserError& thrown) {
         throw UserError(process.declared.text() + ": process " + process.name + " (" + process.kind + "), asked " +
                         what + ": " + thrown.what());
+    }
+}
+
+/// Does the same for a node of a device. The UserError also says which device of the netlist threw it.
+template <class Work>
+auto ask_device(const Node& node, const Work& work) {
+    try {
+        return ask_kind(*node.kind, work);
+    } catch (const UserError& thrown) {
+        if (!node.kind->is_own)
+            throw;
+        throw UserError(node.declared.text() + ": " + node.kind->noun + " \"" + node.name + "\": " + thrown.what());
     }
 }
 

@@ -1,5 +1,7 @@
 #include "netlist/language/parser.hpp"
 
+#include "netlist/language/characters.hpp"
+
 #include "text/counted.hpp"
 #include "text/nearest.hpp"
 
@@ -17,6 +19,10 @@ bool is_reserved(std::string_view word) {
                                       "output", "use",    "place",      "rep",     "if",       "else",
                                       "for",    "to",     "by",         "on",      "interface"};
     return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool can_be_a_name(std::string_view text) {
+    return !text.empty() && starts_name(text.front()) && std::ranges::all_of(text, in_name) && !is_reserved(text);
 }
 
 namespace {

@@ -121,6 +121,8 @@ private:
 
 /// Words that begin or structure statements and so cannot name anything.
 bool is_reserved(std::string_view word);
+/// Whether a netlist can use the text as a name: it is one word, and not reserved.
+bool can_be_a_name(std::string_view text);
 /// The one of the words that this one is a letter or two away from, or is in capital letters; "" for others.
 std::string word_meant(const std::string& word, const std::vector<std::string>& words);
 /// Of those that begin a statement.

@@ -1,6 +1,6 @@
 #include "observe/trace/tracks.hpp"
 
-#include "netlist/kinds/device_kind.hpp"
+#include "netlist/kinds/own_code.hpp"
 #include "runtime/executive.hpp"
 
 #include <algorithm>
@@ -42,9 +42,11 @@ void Tracks::add_links(const Network& network, std::size_t index) {
 }
 
 void Tracks::add_tracks_of(const Network& network, std::size_t node) {
-    const DeviceKind& kind = *network.nodes[node].kind;
+    const auto& tracks = network.nodes[node].kind->tracks;
+    if (!tracks)
+        return;
     std::size_t number = 0;
-    for (std::string& name : kind.tracks ? kind.tracks(network, node) : std::vector<std::string>{})
+    for (std::string& name : ask_device(network.nodes[node], [&] { return tracks(network, node); }))
         add(std::move(name), {node, Track::Kind::bus, number++, {}});
 }
 

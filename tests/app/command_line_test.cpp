@@ -118,6 +118,19 @@ TEST_CASE("a kind of one's own cannot take a name that is taken") {
                      "process kind another, such as \"own.identity\"\n"});
 }
 
+TEST_CASE("a device of one's own has a name that a netlist can use") {
+    for (std::string name : {"place", "my ring", "", "3ring"}) {
+        CAPTURE(name);
+        char program[] = "farmer", command[] = "kinds";
+        char* arguments[] = {program, command};
+        Listener listener;
+        CHECK(run_program(2, arguments, {}, {}, {}, {{.name = "ring", .noun = "a ring", .about = "", .models = {{name}}}}) == 1);
+        CHECK(listener.said() == "farmer: this program adds a device \"" + name +
+                                     "\", which no netlist could declare: its name is to be one word, and no word of "
+                                     "the language\n");
+    }
+}
+
 namespace {
 
 struct OtherRastrigin {

@@ -119,7 +119,8 @@ Files killed_in_commit(const Files& files, std::size_t bytes) {
     } else {
         int status = 0;
         ::waitpid(child, &status, 0);
-        CHECK(WIFSIGNALED(status));
+        REQUIRE(WIFSIGNALED(status));
+        CHECK(WTERMSIG(status) == SIGXFSZ);
     }
     return Files(scratch);
 }
@@ -236,15 +237,26 @@ TEST_CASE("a file of an earlier version is put aside with what is beside it, and
     }
     scratch.write("state", text);
     scratch.write("state-wal", "a log");
+    scratch.write("state-journal", "a journal");
     const Everything everything(scratch / "state");
     CHECK(everything.content.said.find("it was of version 2, of an earlier placedpar monitor") != std::string::npos);
     CHECK(everything.content.machines.empty());
     CHECK(scratch.read("state.version-2") == text);
     CHECK(scratch.read("state.version-2-wal") == "a log");
+    CHECK(scratch.read("state.version-2-journal") == "a journal");
     scratch.write("state", text);
     StateContent content;
     CHECK_THROWS_WITH_AS(StateFile(scratch / "state", "settings", most_history, content),
                          doctest::Contains("move one of them away"), UserError);
+}
+
+TEST_CASE("a start that follows one which only put the earlier file aside says so, and the next one does not") {
+    Scratch scratch;
+    scratch.write("state.version-2", "the earlier file");
+    auto said = [&] { return Everything(scratch / "state").content.said; };
+    CHECK(said().find("it was of version 2, of an earlier placedpar monitor: it is now") != std::string::npos);
+    CHECK(said() == "");
+    CHECK(scratch.read("state.version-2") == "the earlier file");
 }
 
 TEST_CASE("a machine that is forgotten leaves nothing but its messages") {
