@@ -99,9 +99,10 @@ void add_own_device(Catalogue& catalogue, const DeviceKind& kind) {
         refuse(kind.name);
     for (const DeviceModel& model : kind.models)
         if (!can_be_a_name(model.name))
-            throw UserError(fmt::format("this program adds a device \"{}\", which no netlist could declare: its name is to "
-                                        "be one word, and no word of the language",
-                                        model.name));
+            throw UserError(
+                fmt::format("this program adds a device \"{}\", which no netlist could declare: its name is to "
+                            "be one word, and no word of the language",
+                            model.name));
         else if (catalogue.node_types().contains(model.name))
             refuse(model.name);
     DeviceKind added = kind;

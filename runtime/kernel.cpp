@@ -83,7 +83,8 @@ void Kernel::heed_operations() {
     if (hot_.circumstances.any_of(Circumstances::interrupted))
         return give_way();
     if (hot_.operations_at_once > most_operations_at_once)
-        throw std::logic_error(fmt::format("process {} computes for ever without any time passing", hot_.running->path()));
+        throw std::logic_error(
+            fmt::format("process {} computes for ever without any time passing", hot_.running->path()));
 }
 
 Kernel::Kernel() { hot_.circumstances.set(Circumstances::nobody_left); }
@@ -122,7 +123,7 @@ void Kernel::tell_and_make_ready(Process& p) {
 
 inline bool Kernel::over() const {
     return hot_.circumstances.any_of(Circumstances::nobody_left | Circumstances::failed | Circumstances::at_the_limit |
-                                 Circumstances::interrupted);
+                                     Circumstances::interrupted);
 }
 
 /// Lets the next event happen, unless the run ends before it.

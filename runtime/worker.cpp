@@ -75,7 +75,8 @@ void Worker::work(Kernel& kernel) {
         }
         process = nullptr;
         kernel.finish(self);
-        Process* next = kernel.hot_.circumstances.any_of(Circumstances::unwinding) ? nullptr : kernel.next_with_worker();
+        Process* next =
+            kernel.hot_.circumstances.any_of(Circumstances::unwinding) ? nullptr : kernel.next_with_worker();
         if (next && next->worker_ == this)
             kernel.hot_.running = next;
         else

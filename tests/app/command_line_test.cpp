@@ -124,7 +124,8 @@ TEST_CASE("a device of one's own has a name that a netlist can use") {
         char program[] = "farmer", command[] = "kinds";
         char* arguments[] = {program, command};
         Listener listener;
-        CHECK(run_program(2, arguments, {}, {}, {}, {{.name = "ring", .noun = "a ring", .about = "", .models = {{name}}}}) == 1);
+        CHECK(run_program(2, arguments, {}, {}, {},
+                          {{.name = "ring", .noun = "a ring", .about = "", .models = {{name}}}}) == 1);
         CHECK(listener.said() == "farmer: this program adds a device \"" + name +
                                      "\", which no netlist could declare: its name is to be one word, and no word of "
                                      "the language\n");

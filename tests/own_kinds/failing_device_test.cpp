@@ -88,7 +88,7 @@ std::string what_happens_in(const std::string& where) {
             fmt::format("FAILING (throws = \"{}\") r; workstation w[2]; process p, c;\n"
                         "rep i = 0 for 2 connect w[i].bus[0] to r.slot[i + 1];\n"
                         "use \"csp.producer\" for p; use \"csp.consumer\" for c; p (count = 1); c (count = 1);\n"
-                        "place p on w[0]; place c on w[1]; connect p.out to c.in; fault r breaks (at = 1000000000);",
+                        "place p on w[0]; place c on w[1]; connect p.out to c.in; fault r breaks (from = 1s);",
                         where),
             catalogue_with_failing_ring());
         CAPTURE(render(read));

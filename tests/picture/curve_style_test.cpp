@@ -53,7 +53,8 @@ TEST_CASE("curves differ in dashes and symbols; one alone has neither") {
     CHECK(styles.size() == 3);
 }
 
-TEST_CASE("points have no line, stairs no symbols, and a dashed curve beside a whole one of its colour tells them apart") {
+TEST_CASE(
+    "points have no line, stairs no symbols, and a dashed curve beside a whole one of its colour tells them apart") {
     CHECK(style_of(panel_of({Stroke::points, Stroke::line}), 0).starts_with("with points "));
     CHECK(style_of(panel_of({Stroke::plain, Stroke::line}), 0).starts_with("with lines linewidth 2 linecolor"));
     Panel pair = panel_of({Stroke::line, Stroke::dashes});

@@ -5,7 +5,7 @@
 #include <random>
 
 namespace picture = placedpar::picture;
-using namespace picture;
+using picture::Box;
 
 namespace {
 
@@ -29,8 +29,8 @@ TEST_CASE("boxes that share a border only do not overlap") {
 TEST_CASE("a line crosses a box when some of it lies within") {
     CHECK(crosses(unit, {-2, 0}, {2, 0}));
     CHECK(crosses(unit, {-2, -2}, {2, 2}));
-    CHECK(crosses(unit, {0, 0}, {5, 5})); // it begins there
-    CHECK_FALSE(crosses(unit, {-2, 1}, {2, 1})); // along the border
+    CHECK(crosses(unit, {0, 0}, {5, 5}));         // it begins there
+    CHECK_FALSE(crosses(unit, {-2, 1}, {2, 1}));  // along the border
     CHECK_FALSE(crosses(unit, {-2, 0}, {-1, 0})); // it ends on the border
     CHECK_FALSE(crosses(unit, {0, 3}, {3, 0}));
 }
@@ -43,7 +43,10 @@ TEST_CASE("whether a line crosses a box is what a thousand of its points say") {
         bool inside = false;
         for (int part = 0; part <= 1000; ++part)
             inside = inside || holds(unit, a + part / 1000. * (b - a));
-        CAPTURE(a.x), CAPTURE(a.y), CAPTURE(b.x), CAPTURE(b.y);
+        CAPTURE(a.x);
+        CAPTURE(a.y);
+        CAPTURE(b.x);
+        CAPTURE(b.y);
         if (inside)
             CHECK(crosses(unit, a, b));
         else
@@ -58,10 +61,10 @@ TEST_CASE("a line leaves a box on its border") {
 }
 
 TEST_CASE("the smallest box around others touches each side of some of them") {
-    const Box all = around({unit, {{4, 1}, 2, 2}, {{0, -5}, 0, 0}});
+    const Box all = picture::around({unit, {{4, 1}, 2, 2}, {{0, -5}, 0, 0}});
     CHECK(all.left() == -1);
     CHECK(all.right() == 5);
     CHECK(all.top() == -5);
     CHECK(all.bottom() == 2);
-    CHECK(around({unit}).width == unit.width);
+    CHECK(picture::around({unit}).width == unit.width);
 }

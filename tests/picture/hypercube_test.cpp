@@ -44,11 +44,10 @@ TEST_CASE("each vertex has its number and its string of bits") {
 }
 
 TEST_CASE("members, parents and offspring look different, and what is not named is empty") {
-    const std::string svg = drawing_of({.title = "",
-                                        .dimensions = 2,
-                                        .vertices = {{0, VertexLook::member, "2 copies"},
-                                                     {1, VertexLook::parent},
-                                                     {2, VertexLook::offspring}}});
+    const std::string svg = drawing_of(
+        {.title = "",
+         .dimensions = 2,
+         .vertices = {{0, VertexLook::member, "2 copies"}, {1, VertexLook::parent}, {2, VertexLook::offspring}}});
     for (const char* look : {"class=\"member\"", "class=\"parent\"", "class=\"offspring\"", "class=\"empty\""})
         CHECK(count_in(svg, look) == 1);
     CHECK(count_in(svg, ">2 copies<") == 1);
@@ -73,7 +72,8 @@ TEST_CASE("hypercubes stand in rows of so many, and each has its title and its l
     const std::vector<DrawnHypercube> cubes{{.title = "first", .dimensions = 2, .lines = {"a < b"}},
                                             {.title = "second", .dimensions = 2},
                                             {.title = "third", .dimensions = 2}};
-    const std::string side_by_side = draw_hypercubes("all", cubes, 3, {}), in_rows = draw_hypercubes("all", cubes, 1, {});
+    const std::string side_by_side = draw_hypercubes("all", cubes, 3, {}),
+                      in_rows = draw_hypercubes("all", cubes, 1, {});
     auto size_of = [](const std::string& svg) {
         const std::size_t width = svg.find("width=\"") + 7, height = svg.find("height=\"") + 8;
         return std::pair(std::stod(svg.substr(width)), std::stod(svg.substr(height)));

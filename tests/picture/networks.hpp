@@ -78,16 +78,16 @@ inline std::string random_tree(std::size_t count, unsigned seed) {
     return text;
 }
 
-/// An array whose links are wired at random: those of a random order, in pairs, but none to itself.
+/// A chain whose other links are wired by lot: in a random order, in pairs, but no node to itself.
 inline std::string random_wiring(int count, unsigned seed) {
     std::mt19937 lots(seed);
     std::vector<std::pair<int, int>> links;
     for (int i = 0; i < count; ++i)
-        for (int link = 0; link < 4; ++link)
+        for (int link = 2; link < 4; ++link)
             links.emplace_back(i, link);
     for (std::size_t i = links.size(); i > 1; --i)
         std::swap(links[i - 1], links[lots() % i]);
-    std::string text = fmt::format("T800 t[{}];\n", count);
+    std::string text = chain(count) + "\n";
     for (std::size_t i = 0; i + 1 < links.size(); i += 2)
         if (auto [a, b] = std::pair(links[i], links[i + 1]); a.first != b.first)
             text += fmt::format("connect t[{}].link[{}] to t[{}].link[{}];\n", a.first, a.second, b.first, b.second);

@@ -50,7 +50,8 @@ void for_each_picture(const std::function<void(const Network&, const Picture&)>&
 
 /// Whether the point lies on the border of the box, to a hundredth of a pixel.
 bool is_on_border(const Box& box, picture::Point p) {
-    const double across = std::abs(p.x - box.centre.x) - box.width / 2, down = std::abs(p.y - box.centre.y) - box.height / 2;
+    const double across = std::abs(p.x - box.centre.x) - box.width / 2,
+                 down = std::abs(p.y - box.centre.y) - box.height / 2;
     return std::abs(std::max(across, down)) < .01;
 }
 
@@ -138,16 +139,18 @@ TEST_CASE("both ends of a wire have the number of their link") {
         for (const picture::LinkLabel& label : links) { // the number stands at its own end
             const bool at_a = label.text == std::to_string(network.connections[i].a.link);
             const picture::Path& path = drawn.wires[i].spans.front();
-            const double to_a = distance(label.box.centre, path.front()), to_b = distance(label.box.centre, path.back());
+            const double to_a = distance(label.box.centre, path.front()),
+                         to_b = distance(label.box.centre, path.back());
             CHECK((at_a ? to_a < to_b : to_b < to_a));
         }
     }
 }
 
 TEST_CASE("a wire says how many channels go each way") {
-    const Network network = picture::network_of(picture::chain(2) + picture::stream("t[0]", "t[1]") +
-                                                "process q, d; use \"csp.producer\" for q; use \"csp.consumer\" for d;\n"
-                                                "place q on t[0]; place d on t[1]; connect q.out to d.in;");
+    const Network network =
+        picture::network_of(picture::chain(2) + picture::stream("t[0]", "t[1]") +
+                            "process q, d; use \"csp.producer\" for q; use \"csp.consumer\" for d;\n"
+                            "place q on t[0]; place d on t[1]; connect q.out to d.in;");
     const Picture drawn = picture_of(network);
     REQUIRE(drawn.wires.front().channels);
     const picture::ChannelCount& count = *drawn.wires.front().channels;
@@ -196,7 +199,8 @@ TEST_CASE("nodes of an array have boxes of one size") {
 }
 
 TEST_CASE("places that are given are kept") {
-    const Network network = picture::network_of("T800 a, b, c;");
+    const Network network =
+        picture::network_of("T800 a, b, c; connect a.link[0] to b.link[0]; connect b.link[1] to c.link[0];");
     const Picture drawn = picture::draw(network, {}, {{2, 0}, {0, 0}, {0, 3}});
     CHECK(drawn.nodes[1].box.centre.x < drawn.nodes[0].box.centre.x);
     CHECK(drawn.nodes[1].box.centre.y == drawn.nodes[0].box.centre.y);

@@ -19,7 +19,8 @@ const char* const switched = "T800 a, b; C004 s;\n"
 } // namespace
 
 TEST_CASE("a wire from link to link has one span, with the numbers of its links") {
-    const std::vector<Span> spans = picture::spans_of(picture::network_of("T800 a, b; connect a.link[2] to b.link[3];"));
+    const std::vector<Span> spans =
+        picture::spans_of(picture::network_of("T800 a, b; connect a.link[2] to b.link[3];"));
     REQUIRE(spans.size() == 1);
     CHECK(spans[0].from_label == "2");
     CHECK(spans[0].to_label == "3");

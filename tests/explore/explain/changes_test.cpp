@@ -1,0 +1,103 @@
+// The changes that explain asks about, and what comes of them on a small machine.
+
+#include "explore/explain/changes.hpp"
+
+#include "explore/explain/what_if.hpp"
+#include "explore/problems.hpp"
+#include "netlist/read.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+/// Two processors and a link; the producer computes while the consumer waits, then sends.
+constexpr const char* two_processors =
+    "T800 a, b; connect a.link[0] to b.link[0];\n"
+    "process p, c; use \"csp.producer\" for p; use \"csp.consumer\" for c;\n"
+    "p (count = 20, bytes = 1000, cycles = 20000); c (count = 20); place p on a; place c on b; connect p.out to c.in;";
+
+const Catalogue& all_kinds() {
+    static const ProblemRegistry problems = known_problems(1);
+    static const Catalogue kinds = known_kinds(problems);
+    return kinds;
+}
+
+Network network_with(const std::string& text, const Overrides& set = {}) {
+    ReadResult result = read_netlist_text(text, all_kinds(), set);
+    CAPTURE(render(result));
+    REQUIRE(result.network);
+    return std::move(*result.network);
+}
+
+/// As many processes and processors whatever is set: there is no val.
+Declared nothing_more(const Overrides&) { return {}; }
+
+std::vector<Change> changes_of_text(const std::string& text) {
+    const Network network = network_with(text);
+    return changes_of(network, run_netlist(network, all_kinds(), {}), nothing_more);
+}
+
+const Change* find_change(const std::vector<Change>& changes, const std::string& what, const std::string& change) {
+    auto found =
+        std::ranges::find_if(changes, [&](const Change& each) { return each.what == what && each.change == change; });
+    return found == changes.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+TEST_CASE("processors are asked about together, by array and alone, at three speeds") {
+    const std::vector<Change> changes = changes_of_text(two_processors);
+    const Change* both = find_change(changes, "all processors", "twice as fast");
+    REQUIRE(both);
+    CHECK(both->set == Overrides{{"a.clock", "40000000"}, {"b.clock", "40000000"}});
+    const Change* one = find_change(changes, "processor of p", "10 % faster");
+    REQUIRE(one);
+    CHECK(one->set == Overrides{{"a.clock", "22000000"}});
+    const Change* most = find_change(changes, "processor of c", "as fast as can be");
+    REQUIRE(most);
+    CHECK(most->set == Overrides{{"b.clock", "1000000000"}});
+}
+
+TEST_CASE("each change is asked about once") {
+    const std::vector<Change> changes = changes_of_text(two_processors);
+    for (std::size_t i = 0; i < changes.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            CHECK_FALSE((changes[i].what == changes[j].what && changes[i].change == changes[j].change));
+}
+
+TEST_CASE("every change is one that the netlist takes") {
+    for (const Change& change : changes_of_text(two_processors)) {
+        CAPTURE(change.what);
+        CAPTURE(change.change);
+        CHECK_FALSE(change.set.empty());
+        network_with(two_processors, change.set);
+    }
+}
+
+TEST_CASE("the answers come with the shortest run first, and what changes nothing takes as long") {
+    const Network network = network_with(two_processors);
+    const Time now = run_netlist(network, all_kinds(), {}).result.time;
+    const std::vector<Change> changes{
+        {Change::Of::all, "nothing", "as it is", {}},
+        {Change::Of::alone, "p", "half", {{"p.cycles", "10000"}}},
+        {Change::Of::alone, "p", "less", {{"p.cycles", "0"}}},
+        {Change::Of::alone, "p", "refused", {{"p.cycles", "-1"}}},
+    };
+    const Interruption none;
+    const std::vector<Answer> answers = try_out(changes, {},
+                                                {[](const Overrides& set) { return network_with(two_processors, set); },
+                                                 1, Time::max(), none, [](std::size_t, std::size_t) {}});
+    REQUIRE(answers.size() >= 3);
+    CHECK(answers[0].change.change == "less");
+    CHECK(answers[1].change.change == "half");
+    CHECK(answers[2].time == now);
+    CHECK(answers[0].time < answers[1].time);
+    CHECK(answers[1].time < now);
+}
