@@ -71,8 +71,8 @@ void Elaborator::refuse_name(const SetStatement& set, const std::string& name, c
     if (auto element = std::ranges::find(all, array, base); element != all.end())
         refuse(set.target.at, fmt::format("\"{}\" is a {}: say what of it to set", array, element->noun()),
                fmt::format("--set {}.NAME=VALUE", name), {{element->text_of_members(), {}}});
-    if (vals_in_blocks_.contains(name))
-        refuse(set.target.at, fmt::format("the val \"{}\" is declared in a block", name),
+    if (vals_in_blocks_.contains(array))
+        refuse(set.target.at, fmt::format("the val \"{}\" is declared in a block", array),
                "an option reaches vals outside of blocks");
     std::vector<std::string> known = names_of_vals();
     for (const Settable& each : all) {

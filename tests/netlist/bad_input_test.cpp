@@ -197,6 +197,7 @@ TEST_CASE("overrides that make no sense") {
     CHECK(refused("val n 1;", {{"@", "5"}}) == "illegal character \"@\"");
     CHECK(refused("val n 1;", {{"for", "5"}}).find("is a word of the language") != std::string::npos);
     CHECK(refused("{ val n 1; }", {{"n", "5"}}) == "the val \"n\" is declared in a block");
+    CHECK(refused("{ val n {1, 2}; }", {{"n[0]", "5"}}) == "the val \"n\" is declared in a block");
     CHECK(refused("val n {1, 2};", {{"n[0]", "5"}}) == "the val \"n\" is set as a whole, not one of its elements");
     CHECK(refused("val n 1;", {{"n", std::string("1\0", 2)}}).starts_with("this is no text but a binary file"));
 }
