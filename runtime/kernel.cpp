@@ -69,7 +69,7 @@ void Kernel::refuse_outside_a_run() {
     throw Unwinding{};
 }
 
-/// What keeps histories or is over takes its time here, so that the gate is short for all others.
+/// Does what the gate seldom has to do, so that it is short for processes without histories.
 [[gnu::cold, gnu::noinline]] History* Kernel::attend(const Process& running) {
     if (hot_.circumstances.any_of(Circumstances::unwinding | Circumstances::interrupted))
         give_way();

@@ -109,10 +109,11 @@ public:
     void wait(Process* successor = nullptr);
     /// The same, but the process keeps its executive, as while it computes, or has left it already.
     void give_way();
-    /// Every operation of the running process passes this gate first: before it communicates, computes, waits for its
-    /// timer or begins a PAR. Returns the history that is to be told of the operation; null where the process keeps
-    /// none. Throws Unwinding when the simulation is over; one that keeps histories also when it was interrupted, since
-    /// what is repeated waits for nothing. Ends the program with a message when the process has caught that many times.
+    /// Every operation of the running process begins here: output, input, ALT, computation, delay, PAR. Returns the
+    /// process's history, which records the operation; null if it keeps none. Throws Unwinding when the simulation is
+    /// over, and in a run with histories also when that was interrupted: a process that repeats its history never
+    /// waits, and would not notice otherwise. Ends the program with a message when the process has caught Unwinding
+    /// many times.
     History* begin_operation(const Process& running) {
         if (hot_.circumstances.any_of(Circumstances::unwinding | Circumstances::histories)) [[unlikely]]
             return attend(running);
@@ -120,9 +121,9 @@ public:
     }
     /// Whether processes keep histories.
     bool keeps_histories() const { return hot_.circumstances.any_of(Circumstances::histories); }
-    /// Counts an operation that took no time. Lets the run be interrupted when more than `unheeded` were counted since
-    /// time last passed; throws std::logic_error after `most_operations_at_once`: nothing else would ever happen. Does
-    /// neither while processes are unwound.
+    /// Counts an operation that took no time. When more than `unheeded` were counted since time last passed, an
+    /// interruption ends the process here. Throws std::logic_error after `most_operations_at_once` of them, since
+    /// nothing else would ever happen. Does neither while processes are unwound.
     void takes_no_time(std::uint64_t unheeded = 0) {
         if (std::exchange(hot_.operations_at, hot_.now) != hot_.now)
             hot_.operations_at_once = 0;
@@ -130,7 +131,7 @@ public:
             heed_operations();
     }
     static constexpr std::uint64_t most_operations_at_once = 100'000'000;
-    /// How many readings of the clock are not heeded: destructors may read it, and should not be thrown through.
+    /// So many readings of the clock are not checked for an interruption: a destructor may read it, and must not throw.
     static constexpr std::uint64_t unheeded_readings = most_operations_at_once / 1000;
     /// Makes the process ready when the work is over. It waits until then.
     void after_work(Process& p) { end_.after_work.push_back(p); }
@@ -236,7 +237,7 @@ private:
         SwitchedStack host_stack; ///< of the fiber that called run
         SwitchedStack* stack_left = nullptr;
     };
-    /// How the work and the run end, and who is told.
+    /// How the work and the run end, and what is called then.
     struct End {
         ProcessQueue after_work; ///< processes that wait for the end of the work
         Observer observer;

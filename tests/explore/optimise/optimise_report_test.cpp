@@ -1,0 +1,117 @@
+#include "explore/optimise/optimise_report.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+/// A course through machines 0, 1, 2 ... of these costs; those without costs cannot be built.
+SearchCourse course_of(const std::string& way, const std::vector<std::vector<double>>& costs) {
+    SearchCourse course{.way = way};
+    for (std::uint64_t machine = 0; const std::vector<double>& each : costs) {
+        course.machines.push_back(machine);
+        course.merits.push_back({!each.empty(), each});
+        course.tried.insert(machine++);
+    }
+    return course;
+}
+
+Optimum optimum_of(std::vector<std::string> measures, std::vector<SearchCourse> courses) {
+    Optimum optimum{.measures = std::move(measures), .start = {}, .courses = std::move(courses)};
+    optimum.start.merit = {true, {10}};
+    return optimum;
+}
+
+} // namespace
+
+TEST_CASE("of one cost the best few are shown, the best first, and one of each cost") {
+    const SearchCourse course = course_of("genetic", {{5}, {3}, {}, {3}, {9}, {8}, {7}, {6}, {4}});
+    CHECK(best_of(course) == std::vector<std::size_t>{1, 8, 0, 7, 6}); // 3, 4, 5, 6, 7
+    CHECK(best_of(course_of("genetic", {{}, {}})).empty());
+}
+
+TEST_CASE("of two costs the front is shown") {
+    const SearchCourse course = course_of("genetic", {{1, 9}, {2, 2}, {9, 1}, {3, 3}, {2, 2}});
+    CHECK(best_of(course) == std::vector<std::size_t>{0, 1, 2});
+}
+
+TEST_CASE("the comparison says what each way found and with how many machines") {
+    const std::string text = print_comparison(
+        optimum_of({"time [ms]"}, {course_of("genetic", {{8}, {4}, {5}}), course_of("random", {{}, {7}})}));
+    CHECK(text == "search        machines                 time [ms]      found with\n"
+                  "as it is             1                        10\n"
+                  "genetic              3                         4               2\n"
+                  "random               2                         7               2\n");
+}
+
+TEST_CASE("a way that found nothing says so, and a start that cannot be built says why") {
+    Optimum optimum = optimum_of({"time [ms]"}, {course_of("random", {{}, {}})});
+    optimum.start = {.merit = {}, .why = "it deadlocks\nat 5 ms"};
+    CHECK(print_comparison(optimum) == "search        machines                 time [ms]      found with\n"
+                                       "as it is             1              it deadlocks\n"
+                                       "random               2                      none\n");
+}
+
+TEST_CASE("of two measures each way has a front, and a part of that of all") {
+    const std::string text = print_comparison(optimum_of(
+        {"time", "processors"}, {course_of("genetic", {{1, 9}, {9, 1}}), course_of("random", {{2, 8}, {9, 9}})}));
+    CHECK(text == "search        machines                 its front   of all fronts\n"
+                  "genetic              2                         2          2 of 2\n"
+                  "random               2                         1          0 of 2\n");
+}
+
+TEST_CASE("what several ways found is together one course, each machine once") {
+    const Optimum optimum =
+        optimum_of({"time"}, {course_of("genetic", {{8}, {4}}), course_of("random", {{8}, {4}, {1}})});
+    const SearchCourse together = optimum.together();
+    CHECK(together.machines == std::vector<std::uint64_t>{0, 1, 2});
+    CHECK(together.front() == std::vector<std::size_t>{2});
+}
+
+TEST_CASE("the command makes the run again, with each word as a shell takes it") {
+    Study study;
+    study.netlist = "my nets/it's.cfs";
+    study.first_seed = 7;
+    study.read.include_folders = {"folder"};
+    study.read.faults = {"t[0] halts (from = 1s)"};
+    CHECK(command_of(study, {{"clock", "20M"}, {"kind", "\"a b\""}})
+              .ends_with(" run 'my nets/it'\\''s.cfs' --set clock=20M --set 'kind=\"a b\"' -I folder "
+                         "--fault 't[0] halts (from = 1s)' --seed 7"));
+}
+
+TEST_CASE("why no machine can be built: the one reason in full, or the most frequent first") {
+    SearchCourse course = course_of("random", {{}, {}, {}});
+    course.why["short"] = {.machines = 3, .said = "short\nand in full"};
+    CHECK(print_why_none(course) ==
+          "none of 3 machines that were tried can be built and comes to an end:\nshort\nand in full");
+    course.why["other"] = {.machines = 5, .said = "other"};
+    CHECK(print_why_none(course).ends_with(":\n     5  other\n     3  short"));
+    for (char more = 'a'; more < 'f'; ++more)
+        course.why[std::string(1, more)] = {.machines = 1};
+    const std::string text = print_why_none(course);
+    CHECK(std::count(text.begin(), text.end(), '\n') == 5);
+}
+
+TEST_CASE("what is minimised is shown first, and nothing twice") {
+    Study study;
+    study.measures = {"links", "time"};
+    study.search = StudySearch{.minimise = {"time", "processors"}};
+    CHECK(shown_measures(study) == std::vector<std::string>{"time", "processors", "links"});
+}
+
+TEST_CASE("one measure is plotted over the machines simulated, two against each other") {
+    const Plot one = optimum_plot(optimum_of({"time"}, {course_of("genetic", {{8}, {9}, {4}})}), "title");
+    CHECK(one.title == "title");
+    REQUIRE(one.panels.size() == 1);
+    REQUIRE_FALSE(one.panels[0].series.empty());
+    for (std::size_t i = 1; i < one.panels[0].series[0].points.size(); ++i) // the best found never becomes worse
+        CHECK(one.panels[0].series[0].points[i].y <= one.panels[0].series[0].points[i - 1].y);
+    const Plot two = optimum_plot(optimum_of({"time", "cost"}, {course_of("genetic", {{1, 9}, {9, 1}, {9, 9}})}), "");
+    CHECK(two.panels[0].x.label.find("time") != std::string::npos);
+    CHECK(two.panels[0].y.label.find("cost") != std::string::npos);
+}

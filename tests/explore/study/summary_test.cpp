@@ -1,0 +1,118 @@
+// Figures of many runs as one table.
+
+#include "explore/study/summary.hpp"
+
+#include "explore/study/summary_cells.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+StudyCell cell_of(const std::vector<double>& values) {
+    StudyCell cell;
+    for (double each : values)
+        cell.add(each);
+    cell.close();
+    return cell;
+}
+
+/// Results in memory of a function: rate = slaves + seed / 10, a deadlock with 9 slaves.
+StudyResults& add_runs(StudyResults& results, const std::vector<std::string>& slaves, std::uint64_t seeds) {
+    for (const std::string& each : slaves)
+        for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+            const double rate = std::stod(each) + .1 * static_cast<double>(seed);
+            StudyOutcome outcome{.ended = each == "9" ? "deadlock" : "completed",
+                                 .figures = {{"master.rate", {rate, "1/s"}}}};
+            results.keep({{{"slaves", each}, {"samples", "12"}}, seed}, outcome);
+        }
+    return results;
+}
+
+const StudyLine& line_with(const StudySummary& summary, const std::string& slaves) {
+    for (const StudyLine& line : summary.lines)
+        if (line.values == std::vector{slaves})
+            return line;
+    FAIL("no line of " << slaves << " slaves");
+    return summary.lines.front();
+}
+
+} // namespace
+
+TEST_CASE("a cell has the mean, the ends, and Student's interval") {
+    const StudyCell cell = cell_of({1, 2, 3, 4, 5});
+    CHECK(cell.mean == doctest::Approx(3));
+    CHECK(cell.least == 1);
+    CHECK(cell.greatest == 5);
+    CHECK(cell.half_width == doctest::Approx(2.776445 * std::sqrt(2.5 / 5)).epsilon(1e-6)); // t of 4, 97.5 %
+    CHECK(cell_of({7}).half_width == 0);
+    CHECK(shown_interval(cell_of({7})).empty());
+    CHECK(shown_mean(StudyCell{}) == "-");
+}
+
+TEST_CASE("a mean of far numbers that lie close together keeps its digits") {
+    const StudyCell cell = cell_of({1e9 + 1, 1e9 + 2, 1e9 + 3});
+    CHECK(cell.mean == doctest::Approx(1e9 + 2).epsilon(1e-15));
+    CHECK(cell.half_width == doctest::Approx(4.302653 / std::sqrt(3)).epsilon(1e-6));
+}
+
+TEST_CASE("what differs is an axis, what does not is said once, and numbers come in their order") {
+    StudyResults results(StudySource{});
+    const StudySummary summary = summary_of(add_runs(results, {"10", "2", "1"}, 3), {"master.rate"});
+    CHECK(summary.axes == std::vector<std::string>{"slaves"});
+    CHECK(summary.fixed == Overrides{{"samples", "12"}});
+    CHECK(said_of_all(summary) == std::vector<std::string>{"all with samples = 12"});
+    std::vector<std::string> order;
+    for (const StudyLine& line : summary.lines)
+        order.push_back(line.values.front());
+    CHECK(order == std::vector<std::string>{"1", "2", "10"});
+    CHECK(summary.runs() == 9);
+    CHECK(line_with(summary, "2").cells[0].mean == doctest::Approx(2.2));
+    CHECK(summary.units == std::vector<std::string>{"1/s"});
+    CHECK(measure_with_unit(summary, 0) == "master.rate [1/s]");
+}
+
+TEST_CASE("runs that did not complete are counted by how they ended, and a deadlock has no figures") {
+    StudyResults results(StudySource{});
+    const StudySummary summary = summary_of(add_runs(results, {"1", "9"}, 2), {"master.rate"});
+    CHECK(line_with(summary, "9").cells[0].runs == 0);
+    CHECK(ended_of(line_with(summary, "9")) == "2 deadlock");
+    CHECK(ended_of(line_with(summary, "1")).empty());
+    CHECK(has_intervals(summary));
+}
+
+TEST_CASE("relative figures are those of the same seed, divided") {
+    StudyResults results(StudySource{});
+    const StudySummary summary =
+        summary_of(add_runs(results, {"1", "2"}, 2), {"master.rate"}, nullptr, {{"slaves", "1"}});
+    CHECK(line_with(summary, "1").cells[0].mean == doctest::Approx(1));
+    CHECK(line_with(summary, "1").cells[0].half_width == doctest::Approx(0));
+    CHECK(line_with(summary, "2").cells[0].mean == doctest::Approx((2.1 / 1.1 + 2.2 / 1.2) / 2));
+    CHECK(summary.unrelated == 0);
+    CHECK(summary.units == std::vector<std::string>{""});
+}
+
+TEST_CASE("what has nothing to be divided by is counted, and the sentence names what there is") {
+    StudyResults results(StudySource{});
+    const StudySummary summary =
+        summary_of(add_runs(results, {"1", "2"}, 2), {"master.rate"}, nullptr, {{"slaves", "5"}});
+    CHECK(summary.unrelated == 4);
+    CHECK_FALSE(summary.has_some({{"slaves", "5"}}));
+    CHECK(summary.has_some({{"slaves", "2"}, {"samples", "12"}}));
+    CHECK(there_is_no_reference({{"slaves", "5"}}, summary.names()).find("slaves") != std::string::npos);
+}
+
+TEST_CASE("equal values are one line, however they are spelled") {
+    StudyResults results(StudySource{});
+    add_runs(results, {"8"}, 1);
+    results.keep({{{"slaves", "8.0"}, {"samples", "12"}}, 2},
+                 {.ended = "completed", .figures = {{"master.rate", {9, "1/s"}}}});
+    const StudySummary summary = summary_of(results, {"master.rate"});
+    REQUIRE(summary.lines.size() == 1);
+    CHECK(summary.lines[0].runs == 2);
+}
