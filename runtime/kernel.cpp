@@ -104,7 +104,7 @@ void Kernel::remove(Process& p) {
 
 void Kernel::tell_and_make_ready(Process& p) {
     if (trace_)
-        trace_->made_ready(p, now_);
+        trace_->turns(p, Activity::ready, now_);
     if (p.executive_)
         p.executive_->make_ready(p);
     else
@@ -318,7 +318,7 @@ void Kernel::finish(Process& p) noexcept {
     if (circumstances_.any_of(Circumstances::unwinding))
         return;
     if (trace_)
-        trace_->ended(p, now_);
+        trace_->turns(p, Activity::ended, now_);
     Process* parent = p.join_ && --p.join_->components_left == 0 ? &p.join_->parent : nullptr;
     if (p.executive_)
         p.executive_->leave(p, parent);
@@ -370,7 +370,7 @@ std::vector<Process*> Kernel::by_age() const {
 void Kernel::introduce_to_trace() {
     if (trace_)
         for (const Process* p : by_age())
-            trace_->began(*p, now_);
+            trace_->turns(*p, Activity::starting, now_);
 }
 
 /// The youngest process first, so that components go before the processes that wait for them.

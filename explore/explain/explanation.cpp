@@ -299,7 +299,7 @@ boost::json::object explanation_json(const Explanation& explanation, const Netwo
     for (const auto& [process, account] : explanation.accounts)
         accounts.push_back(account_json(process, account));
     for (const PathPart& part : explanation.path)
-        path.push_back(boost::json::object{{"step", name_of(part.step)},
+        path.push_back(boost::json::object{{"step", name_on_path(part.activity)},
                                            {"subject", part.subject},
                                            {"begin_ps", part.begin.count()},
                                            {"end_ps", part.end.count()}});
