@@ -34,7 +34,7 @@ struct PlaceLeft {
 class TraceSink {
 public:
     /// From a moment on a process does something else:
-    ///   starting          its first notice: its program goes on when its executive gives it its turn;
+    ///   starting          its first notice, but that it may have been ready: its program goes on when it has its turn;
     ///   delayed, ...      it waits, as its activity and awaited_channels() say;
     ///   ready             what it waits for has come, or it has computed as long as it wanted to, or has lost its
     ///                     executive. Not said at the end of a PAR, nor when a delay takes no wait;

@@ -48,7 +48,7 @@ TEST_CASE("measurements: numbers and texts, with their units") {
 
 TEST_CASE("processors: a share of the run for people, picoseconds for programs") {
     RunReport report = of_one_second();
-    report.processors.push_back({"t[0]", "T800", 250ms});
+    report.processors.push_back({"t[0]", "T800", 250ms, 0ms, 0, 0ms});
     CHECK(has(printed(report), "\nprocessor  type      busy\nt[0]       T800     25.0%\n"));
     boost::json::object row = only(document(report), "processors");
     CHECK(row.at("busy") == 0.25);
@@ -58,7 +58,7 @@ TEST_CASE("processors: a share of the run for people, picoseconds for programs")
 
 TEST_CASE("processors that pass packets on have two columns more") {
     RunReport report = of_one_second();
-    report.processors.push_back({"t[0]", "T800", 250ms});
+    report.processors.push_back({"t[0]", "T800", 250ms, 0ms, 0, 0ms});
     report.processors.back().packets_passed_on = 3;
     report.processors.back().passing_on = 10ms;
     CHECK(has(printed(report), "\nprocessor  type      busy  passing on   packets\n"
@@ -80,10 +80,9 @@ TEST_CASE("links: only those that carried something are printed, below each othe
 TEST_CASE("a bus: its masters, and messages that went to several adapters at once") {
     RunReport report = of_one_second();
     report.buses.push_back({"vme", 100ms, {{"b1", 3, 7, 28, 2, 0, 20ms, 2us}}, {}});
-    CHECK(has(printed(report),
-              "\nbus vme, busy 10.0%\n"
-              "master  level      words      bytes     grants  waiting  longest wait  errors\n"
-              "b1          3          7         28          2     2.0%      2.000 us       0\n"));
+    CHECK(has(printed(report), "\nbus vme, busy 10.0%\n"
+                               "master  level      words      bytes     grants  waiting  longest wait  errors\n"
+                               "b1          3          7         28          2     2.0%      2.000 us       0\n"));
     CHECK_FALSE(only(document(report), "buses").contains("broadcasts"));
     report.buses.front().broadcasts.push_back({"host.to_masters", 4, 2, 80});
     CHECK(has(printed(report), "broadcast        adapters   messages      bytes\n"
@@ -95,7 +94,8 @@ TEST_CASE("a bus: its masters, and messages that went to several adapters at onc
 
 TEST_CASE("a device of its own kind names its columns") {
     RunReport report = of_one_second();
-    report.devices.push_back({"ring r", 10ms, {"station", "frames", "waited"}, {{"t[0]", {std::uint64_t{5}, Time{50ms}}}}});
+    report.devices.push_back(
+        {"ring r", 10ms, {"station", "frames", "waited"}, {{"t[0]", {std::uint64_t{5}, Time{50ms}}}}});
     CHECK(has(printed(report), "\nring r, busy 1.0%\n"
                                "station     frames     waited\n"
                                "t[0]             5       5.0%\n"));
@@ -119,7 +119,7 @@ TEST_CASE("processes: how long they waited, and since when where the wait is not
 TEST_CASE("in a deadlock there is no whole to have a part of") {
     RunReport report = of_one_second();
     report.result.ending = Ending::stuck;
-    report.processors.push_back({"t[0]", "T800", 250ms});
+    report.processors.push_back({"t[0]", "T800", 250ms, 0ms, 0, 0ms});
     report.processes = {{"master", "t[0]", 400ms, Time{600ms}}};
     CHECK(has(printed(report), "t[0]       T800    250.000 ms\n"));
     CHECK(has(printed(report), "master   t[0]  for ever, from 600.000 ms on\n"));
