@@ -17,7 +17,7 @@ Recorders::Recorders(const Network& network, const RecordedFiles& files, TraceSi
         fork_.emplace(std::move(sinks));
 }
 
-void Recorders::finish(const PageContent& content, std::span<const PathMark> critical_path) {
+void Recorders::finish(const PageContent& content, std::span<const PathPart> critical_path) {
     if (page_) {
         write_whole(page_path_, page_->html(content, critical_path));
         print_warnings(page_->warnings(page_path_));

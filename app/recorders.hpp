@@ -27,7 +27,7 @@ public:
     /// Null where nobody is.
     TraceSink* sink() { return fork_ ? &*fork_ : nullptr; }
     /// REQUIRES: the run is over.
-    void finish(const PageContent&, std::span<const PathMark> critical_path = {});
+    void finish(const PageContent&, std::span<const PathPart> critical_path = {});
 
 private:
     std::filesystem::path page_path_;

@@ -1,5 +1,6 @@
 #include "report/run_report.hpp"
 
+#include "report/field.hpp"
 #include "report/search_report.hpp"
 #include "text/counted.hpp"
 #include "text/paint.hpp"
@@ -9,7 +10,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <utility>
 
@@ -23,23 +23,16 @@ std::string print_value(const Measurement& m) {
     return fmt::format("{:.6g}", std::get<double>(m.value));
 }
 
-/// Of a column that holds these texts of the rows.
-template <class Rows, class Text>
-std::size_t width_of(const Rows& rows, Text text, std::size_t least) {
-    std::size_t width = least;
-    for (const auto& row : rows)
-        width = std::max(width, std::invoke(text, row).size());
-    return width;
+boost::json::value value_json(const Measurement& m) {
+    return std::visit([](const auto& value) { return boost::json::value(value); }, m.value);
 }
 
-std::string print_measurements(const std::vector<Measurement>& rows) {
-    std::size_t process = width_of(rows, &Measurement::process, 7), name = width_of(rows, &Measurement::name, 8);
-    std::string out = painted(Paint::heading, fmt::format("\n{:<{}}  {:<{}}  {:>16}  {}\n", "process", process,
-                                                          "measured", name, "value", "unit"));
-    for (const Measurement& m : rows)
-        out += fmt::format("{:<{}}  {:<{}}  {:>16}{}{}\n", m.process, process, m.name, name, print_value(m),
-                           m.unit.empty() ? "" : "  ", m.unit);
-    return out;
+Table measurements_of(const std::vector<Measurement>& rows) {
+    return table_of(rows, [](const Measurement& m) -> Row {
+        return {Field::left(0, "process", m.process).as("process"), Field::left(0, "measured", m.name).as("name"),
+                Field::right(16, "value", print_value(m)).as("value", value_json(m)),
+                Field::left(0, "unit", m.unit).as("unit")};
+    });
 }
 
 /// Of a name for many elements, those that it reached; the first of them where they are very many.
@@ -78,107 +71,123 @@ std::string print_part(const RunReport& report, Time part) {
     return share ? fmt::format("{:.1f}%", 100 * *share) : print_time(part);
 }
 
-std::string print_passing_on(const RunReport& report, const ProcessorUse& p) {
-    return fmt::format("  {:>10}  {:>8}", print_part(report, p.passing_on), p.packets_passed_on);
+/// In documents a fraction of the run; null where there is no whole.
+boost::json::value part_json(const RunReport& report, Time part) {
+    auto share = report.share(part);
+    return share ? boost::json::value(*share) : boost::json::value();
 }
 
-std::string print_processors(const RunReport& report) {
-    const auto& rows = report.processors;
-    std::size_t name = width_of(rows, &ProcessorUse::name, 9);
-    bool routes = std::ranges::any_of(rows, [](const ProcessorUse& p) { return p.packets_passed_on > 0; });
-    std::string out = painted(Paint::heading, fmt::format("\n{:<{}}  {:<6}  {:>6}{}\n", "processor", name, "type",
-                                                          "busy", routes ? "  passing on   packets" : ""));
-    for (const ProcessorUse& p : rows)
-        out += fmt::format("{:<{}}  {:<6}  {:>6}{}\n", p.name, name, p.type, print_part(report, p.busy),
-                           routes ? print_passing_on(report, p) : "");
-    return out;
+Field part_of(const RunReport& report, std::size_t width, const std::string& name, Time part) {
+    return Field::right(width, name, print_part(report, part)).as(name, part_json(report, part));
 }
 
-std::string ends_of(const LinkUse& link) { return link.from + " -> " + link.to; }
+Table processors_of(const RunReport& report) {
+    bool routes = std::ranges::any_of(report.processors, [](const ProcessorUse& p) { return p.packets_passed_on > 0; });
+    return table_of(report.processors, [&](const ProcessorUse& p) -> Row {
+        return {Field::left(0, "processor", p.name).as("name"),
+                Field::left(6, "type", p.type).as("type"),
+                part_of(report, 6, "busy", p.busy),
+                Field::member_ps("busy", p.busy),
+                Field::member_ps("memory_taken_by_links", p.memory_taken_by_links),
+                Field::right(10, "passing on", print_part(report, p.passing_on)).shown_if(routes),
+                Field::count(8, "packets", p.packets_passed_on)
+                    .as("packets_passed_on", p.packets_passed_on)
+                    .shown_if(routes),
+                Field::member_ps("passing_on", p.passing_on)};
+    });
+}
+
+/// A text has those that carried something, below each other as all of them would be.
+Table links_of(const RunReport& report, const std::vector<LinkUse>& links) {
+    std::size_t width = 13;
+    for (const LinkUse& each : report.links)
+        width = std::max(width, each.from.size() + each.to.size() + 4);
+    return table_of(links, [&, width](const LinkUse& l) -> Row {
+        return {Field::left(width, "link", l.from + " -> " + l.to),
+                Field::member("from", l.from),
+                Field::member("to", l.to),
+                Field::count(10, "bytes", l.bytes),
+                part_of(report, 9, "occupied", l.occupied),
+                Field::member_ps("occupied", l.occupied)};
+    });
+}
 
 std::string print_links(const RunReport& report) {
-    const auto& rows = report.links;
-    if (std::ranges::none_of(rows, [](const LinkUse& link) { return link.bytes > 0; }))
-        return "";
-    std::size_t width = width_of(rows, ends_of, 13);
-    std::string out =
-        painted(Paint::heading, fmt::format("\n{:<{}}  {:>10}  {:>9}\n", "link", width, "bytes", "occupied"));
-    for (const LinkUse& l : rows)
-        if (l.bytes > 0)
-            out += fmt::format("{:<{}}  {:>10}  {:>9}\n", ends_of(l), width, l.bytes, print_part(report, l.occupied));
-    return out;
+    std::vector<LinkUse> used = report.links;
+    std::erase_if(used, [](const LinkUse& link) { return link.bytes == 0; });
+    return used.empty() ? "" : links_of(report, used).text("\n");
 }
 
-std::string print_broadcasts(const std::vector<BroadcastUse>& rows) {
-    if (rows.empty())
-        return "";
-    std::size_t from = width_of(rows, &BroadcastUse::from, 9);
-    std::string out = painted(Paint::heading, fmt::format("{:<{}}  {:>8}  {:>9}  {:>9}\n", "broadcast", from,
-                                                          "adapters", "messages", "bytes"));
-    for (const BroadcastUse& b : rows)
-        out += fmt::format("{:<{}}  {:>8}  {:>9}  {:>9}\n", b.from, from, b.adapters, b.messages, b.bytes);
-    return out;
+Table broadcasts_of(const std::vector<BroadcastUse>& rows) {
+    return table_of(rows, [](const BroadcastUse& b) -> Row {
+        return {Field::left(0, "broadcast", b.from).as("from"), Field::count(8, "adapters", b.adapters),
+                Field::count(9, "messages", b.messages), Field::count(9, "bytes", b.bytes)};
+    });
+}
+
+Table masters_of(const RunReport& report, const BusUse& bus) {
+    return table_of(bus.masters, [&](const BusMasterUse& m) -> Row {
+        return {
+            Field::left(0, "master", m.name).as("name"),
+            Field::count(5, "level", m.level),
+            Field::count(9, "words", m.words),
+            Field::count(9, "bytes", m.bytes),
+            Field::count(9, "grants", m.grants),
+            Field::member("bus_errors", m.bus_errors),
+            Field::right(7, "waiting", print_part(report, m.waited)).as("waited_ps", m.waited.count()),
+            Field::right(12, "longest wait", print_time(m.longest_wait)).as("longest_wait_ps", m.longest_wait.count()),
+            Field::right(6, "errors", fmt::format("{}", m.bus_errors))};
+    });
 }
 
 std::string print_buses(const RunReport& report) {
     std::string out;
-    for (const BusUse& bus : report.buses) {
-        std::size_t name = width_of(bus.masters, &BusMasterUse::name, 6);
-        out += painted(Paint::heading, fmt::format("\nbus {}, busy {}\n", bus.name, print_part(report, bus.busy)));
-        out += painted(Paint::heading,
-                       fmt::format("{:<{}}  {:>5}  {:>9}  {:>9}  {:>9}  {:>7}  {:>12}  {:>6}\n", "master", name,
-                                   "level", "words", "bytes", "grants", "waiting", "longest wait", "errors"));
-        for (const BusMasterUse& m : bus.masters)
-            out += fmt::format("{:<{}}  {:>5}  {:>9}  {:>9}  {:>9}  {:>7}  {:>12}  {:>6}\n", m.name, name, m.level,
-                               m.words, m.bytes, m.grants, print_part(report, m.waited), print_time(m.longest_wait),
-                               m.bus_errors);
-        out += print_broadcasts(bus.broadcasts);
-    }
+    for (const BusUse& bus : report.buses)
+        out += painted(Paint::heading, fmt::format("\nbus {}, busy {}\n", bus.name, print_part(report, bus.busy))) +
+               masters_of(report, bus).text() + (bus.broadcasts.empty() ? "" : broadcasts_of(bus.broadcasts).text());
     return out;
 }
 
-std::string print_figure(const RunReport& report, const std::variant<std::uint64_t, Time>& figure) {
-    const auto* time = std::get_if<Time>(&figure);
-    return time ? print_part(report, *time) : fmt::format("{}", std::get<std::uint64_t>(figure));
+Field figure_of(const RunReport& report, const std::string& name, const std::variant<std::uint64_t, Time>& figure) {
+    if (const auto* time = std::get_if<Time>(&figure))
+        return Field::right(9, name, print_part(report, *time)).as(name + "_ps", time->count());
+    return Field::count(9, name, std::get<std::uint64_t>(figure));
+}
+
+Table rows_of(const RunReport& report, const DeviceUse& device) {
+    return table_of(device.rows, [&](DeviceUse::Row each) {
+        each.figures.resize(device.columns.size() - 1);
+        Row row{Field::left(0, device.columns.front(), each.name).as(device.columns.front())};
+        for (std::size_t i = 0; i < each.figures.size(); ++i)
+            row.push_back(figure_of(report, device.columns[i + 1], each.figures[i]));
+        return row;
+    });
 }
 
 std::string print_devices(const RunReport& report) {
     std::string out;
-    for (const DeviceUse& device : report.devices) {
-        std::size_t name = width_of(device.rows, &DeviceUse::Row::name, device.columns.front().size());
-        out += painted(Paint::heading, fmt::format("\n{}, busy {}\n", device.title, print_part(report, device.busy)));
-        std::string heading = fmt::format("{:<{}}", device.columns.front(), name);
-        for (std::size_t i = 1; i < device.columns.size(); ++i)
-            heading += fmt::format("  {:>9}", device.columns[i]);
-        out += painted(Paint::heading, heading + "\n");
-        for (const DeviceUse::Row& row : device.rows) {
-            out += fmt::format("{:<{}}", row.name, name);
-            for (const auto& figure : row.figures)
-                out += fmt::format("  {:>9}", print_figure(report, figure));
-            out += "\n";
-        }
-    }
+    for (const DeviceUse& device : report.devices)
+        out += painted(Paint::heading, fmt::format("\n{}, busy {}\n", device.title, print_part(report, device.busy))) +
+               rows_of(report, device).text();
     return out;
 }
 
 /// In a deadlock a process that waits does so for ever; where a run was stopped, it waited when it was.
 std::string print_wait(const RunReport& report, const ProcessUse& process) {
     if (!process.waits_since)
-        return fmt::format("{:>7}", print_part(report, process.waiting));
+        return print_part(report, process.waiting);
     std::string since = print_time(*process.waits_since);
     if (report.result.ending == Ending::stuck)
         return fmt::format("for ever, from {} on", since);
     return fmt::format("{:>7}, the last wait since {}", print_part(report, process.waiting), since);
 }
 
-std::string print_processes(const RunReport& report) {
-    const auto& rows = report.processes;
-    std::size_t name = width_of(rows, &ProcessUse::name, 7), node = width_of(rows, &ProcessUse::processor, 2);
-    std::string out =
-        painted(Paint::heading, fmt::format("\n{:<{}}  {:<{}}  {:>7}\n", "process", name, "on", node, "waiting"));
-    for (const ProcessUse& p : rows)
-        out += fmt::format("{:<{}}  {:<{}}  {}\n", p.name, name, p.processor, node, print_wait(report, p));
-    return out;
+Table processes_of(const RunReport& report) {
+    return table_of(report.processes, [&](const ProcessUse& p) -> Row {
+        return {Field::left(0, "process", p.name).as("name"), Field::left(0, "on", p.processor).as("on"),
+                Field::right(7, "waiting", print_wait(report, p)).as("waiting", part_json(report, p.waiting)),
+                Field::member_ps("waiting", p.waiting), Field::member_ps("waits_since", p.waits_since)};
+    });
 }
 
 using MessageStruck = hardware::FaultEffect::Hit::Message;
@@ -251,93 +260,24 @@ boost::json::array texts_of(const std::vector<std::string>& texts) {
     return boost::json::array(texts.begin(), texts.end());
 }
 
-boost::json::value value_json(const Measurement& m) {
-    if (const auto* text = std::get_if<std::string>(&m.value))
-        return boost::json::string(*text);
-    return std::get<double>(m.value);
-}
-
-boost::json::object json_of(const RunReport&, const Measurement& m) {
-    return {{"process", m.process}, {"name", m.name}, {"value", value_json(m)}, {"unit", m.unit}};
-}
-
-/// A fraction of the run; null where there is no whole.
-boost::json::value part_json(const RunReport& report, Time part) {
-    auto share = report.share(part);
-    return share ? boost::json::value(*share) : boost::json::value();
-}
-
-boost::json::object json_of(const RunReport& report, const ProcessorUse& p) {
-    return {{"name", p.name},
-            {"type", p.type},
-            {"busy", part_json(report, p.busy)},
-            {"busy_ps", p.busy.count()},
-            {"memory_taken_by_links_ps", p.memory_taken_by_links.count()},
-            {"packets_passed_on", p.packets_passed_on},
-            {"passing_on_ps", p.passing_on.count()}};
-}
-
-boost::json::object json_of(const RunReport& report, const LinkUse& l) {
-    return {{"from", l.from},
-            {"to", l.to},
-            {"bytes", l.bytes},
-            {"occupied", part_json(report, l.occupied)},
-            {"occupied_ps", l.occupied.count()}};
-}
-
-boost::json::object json_of(const RunReport&, const BusMasterUse& m) {
-    return {{"name", m.name},
-            {"level", m.level},
-            {"words", m.words},
-            {"bytes", m.bytes},
-            {"grants", m.grants},
-            {"bus_errors", m.bus_errors},
-            {"waited_ps", m.waited.count()},
-            {"longest_wait_ps", m.longest_wait.count()}};
-}
-
 template <class Rows>
 boost::json::array array_of(const RunReport& report, const Rows& rows);
-
-boost::json::object json_of(const RunReport&, const BroadcastUse& b) {
-    return {{"from", b.from}, {"adapters", b.adapters}, {"messages", b.messages}, {"bytes", b.bytes}};
-}
 
 boost::json::object json_of(const RunReport& report, const BusUse& b) {
     boost::json::object json{{"name", b.name},
                              {"busy", part_json(report, b.busy)},
                              {"busy_ps", b.busy.count()},
-                             {"masters", array_of(report, b.masters)}};
+                             {"masters", json_of(masters_of(report, b).rows)}};
     if (!b.broadcasts.empty())
-        json["broadcasts"] = array_of(report, b.broadcasts);
+        json["broadcasts"] = json_of(broadcasts_of(b.broadcasts).rows);
     return json;
 }
 
 boost::json::object json_of(const RunReport& report, const DeviceUse& d) {
-    boost::json::array rows;
-    for (const DeviceUse::Row& row : d.rows) {
-        boost::json::object json{{d.columns.front(), row.name}};
-        for (std::size_t i = 0; i < row.figures.size(); ++i)
-            if (const auto* time = std::get_if<Time>(&row.figures[i]))
-                json[d.columns[i + 1] + "_ps"] = time->count();
-            else
-                json[d.columns[i + 1]] = std::get<std::uint64_t>(row.figures[i]);
-        rows.push_back(std::move(json));
-    }
     return {{"title", d.title},
             {"busy", part_json(report, d.busy)},
             {"busy_ps", d.busy.count()},
-            {"rows", std::move(rows)}};
-}
-
-boost::json::object json_of(const RunReport& report, const ProcessUse& p) {
-    boost::json::object json{{"name", p.name},
-                             {"on", p.processor},
-                             {"waiting", part_json(report, p.waiting)},
-                             {"waiting_ps", p.waiting.count()}};
-    if (p.waits_since)
-        json["waits_since_ps"] = p.waits_since->count();
-    return json;
+            {"rows", json_of(rows_of(report, d).rows)}};
 }
 
 const char* what_was_struck_json(MessageStruck message) {
@@ -447,11 +387,11 @@ std::string print_report(const RunReport& report, const Network& network, const 
     if (!report.result.never_ran.empty())
         out += print_never_ran(report.result.never_ran);
     if (!report.measurements.empty())
-        out += print_measurements(report.measurements);
+        out += measurements_of(report.measurements).text("\n");
     out += print_searches(searches);
     if (!report.processors.empty())
-        out += print_processors(report);
-    return out + print_links(report) + print_buses(report) + print_devices(report) + print_processes(report);
+        out += processors_of(report).text("\n");
+    return out + print_links(report) + print_buses(report) + print_devices(report) + processes_of(report).text("\n");
 }
 
 boost::json::object report_json(const RunReport& report, const Network& network, const Manifest& manifest,
@@ -460,10 +400,10 @@ boost::json::object report_json(const RunReport& report, const Network& network,
                              {"outcome", name_of(report.result.ending)},
                              {"time_ps", report.result.time.count()},
                              {"fingerprint", hex(report.result.fingerprint)},
-                             {"measurements", array_of(report, report.measurements)},
-                             {"processors", array_of(report, report.processors)},
-                             {"links", array_of(report, report.links)},
-                             {"processes", array_of(report, report.processes)}};
+                             {"measurements", json_of(measurements_of(report.measurements).rows)},
+                             {"processors", json_of(processors_of(report).rows)},
+                             {"links", json_of(links_of(report, report.links).rows)},
+                             {"processes", json_of(processes_of(report).rows)}};
     if (!report.buses.empty())
         json["buses"] = array_of(report, report.buses);
     if (!report.devices.empty())

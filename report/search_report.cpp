@@ -1,6 +1,6 @@
 #include "report/search_report.hpp"
 
-#include "text/paint.hpp"
+#include "report/field.hpp"
 #include "text/statistics.hpp"
 
 #include <boost/json.hpp>
@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -63,14 +64,6 @@ std::vector<SearchSummary> summaries_of(const GenerationLog& log) {
     return summaries;
 }
 
-/// Of the names in a first column.
-std::size_t width_of_names(const std::vector<SearchSummary>& rows) {
-    std::size_t width = 6;
-    for (const SearchSummary& row : rows)
-        width = std::max(width, row.process.size());
-    return width;
-}
-
 std::string print_between(const SearchSummary& all) {
     return fmt::format("diversity between searches: {:.4f} in the first generation, {:.4f} in the last\n",
                        all.first.between, all.last.between);
@@ -86,18 +79,20 @@ std::string print_middle(const std::vector<std::vector<SearchSummary>>& runs, st
 }
 
 std::string print_middles(const std::vector<std::vector<SearchSummary>>& runs) {
-    std::size_t width = width_of_names(runs.front());
-    std::string out = painted(Paint::heading,
-                              fmt::format("\n{:<{}}  {:>28}  {:>28}  {:>28}  {:>20}  {:>24}\n", "search", width,
-                                          "best, last", "ever", "mean, last", "99 % at generation", "diversity, last"));
-    for (std::size_t i = 0; i < runs.front().size(); ++i)
-        out += fmt::format("{:<{}}  {:>28}  {:>28}  {:>28}  {:>20}  {:>24}\n", runs.front()[i].process, width,
-                           print_middle(runs, i, [](const SearchSummary& s) { return s.last.best; }),
-                           print_middle(runs, i, [](const SearchSummary& s) { return s.last.best_so_far; }),
-                           print_middle(runs, i, [](const SearchSummary& s) { return s.last.mean; }),
-                           print_middle(runs, i, [](const SearchSummary& s) { return s.nearly_there; }),
-                           print_middle(runs, i, [](const SearchSummary& s) { return s.last.diversity; }));
-    return out + "medians, and quartiles in brackets\n";
+    std::vector<std::size_t> searches(runs.front().size());
+    std::iota(searches.begin(), searches.end(), std::size_t{0});
+    Table table = table_of(searches, [&](std::size_t i) -> Row {
+        auto middle = [&](std::size_t width, const char* heading, auto figure) {
+            return Field::right(width, heading, print_middle(runs, i, figure));
+        };
+        return {Field::left(0, "search", runs.front()[i].process),
+                middle(28, "best, last", [](const SearchSummary& s) { return s.last.best; }),
+                middle(28, "ever", [](const SearchSummary& s) { return s.last.best_so_far; }),
+                middle(28, "mean, last", [](const SearchSummary& s) { return s.last.mean; }),
+                middle(20, "99 % at generation", [](const SearchSummary& s) { return s.nearly_there; }),
+                middle(24, "diversity, last", [](const SearchSummary& s) { return s.last.diversity; })};
+    });
+    return table.text("\n") + "medians, and quartiles in brackets\n";
 }
 
 /// JSON knows no other numbers.
@@ -114,23 +109,33 @@ boost::json::object generation_json(const LoggedGeneration& generation, bool of_
     return json;
 }
 
+Row row_of(const SearchSummary& s) {
+    auto figure = [](const char* heading, double number) {
+        return Field::right(11, heading, fmt::format("{:.6g}", number));
+    };
+    return {
+        Field::left(0, "search", s.process).as("process"),
+        Field::count(11, "generations", s.generations),
+        Field::member("first", generation_json(s.first, s.of_all)),
+        Field::member("last", generation_json(s.last, s.of_all)),
+        figure("best, first", s.first.best),
+        figure("last", s.last.best),
+        figure("ever", s.last.best_so_far).as("best_so_far", finite_json(s.last.best_so_far)),
+        figure("mean, first", s.first.mean),
+        figure("last", s.last.mean),
+        Field::right(7, "99 % at", fmt::format("{}", s.nearly_there)).as("generation_at_99_percent", s.nearly_there),
+        Field::right(9, "diversity", fmt::format("{:.4f}", s.last.diversity)),
+        Field::right(8, "accepted", fmt::format("{}", s.accepted)).as("immigrants_accepted", s.accepted),
+        Field::right(11, "turned away", fmt::format("{}", s.turned_away)).as("immigrants_turned_away", s.turned_away)};
+}
+
 } // namespace
 
 std::string print_searches(const GenerationLog& log) {
     auto rows = summaries_of(log);
     if (rows.empty())
         return "";
-    std::size_t width = width_of_names(rows);
-    std::string out =
-        painted(Paint::heading,
-                fmt::format("\n{:<{}}  {:>11}  {:>11}  {:>11}  {:>11}  {:>11}  {:>11}  {:>7}  {:>9}  {:>8}  {:>11}\n",
-                            "search", width, "generations", "best, first", "last", "ever", "mean, first", "last",
-                            "99 % at", "diversity", "accepted", "turned away"));
-    for (const SearchSummary& s : rows)
-        out += fmt::format(
-            "{:<{}}  {:>11}  {:>11.6g}  {:>11.6g}  {:>11.6g}  {:>11.6g}  {:>11.6g}  {:>7}  {:>9.4f}  {:>8}  {:>11}\n",
-            s.process, width, s.generations, s.first.best, s.last.best, s.last.best_so_far, s.first.mean, s.last.mean,
-            s.nearly_there, s.last.diversity, s.accepted, s.turned_away);
+    std::string out = table_of(rows, row_of).text("\n");
     return rows.back().of_all ? out + print_between(rows.back()) : out;
 }
 
@@ -142,18 +147,6 @@ std::string print_searches(std::span<const SeededLog> logs) {
     return runs.front().empty() || !alike ? "" : print_middles(runs);
 }
 
-boost::json::array searches_json(const GenerationLog& log) {
-    boost::json::array json;
-    for (const SearchSummary& s : summaries_of(log))
-        json.push_back(boost::json::object{{"process", s.process},
-                                           {"generations", s.generations},
-                                           {"first", generation_json(s.first, s.of_all)},
-                                           {"last", generation_json(s.last, s.of_all)},
-                                           {"best_so_far", finite_json(s.last.best_so_far)},
-                                           {"generation_at_99_percent", s.nearly_there},
-                                           {"immigrants_accepted", s.accepted},
-                                           {"immigrants_turned_away", s.turned_away}});
-    return json;
-}
+boost::json::array searches_json(const GenerationLog& log) { return json_of(table_of(summaries_of(log), row_of).rows); }
 
 } // namespace placedpar

@@ -198,7 +198,6 @@ std::vector<std::string> describe_unreset(const Processes& stuck, const Processe
 
 const char* name_of(Activity activity) {
     switch (activity) {
-    case Activity::ready: return "is ready";
     case Activity::delayed: return "waits for its timer";
     case Activity::outputting: return "outputs";
     case Activity::inputting: return "inputs";
@@ -208,8 +207,8 @@ const char* name_of(Activity activity) {
     case Activity::stopped: return "has stopped";
     case Activity::halted: return "is halted";
     case Activity::ended: return "has ended";
+    default: return "is ready";
     }
-    return "";
 }
 
 namespace {

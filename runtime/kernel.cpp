@@ -114,7 +114,7 @@ void Kernel::remove(Process& p) {
 
 void Kernel::tell_and_make_ready(Process& p) {
     if (hot_.trace)
-        hot_.trace->made_ready(p, hot_.now);
+        hot_.trace->turns(p, Activity::ready, hot_.now);
     if (p.executive_)
         p.executive_->make_ready(p);
     else
@@ -328,7 +328,7 @@ void Kernel::finish(Process& p) noexcept {
     if (hot_.circumstances.any_of(Circumstances::unwinding))
         return;
     if (hot_.trace)
-        hot_.trace->ended(p, hot_.now);
+        hot_.trace->turns(p, Activity::ended, hot_.now);
     Process* parent = p.join_ && --p.join_->components_left == 0 ? &p.join_->parent : nullptr;
     if (p.executive_)
         p.executive_->leave(p, parent);
@@ -380,7 +380,7 @@ std::vector<Process*> Kernel::by_age() const {
 void Kernel::introduce_to_trace() {
     if (hot_.trace)
         for (const Process* p : by_age())
-            hot_.trace->began(*p, hot_.now);
+            hot_.trace->turns(*p, Activity::starting, hot_.now);
 }
 
 /// The youngest process first, so that components go before the processes that wait for them.

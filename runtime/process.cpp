@@ -21,7 +21,7 @@ Process::Process(Process& parent, std::size_t index, Body body, Priority priorit
     kernel_.add(*this);
     goes_on();
     if (TraceSink* trace = kernel_.trace())
-        trace->began(*this, kernel_.now());
+        trace->turns(*this, Activity::starting, kernel_.now());
 }
 
 Process::~Process() { kernel_.remove(*this); }
@@ -58,13 +58,13 @@ void Process::stands_still() {
 inline void Process::note_wait(Activity activity) {
     activity_ = activity;
     if (TraceSink* trace = kernel_.trace())
-        trace->waits(*this, kernel_.now());
+        trace->turns(*this, activity, kernel_.now());
     stands_still();
 }
 
 inline void Process::note_end_of_wait() {
     if (TraceSink* trace = kernel_.trace())
-        trace->goes_on(*this, kernel_.now());
+        trace->turns(*this, Activity::executing, kernel_.now());
     activity_ = Activity::ready;
 }
 
@@ -178,8 +178,8 @@ void Process::was_delayed(Time since, const SourceLocation& where) {
         outermost_->waited_ += kernel_.now() - since;
     activity_ = Activity::delayed;
     if (TraceSink* trace = kernel_.trace()) {
-        trace->waits(*this, since);
-        trace->goes_on(*this, kernel_.now());
+        trace->turns(*this, Activity::delayed, since);
+        trace->turns(*this, Activity::executing, kernel_.now());
     }
     activity_ = Activity::ready;
 }

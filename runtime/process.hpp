@@ -35,9 +35,32 @@ struct Grain {
 /// The two priorities of occam's processes.
 enum class Priority { high, low };
 
-/// What a process is doing, or what it waits for; `stopped`: for nothing. `halted` is for reports: its executive has
-/// stopped for ever.
-enum class Activity { ready, delayed, outputting, inputting, alternating, joining, after_work, stopped, halted, ended };
+/// What a process or a place does for a while. A process says of itself that it is ready, which of its waits it is in
+/// (`stopped` waits for nothing), or that it has ended. The others are told to a trace, or are what a trace makes of
+/// that: a link carries; on a critical path, a bus is waited for. `halted` is for reports: its executive has stopped
+/// for ever.
+/// INVARIANT: the numbers of those up to `stopped` stand in the files of traces.
+enum class Activity {
+    executing,
+    carrying,
+    ready,
+    computing,
+    delayed,
+    outputting,
+    inputting,
+    alternating,
+    joining,
+    after_work,
+    stopped,
+    halted,
+    ended,
+    starting,
+    moving,
+    arbitrating
+};
+
+/// Whether a process that does this waits for a partner, its timer, its components, the end of the work, or nothing.
+constexpr bool is_waiting(Activity activity) { return activity >= Activity::delayed && activity <= Activity::stopped; }
 
 /// A PAR: how many of its components still run, and the process that waits for them.
 struct Join {

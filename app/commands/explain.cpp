@@ -157,7 +157,7 @@ ExitCode explain(const ExplainOptions& options, const std::string& typed) {
     print_out(print_explanation(explanation, network));
     write_output(explanation, network, options);
     listeners.recorders.finish({network, explanation.report, options.manifest(typed), listeners.searches},
-                               marks_of(explanation.path));
+                               explanation.path);
     return exit_code_of(explanation);
 }
 

@@ -1,11 +1,14 @@
 #include "explore/explain/explanation.hpp"
 
+#include "report/field.hpp"
 #include "text/paint.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace placedpar {
 
@@ -15,39 +18,37 @@ std::string percent(Time part, Time whole) {
     return whole == Time{0} ? "-" : fmt::format("{:.1f} %", 100 * in_milliseconds(part) / in_milliseconds(whole));
 }
 
-template <class Map, class Name>
-std::size_t width_of_names(const Map& rows, Name name, std::size_t least) {
-    for (const auto& row : rows)
-        least = std::max(least, name(row).size());
-    return least;
-}
-
-std::string print_accounts(const Explanation& explanation) {
-    auto name = [](const auto& each) { return each.first; };
-    std::size_t width = width_of_names(explanation.accounts, name, 7);
-    std::string out = painted(
-        Paint::heading, fmt::format("\n{:<{}}  {:>9}  {:>13}  {:>7}  {:>7}  {:>7}  most waited for (ms)\n", "process",
-                                    width, "computing", "communicating", "waiting", "ready", "delayed"));
-    for (const auto& [process, account] : explanation.accounts) {
+Table accounts_of(const Explanation& explanation) {
+    return table_of(explanation.accounts, [](const std::pair<const std::string, Account>& each) -> Row {
+        const auto& [process, account] = each;
+        auto part = [life = account.life()](std::size_t width, const std::string& name, Time time) {
+            return Field::right(width, name, percent(time, life)).as(name + "_ps", time.count());
+        };
+        boost::json::object waiting_for;
+        for (const auto& [partner, time] : account.waiting_for)
+            waiting_for[partner] = time.count();
         std::string partner = account.most_waited_for();
-        out += fmt::format(
-            "{:<{}}  {:>9}  {:>13}  {:>7}  {:>7}  {:>7}{}\n", process, width,
-            percent(account.computing, account.life()), percent(account.communicating, account.life()),
-            percent(account.waiting, account.life()), percent(account.ready, account.life()),
-            percent(account.delayed, account.life()),
-            partner.empty() ? ""
-                            : fmt::format("  {} ({:.3f})", partner, in_milliseconds(account.waiting_for.at(partner))));
-    }
-    return out;
+        if (!partner.empty())
+            partner += fmt::format(" ({:.3f})", in_milliseconds(account.waiting_for.at(partner)));
+        return {Field::left(0, "process", process).as("process"),
+                part(9, "computing", account.computing),
+                part(13, "communicating", account.communicating),
+                part(7, "waiting", account.waiting),
+                part(7, "ready", account.ready),
+                part(7, "delayed", account.delayed),
+                Field::left(0, "most waited for (ms)", partner).as("waiting_for_ps", waiting_for)};
+    });
 }
 
 std::string link_direction(const LinkUse& link) { return link.from + " -> " + link.to; }
 
-std::string print_use(const std::string& name, std::size_t width, Time used, Time whole,
-                      const std::string& waiting = "") {
-    return fmt::format("{:<{}}  {:>8}  {:>8}{}\n", name, width, percent(used, whole), percent(whole - used, whole),
-                       waiting);
+Row use_of(const char* key, const std::string& name, std::size_t width, Time used, Time whole, const Field& waits) {
+    return {Field::left(width, "processor, link or bus", name).as(key),
+            Field::right(8, "busy", percent(used, whole)).as("busy_ps", used.count()),
+            Field::right(8, "idle", percent(whole - used, whole)).as("idle_ps", (whole - used).count()), waits};
 }
+
+Field waits(const std::string& text) { return Field::right(7, "waits to", text); }
 
 /// All together.
 Time masters_waited(const BusUse& bus) {
@@ -57,34 +58,42 @@ Time masters_waited(const BusUse& bus) {
     return waited;
 }
 
-/// On an average as many masters at a time.
-std::string print_waiting(const BusUse& bus, Time whole) {
-    return fmt::format("  its masters waited {}", percent(masters_waited(bus), whole));
-}
-
 Time waited_to(const LinkUse& link, const Explanation& explanation) {
     auto found = explanation.waits_at_links.find(link_direction(link));
     return found == explanation.waits_at_links.end() ? Time{0} : found->second;
 }
 
-std::string print_waiting(const LinkUse& link, const Explanation& explanation) {
-    return fmt::format("  {:>7}", percent(waited_to(link, explanation), explanation.report.result.time));
+/// How each part of the machine was used, by its kind.
+struct MachineRows {
+    std::vector<Row> processors, links, buses;
+};
+
+MachineRows machine_of(const Explanation& explanation) {
+    const RunReport& report = explanation.report;
+    Time whole = report.result.time;
+    std::size_t width = 24;
+    for (const LinkUse& link : report.links)
+        width = std::max(width, link_direction(link).size());
+    MachineRows rows;
+    for (const ProcessorUse& processor : report.processors)
+        rows.processors.push_back(use_of("processor", processor.name, width, processor.busy, whole, waits("")));
+    for (const LinkUse& link : report.links)
+        if (Time waited = waited_to(link, explanation); link.bytes > 0)
+            rows.links.push_back(use_of("link", link_direction(link), width, link.occupied, whole,
+                                        waits(percent(waited, whole)).as("waits_to_ps", waited.count())));
+    for (const BusUse& bus : report.buses) // on an average as many masters at a time
+        rows.buses.push_back(use_of("bus", bus.name, width, bus.busy, whole,
+                                    waits("its masters waited " + percent(masters_waited(bus), whole))
+                                        .as("masters_waited_ps", masters_waited(bus).count())));
+    return rows;
 }
 
 std::string print_machine(const Explanation& explanation) {
-    const RunReport& report = explanation.report;
-    Time whole = report.result.time;
-    std::size_t width = width_of_names(report.links, link_direction, 24);
-    std::string out = painted(Paint::heading, fmt::format("\n{:<{}}  {:>8}  {:>8}  {:>7}\n", "processor, link or bus",
-                                                          width, "busy", "idle", "waits to"));
-    for (const ProcessorUse& processor : report.processors)
-        out += print_use(processor.name, width, processor.busy, whole);
-    for (const LinkUse& link : report.links)
-        if (link.bytes > 0)
-            out += print_use(link_direction(link), width, link.occupied, whole, print_waiting(link, explanation));
-    for (const BusUse& bus : report.buses)
-        out += print_use(bus.name, width, bus.busy, whole, print_waiting(bus, whole));
-    return out;
+    MachineRows rows = machine_of(explanation);
+    Table table{use_of("", "", 24, {}, {}, waits("")), std::move(rows.processors)};
+    for (std::vector<Row>* more : {&rows.links, &rows.buses})
+        std::ranges::move(*more, std::back_inserter(table.rows));
+    return table.text("\n");
 }
 
 /// The rows with the greatest times, and the others in one.
@@ -226,49 +235,6 @@ std::string print_verdict(const Explanation& explanation) {
     return out.empty() ? "" : painted(Paint::heading, "what holds it back\n") + out;
 }
 
-boost::json::object account_json(const std::string& process, const Account& account) {
-    boost::json::object waiting_for;
-    for (const auto& [partner, time] : account.waiting_for)
-        waiting_for[partner] = time.count();
-    return {{"process", process},
-            {"computing_ps", account.computing.count()},
-            {"communicating_ps", account.communicating.count()},
-            {"waiting_ps", account.waiting.count()},
-            {"ready_ps", account.ready.count()},
-            {"delayed_ps", account.delayed.count()},
-            {"waiting_for_ps", std::move(waiting_for)}};
-}
-
-boost::json::array processors_json(const RunReport& report) {
-    boost::json::array processors;
-    for (const ProcessorUse& processor : report.processors)
-        processors.push_back({{"processor", processor.name},
-                              {"busy_ps", processor.busy.count()},
-                              {"idle_ps", (report.result.time - processor.busy).count()}});
-    return processors;
-}
-
-boost::json::array links_json(const Explanation& explanation) {
-    boost::json::array links;
-    for (const LinkUse& link : explanation.report.links)
-        if (link.bytes > 0)
-            links.push_back({{"link", link_direction(link)},
-                             {"busy_ps", link.occupied.count()},
-                             {"idle_ps", (explanation.report.result.time - link.occupied).count()},
-                             {"waits_to_ps", waited_to(link, explanation).count()}});
-    return links;
-}
-
-boost::json::array buses_json(const RunReport& report) {
-    boost::json::array buses;
-    for (const BusUse& bus : report.buses)
-        buses.push_back({{"bus", bus.name},
-                         {"busy_ps", bus.busy.count()},
-                         {"idle_ps", (report.result.time - bus.busy).count()},
-                         {"masters_waited_ps", masters_waited(bus).count()}});
-    return buses;
-}
-
 boost::json::object answer_json(const Answer& answer) {
     boost::json::object set;
     for (const auto& [name, value] : answer.change.set)
@@ -291,28 +257,27 @@ std::string print_explanation(const Explanation& explanation, const Network& net
     const RunResult& result = explanation.report.result;
     return fmt::format("{}: {} at {}\n", network.source_path, name_of(result.ending), to_string(result.time)) +
            print_verdict(explanation) + print_path(explanation) + print_answers(explanation) +
-           print_accounts(explanation) + print_machine(explanation);
+           accounts_of(explanation).text("\n") + print_machine(explanation);
 }
 
 boost::json::object explanation_json(const Explanation& explanation, const Network& network) {
-    boost::json::array accounts, path, answers;
-    for (const auto& [process, account] : explanation.accounts)
-        accounts.push_back(account_json(process, account));
+    boost::json::array path, answers;
     for (const PathPart& part : explanation.path)
-        path.push_back(boost::json::object{{"step", name_of(part.step)},
+        path.push_back(boost::json::object{{"step", name_on_path(part.activity)},
                                            {"subject", part.subject},
                                            {"begin_ps", part.begin.count()},
                                            {"end_ps", part.end.count()}});
     for (const Answer& answer : explanation.answers)
         answers.push_back(answer_json(answer));
     const RunResult& result = explanation.report.result;
+    const MachineRows machine = machine_of(explanation);
     boost::json::object json{{"netlist", network.source_path},
                              {"ended", name_of(result.ending)},
                              {"time_ps", result.time.count()},
-                             {"processes", std::move(accounts)},
-                             {"processors", processors_json(explanation.report)},
-                             {"links", links_json(explanation)},
-                             {"buses", buses_json(explanation.report)},
+                             {"processes", json_of(accounts_of(explanation).rows)},
+                             {"processors", json_of(machine.processors)},
+                             {"links", json_of(machine.links)},
+                             {"buses", json_of(machine.buses)},
                              {"critical_path", std::move(path)},
                              {"what_if", std::move(answers)}};
     if (explanation.path_too_long)

@@ -1,67 +1,45 @@
 #include "explore/study/study_report.hpp"
 
 #include "explore/study/summary_cells.hpp"
+#include "report/field.hpp"
 #include "text/counted.hpp"
-#include "text/paint.hpp"
-#include "text/utf8.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace placedpar {
 
 namespace {
 
-/// Texts below each other, numbers to the right.
-std::string print_rows(const std::vector<std::vector<std::string>>& rows) {
-    std::vector<std::size_t> widths(rows.front().size());
-    for (const auto& row : rows)
-        for (std::size_t i = 0; i + 1 < row.size(); ++i)
-            widths[i] = std::max(widths[i], row[i].size());
-    std::string out;
-    for (std::size_t number = 0; number < rows.size(); ++number) {
-        std::string line;
-        for (std::size_t i = 0; i < widths.size(); ++i)
-            line += fmt::format("{:>{}}  ", rows[number][i], widths[i]);
-        line.erase(line.find_last_not_of(' ') + 1);
-        out += (number == 0 ? painted(Paint::heading, line) : line) + "\n";
-    }
-    return out;
-}
-
-std::string quoted_csv_cell(const std::string& of) {
-    const std::string text = escaped(of);
-    if (text.find_first_of(",\"") == text.npos)
-        return text;
-    std::string out = "\"";
-    for (char character : text)
-        out += character == '"' ? "\"\"" : std::string(1, character);
-    return out + "\"";
-}
-
-std::vector<std::string> head_row(const StudySummary& summary, bool intervals) {
-    std::vector<std::string> row = summary.axes;
-    row.push_back("runs");
+/// A text has its ending last, behind the measures.
+Row row_of(const StudySummary& summary, const StudyLine& line, bool intervals) {
+    Row row;
+    for (std::size_t i = 0; i < summary.axes.size(); ++i)
+        row.push_back(Field::right(0, summary.axes[i], line.values[i]).as(summary.axes[i]));
+    row.push_back(Field::right(0, "runs", fmt::format("{}", line.runs)).as("runs", line.runs));
+    row.push_back(Field::member("ended", ended_of(line)));
     for (std::size_t i = 0; i < summary.measures.size(); ++i) {
-        row.push_back(measure_with_unit(summary, i));
-        if (intervals)
-            row.push_back("95 %");
+        const StudyCell& cell = line.cells[i];
+        const std::string name = measure_with_unit(summary, i);
+        auto known = [&](double figure, std::uint64_t runs) {
+            return cell.runs < runs ? boost::json::value() : boost::json::value(figure);
+        };
+        row.push_back(Field::right(0, name, shown_mean(cell)).as(name + " mean", known(cell.mean, 1)));
+        row.push_back(Field::right(0, "95 %", shown_interval(cell))
+                          .as(name + " half_width_95", known(cell.half_width, 2))
+                          .shown_if(intervals));
+        row.push_back(Field::member(name + " least", known(cell.least, 1)));
+        row.push_back(Field::member(name + " greatest", known(cell.greatest, 1)));
     }
-    row.push_back("");
+    row.push_back(Field::left(0, "", ended_of(line)));
     return row;
 }
 
-std::vector<std::string> row_of(const StudyLine& line, bool intervals) {
-    std::vector<std::string> row = line.values;
-    row.push_back(fmt::format("{}", line.runs));
-    for (const StudyCell& cell : line.cells) {
-        row.push_back(shown_mean(cell));
-        if (intervals)
-            row.push_back(shown_interval(cell));
-    }
-    row.push_back(ended_of(line));
-    return row;
+Table lines_of(const StudySummary& summary) {
+    return table_of(summary.lines, [&, intervals = has_intervals(summary)](StudyLine line) {
+        line.values.resize(summary.axes.size());
+        line.cells.resize(summary.measures.size());
+        return row_of(summary, line, intervals);
+    });
 }
 
 std::string print_whole(const StudySummary& summary) {
@@ -74,34 +52,8 @@ std::string print_whole(const StudySummary& summary) {
 
 } // namespace
 
-std::string print_summary(const StudySummary& summary) {
-    const bool intervals = has_intervals(summary);
-    std::vector<std::vector<std::string>> rows{head_row(summary, intervals)};
-    for (const StudyLine& line : summary.lines)
-        rows.push_back(row_of(line, intervals));
-    return print_whole(summary) + print_rows(rows);
-}
+std::string print_summary(const StudySummary& summary) { return print_whole(summary) + lines_of(summary).text(); }
 
-std::string summary_csv(const StudySummary& summary) {
-    std::string out;
-    for (const std::string& axis : summary.axes)
-        out += quoted_csv_cell(axis) + ",";
-    out += "runs,ended";
-    for (std::size_t i = 0; i < summary.measures.size(); ++i)
-        for (const char* part : {"mean", "half_width_95", "least", "greatest"})
-            out += "," + quoted_csv_cell(fmt::format("{} {}", measure_with_unit(summary, i), part));
-    for (const StudyLine& line : summary.lines) {
-        out += "\n";
-        for (const std::string& value : line.values)
-            out += quoted_csv_cell(value) + ",";
-        out += fmt::format("{},{}", line.runs, quoted_csv_cell(ended_of(line)));
-        for (const StudyCell& cell : line.cells)
-            out += cell.runs == 0
-                       ? ",,,,"
-                       : fmt::format(",{},{},{},{}", cell.mean, cell.runs < 2 ? "" : fmt::format("{}", cell.half_width),
-                                     cell.least, cell.greatest);
-    }
-    return out + "\n";
-}
+std::string summary_csv(const StudySummary& summary) { return lines_of(summary).csv(); }
 
 } // namespace placedpar

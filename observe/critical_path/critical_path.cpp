@@ -31,7 +31,9 @@ Time sum_of(const std::vector<PathPart>& parts) {
 
 } // namespace
 
-CriticalPath::CriticalPath(std::size_t most_points) : points_(most_points) { add(0, Time{0}, Step::starting, "", ""); }
+CriticalPath::CriticalPath(std::size_t most_points) : points_(most_points) {
+    add(0, Time{0}, Activity::starting, "", "");
+}
 
 CriticalPath::Lane* CriticalPath::lane_of(std::uint32_t ordinal) {
     auto found = lanes_.find(ordinal);
@@ -48,22 +50,22 @@ std::uint32_t CriticalPath::number_of(const std::string& subject) {
 }
 
 /// What took no time needs no point.
-CriticalPath::Number CriticalPath::add(Number before, Time at, Step step, const std::string& subject,
+CriticalPath::Number CriticalPath::add(Number before, Time at, Activity activity, const std::string& subject,
                                        const std::string& place) {
     if (!points_.empty() && points_[before].at == at)
         return before;
-    return points_.add({at, before, step, number_of(subject), number_of(place)});
+    return points_.add({at, before, activity, number_of(subject), number_of(place)});
 }
 
-CriticalPath::Number CriticalPath::add(Number before, Time at, Step step, const Process& process) {
-    return add(before, at, step, with_executive(process), executive_of(process));
+CriticalPath::Number CriticalPath::add(Number before, Time at, Activity activity, const Process& process) {
+    return add(before, at, activity, with_executive(process), executive_of(process));
 }
 
 /// It took its link, or the processor that both of its processes are on. A packet is a part of a channel's message.
 CriticalPath::Number CriticalPath::add_message(Number before, const Lane& lane, const AnyChannel& channel, Time now) {
     auto link = carried_by_.find(&channel);
     const AnyChannel* packets_of = channel.cargo().channel;
-    return add(before, now, Step::communicating, (packets_of ? packets_of : &channel)->name(),
+    return add(before, now, Activity::carrying, (packets_of ? packets_of : &channel)->name(),
                link == carried_by_.end() ? executive_of(*lane.process) : link->second);
 }
 
@@ -95,19 +97,34 @@ void CriticalPath::forget(Time now) {
     points_.forget_but(numbers_in_use());
 }
 
-void CriticalPath::turn(Lane& lane, Activeness to, Time now) {
+void CriticalPath::turn(Lane& lane, Activity to, Time now) {
     if (!lane.process->serves_machine())
         accounts_.turn(lane.process->outermost().name(), lane.does, to, now);
     lane.does = to;
 }
 
-/// A component of a PAR begins when its process has come to it.
-void CriticalPath::began(const Process& process, Time now) {
+void CriticalPath::turns(const Process& process, Activity activity, Time now) {
     forget(now);
+    if (activity == Activity::starting)
+        return begin(process, now);
+    Lane* lane = lane_of(process);
+    if (!lane)
+        return;
+    switch (activity) {
+    case Activity::ready: return become_ready(*lane, now);
+    case Activity::executing: return go_on(*lane, now);
+    case Activity::computing:
+    case Activity::moving: return has_turn(*lane, now), turn(*lane, activity, now);
+    case Activity::ended: return end(*lane, now);
+    default: return wait(*lane, activity, now);
+    }
+}
+
+/// A component of a PAR begins when its process has come to it.
+void CriticalPath::begin(const Process& process, Time now) {
     Lane* parent = process.parent() ? lane_of(*process.parent()) : nullptr;
-    Lane lane{add(parent ? parent->last : 0, now, Step::starting, process), &process};
-    lane.does = Activeness::gone;
-    turn(lanes_.emplace(process.ordinal(), lane).first->second, Activeness::ready, now);
+    Lane lane{add(parent ? parent->last : 0, now, Activity::starting, process), &process};
+    turn(lanes_.emplace(process.ordinal(), lane).first->second, Activity::ready, now);
 }
 
 /// What it did last, or what its executive did, until it gets its turn.
@@ -117,7 +134,7 @@ CriticalPath::Number CriticalPath::turn_of(const Lane& lane, Number made_ready, 
     auto held = held_.find(lane.process->executive());
     if (held != held_.end() && points_[held->second].at == now)
         return held->second;
-    return add(made_ready, now, Step::ready, *lane.process);
+    return add(made_ready, now, Activity::ready, *lane.process);
 }
 
 void CriticalPath::has_turn(Lane& lane, Time now) {
@@ -130,19 +147,14 @@ void CriticalPath::hold_executive(const Lane& lane) {
         held_[executive] = lane.last;
 }
 
-void CriticalPath::waits(const Process& process, Time now) {
-    forget(now);
-    Lane* lane = lane_of(process);
-    if (!lane)
-        return;
-    has_turn(*lane, now);
-    hold_executive(*lane);
-    lane->together.reset();
-    turn(*lane, Activeness::waiting, now);
-    Activity activity = process.activity();
+void CriticalPath::wait(Lane& lane, Activity activity, Time now) {
+    has_turn(lane, now);
+    hold_executive(lane);
+    lane.together.reset();
+    turn(lane, activity, now);
     if (activity == Activity::outputting || activity == Activity::inputting)
-        for (const AnyChannel* channel : process.awaited_channels())
-            came_[{channel, activity == Activity::outputting}] = lane->last;
+        for (const AnyChannel* channel : lane.process->awaited_channels())
+            came_[{channel, activity == Activity::outputting}] = lane.last;
 }
 
 /// What is left of their waits began when the later one came.
@@ -155,15 +167,16 @@ void CriticalPath::communicated(const AnyChannel& channel, Time) {
         waits_at_links_[link->second] += points_[*from->together].at - points_[from->last].at;
 }
 
-void CriticalPath::carries(const std::string& direction, const AnyChannel& channel, Time, Time) {
-    carried_by_[&channel] = direction;
+void CriticalPath::takes(const PlaceTaken& taken, Time) {
+    if (taken.channel)
+        carried_by_[taken.channel] = taken.place;
 }
 
 /// Null while an event happens.
 const CriticalPath::Lane* CriticalPath::who_runs(const Process& any, Time now) {
     const Process* process = any.kernel().who_runs();
     const Lane* lane = process ? lane_of(*process) : nullptr;
-    bool runs = lane && lane->does == Activeness::ready && !lane->cause && points_[lane->last].at == now;
+    bool runs = lane && lane->does == Activity::ready && !lane->cause && points_[lane->last].at == now;
     return runs ? lane : nullptr;
 }
 
@@ -193,7 +206,7 @@ CriticalPath::Number CriticalPath::cause_of(const Lane& lane, Time now) {
                 return message_over(lane, *channel, false, now);
     if (const Lane* other = process.serves_machine() ? who_runs(process, now) : nullptr)
         return other->last; // has a packet for this router to send
-    return add(lane.last, now, Step::delayed, process);
+    return add(lane.last, now, Activity::delayed, process);
 }
 
 /// With whom it communicated, since both were there.
@@ -210,92 +223,68 @@ void CriticalPath::explain_wait(const Lane& lane, Time now) {
             partner = user.outermost ? user.outermost->name() : channel->name();
             if (const Point& cause = points_[*lane.cause]; lane.together)
                 together = points_[*lane.together].at;
-            else if (cause.step == Step::communicating && cause.at == now)
+            else if (cause.activity == Activity::carrying && cause.at == now)
                 together = points_[cause.before].at;
             break;
         }
     accounts_.explain(process.outermost().name(), partner, together, now);
 }
 
-void CriticalPath::made_ready(const Process& process, Time now) {
-    Lane* lane = lane_of(process);
-    if (!lane || lane->does != Activeness::waiting || lane->cause)
-        return;
-    lane->cause = cause_of(*lane, now);
-    explain_wait(*lane, now);
-    turn(*lane, Activeness::ready, now);
-}
-
-void CriticalPath::goes_on(const Process& process, Time now) {
-    Lane* lane = lane_of(process);
-    if (!lane)
-        return;
-    if (lane->does == Activeness::waiting && !lane->cause)
-        made_ready(process, now);
-    if (lane->does == Activeness::waiting) // for its PAR
-        turn(*lane, Activeness::ready, now);
-    has_turn(*lane, now);
-}
-
-void CriticalPath::computes(const Process& process, Time now) {
-    if (Lane* lane = lane_of(process)) {
-        has_turn(*lane, now);
-        turn(*lane, Activeness::computing, now);
+/// Its wait is over, or it has computed.
+void CriticalPath::become_ready(Lane& lane, Time now) {
+    if (is_waiting(lane.does) && !lane.cause) {
+        lane.cause = cause_of(lane, now);
+        explain_wait(lane, now);
+        turn(lane, Activity::ready, now);
+    } else if (lane.does == Activity::computing || lane.does == Activity::moving) {
+        lane.last = add(lane.last, now, Activity::computing, *lane.process);
+        hold_executive(lane);
+        turn(lane, Activity::ready, now);
     }
 }
 
-void CriticalPath::stops_computing(const Process& process, Time now) {
-    forget(now);
-    Lane* lane = lane_of(process);
-    if (!lane)
-        return;
-    lane->last = add(lane->last, now, Step::computing, process);
-    hold_executive(*lane);
-    turn(*lane, Activeness::ready, now);
-}
-
-void CriticalPath::moves(const Process& process, Time now) {
-    if (Lane* lane = lane_of(process)) {
-        has_turn(*lane, now);
-        turn(*lane, Activeness::moving, now);
-    }
+void CriticalPath::go_on(Lane& lane, Time now) {
+    if (is_waiting(lane.does))
+        become_ready(lane, now);
+    if (is_waiting(lane.does)) // for its PAR
+        turn(lane, Activity::ready, now);
+    has_turn(lane, now);
 }
 
 /// Until the bus was its own, the path leads over what held the bus before.
-void CriticalPath::moved(const Process& process, const std::string& bus, Time since, Time now) {
-    Lane* lane = lane_of(process);
+void CriticalPath::leaves(const PlaceLeft& left, Time now) {
+    Lane* lane = left.moves_for ? lane_of(*left.moves_for) : nullptr;
     if (!lane)
         return;
+    const std::string& bus = left.place;
     auto held = bus_held_.find(bus);
     Number before = held == bus_held_.end() ? lane->last : later(lane->last, held->second);
-    lane->last = add(add(before, since, Step::arbitrating, bus, bus), now, Step::moving,
-                     fmt::format("{} over {}", with_executive(process), bus), bus);
+    lane->last = add(add(before, left.since, Activity::arbitrating, bus, bus), now, Activity::moving,
+                     fmt::format("{} over {}", with_executive(*left.moves_for), bus), bus);
     bus_held_[bus] = lane->last;
 }
 
 /// The last component that ends lets its PAR's process go on.
-void CriticalPath::ended(const Process& process, Time now) {
-    Lane* lane = lane_of(process);
-    if (!lane)
-        return;
-    has_turn(*lane, now);
-    hold_executive(*lane);
-    turn(*lane, Activeness::gone, now);
-    end_ = later(lane->last, end_);
+void CriticalPath::end(Lane& lane, Time now) {
+    has_turn(lane, now);
+    hold_executive(lane);
+    turn(lane, Activity::ended, now);
+    end_ = later(lane.last, end_);
+    const Process& process = *lane.process;
     if (Lane* parent = process.parent() ? lane_of(*process.parent()) : nullptr; parent)
-        parent->cause = lane->last;
+        parent->cause = lane.last;
     lanes_.erase(process.ordinal());
 }
 
 /// Where the work did not end with a process, the path leads to what was done last.
 void CriticalPath::over(Time now) {
     for (auto& [ordinal, lane] : lanes_)
-        if (lane.does == Activeness::computing)
-            lane.last = add(lane.last, now, Step::computing, *lane.process);
+        if (lane.does == Activity::computing)
+            lane.last = add(lane.last, now, Activity::computing, *lane.process);
     for (const auto& [ordinal, lane] : lanes_)
         if (points_[lane.last].at > points_[end_].at)
             end_ = lane.last;
-    end_ = add(end_, now, Step::left, "", "");
+    end_ = add(end_, now, Activity::ended, "", "");
     accounts_.close(now);
     over_ = now;
 }
@@ -307,10 +296,10 @@ std::vector<PathPart> CriticalPath::parts() const {
     for (Number number = end_; number != 0; number = points_[number].before) {
         const Point& point = points_[number];
         const std::string& subject = subjects_[point.subject];
-        if (!parts.empty() && parts.back().step == point.step && parts.back().subject == subject)
+        if (!parts.empty() && parts.back().activity == point.activity && parts.back().subject == subject)
             parts.back().begin = points_[point.before].at;
         else
-            parts.push_back({point.step, subject, subjects_[point.place], points_[point.before].at, point.at});
+            parts.push_back({point.activity, subject, subjects_[point.place], points_[point.before].at, point.at});
     }
     std::ranges::reverse(parts);
     if (sum_of(parts) != over_)
@@ -327,39 +316,38 @@ std::string with_empty_subscripts(const std::string& subject) {
     return std::regex_replace(subject, subscript, "[]");
 }
 
+/// Where shares are equal, the earlier of these comes first.
+std::size_t rank_of(Activity activity) {
+    constexpr Activity ranked[] = {Activity::starting,    Activity::computing, Activity::carrying, Activity::moving,
+                                   Activity::arbitrating, Activity::delayed,   Activity::ready,    Activity::ended};
+    return static_cast<std::size_t>(std::ranges::find(ranked, activity) - ranked);
+}
+
 template <class Name>
-std::vector<PathShare> as_shares(const std::map<std::pair<Step, Name>, Time>& times) {
+std::vector<PathShare> as_shares(const std::map<std::pair<Activity, Name>, Time>& times) {
     std::vector<PathShare> shares;
     for (const auto& [what, time] : times)
         shares.push_back({what.first, std::string(what.second), time});
-    std::ranges::stable_sort(shares, std::greater<>{}, &PathShare::time);
+    std::ranges::stable_sort(shares, {},
+                             [](const PathShare& share) { return std::pair(-share.time, rank_of(share.activity)); });
     return shares;
 }
 
 } // namespace
 
-std::string name_of(const PathShare& share) {
-    return std::string(name_of(share.step)) + (share.subject.empty() ? "" : ": ") + share.subject;
-}
-
-std::vector<PathMark> marks_of(const std::vector<PathPart>& parts) {
-    std::vector<PathMark> marks;
-    for (const PathPart& part : parts)
-        marks.push_back({name_of(PathShare{part.step, part.subject, {}}), part.place, part.begin, part.end});
-    return marks;
-}
+std::string name_of(const PathShare& share) { return name_on_path(share.activity, share.subject); }
 
 std::vector<PathShare> shares_of(const std::vector<PathPart>& parts) {
-    std::map<std::pair<Step, std::string_view>, Time> times;
+    std::map<std::pair<Activity, std::string_view>, Time> times;
     for (const PathPart& part : parts)
-        times[{part.step, part.subject}] += part.end - part.begin;
+        times[{part.activity, part.subject}] += part.end - part.begin;
     return as_shares(times);
 }
 
 std::vector<PathShare> shares_by_array(const std::vector<PathPart>& parts) {
-    std::map<std::pair<Step, std::string>, Time> times;
+    std::map<std::pair<Activity, std::string>, Time> times;
     for (const PathShare& share : shares_of(parts))
-        times[{share.step, with_empty_subscripts(share.subject)}] += share.time;
+        times[{share.activity, with_empty_subscripts(share.subject)}] += share.time;
     return as_shares(times);
 }
 

@@ -2,7 +2,7 @@
 
 #include "observe/critical_path/path_points.hpp"
 #include "observe/critical_path/waits.hpp"
-#include "observe/trace/path_mark.hpp"
+#include "observe/trace/path_part.hpp"
 #include "runtime/process.hpp"
 #include "runtime/trace.hpp"
 
@@ -15,14 +15,6 @@
 #include <vector>
 
 namespace placedpar {
-
-/// A part of the critical path: from the part before it, or the beginning of the run, until a moment.
-struct PathPart {
-    Step step;
-    std::string subject; ///< "master on t[0]"; the channel; the process
-    std::string place;   ///< the processor, direction of a link, or bus that it took; "" for none
-    Time begin, end;     ///< begin < end
-};
 
 /// Finds the critical path of a run while it goes on. For each thing that happens it notes what had to happen before
 /// it: for a message the later one of the two processes to come to the channel, for a turn on a processor who had it
@@ -43,20 +35,10 @@ public:
     /// By direction of a link: how long outputters were in it before their inputters came.
     const std::map<std::string, Time>& waits_at_links() const { return waits_at_links_; }
 
-    void began(const Process&, Time) override;
-    void waits(const Process&, Time) override;
-    void made_ready(const Process&, Time) override;
-    void goes_on(const Process&, Time) override;
-    void computes(const Process&, Time) override;
-    void stops_computing(const Process&, Time) override;
-    void moves(const Process&, Time) override;
-    void moved(const Process&, const std::string& bus, Time, Time) override;
-    void ended(const Process&, Time) override;
+    void turns(const Process&, Activity, Time) override;
     void communicated(const AnyChannel&, Time) override;
-    void carries(const std::string& direction, const AnyChannel&, Time, Time) override;
-    void carried(const std::string&, std::uint64_t, Time, Time) override {}
-    void occupied(const std::string&, const std::string&, Time) override {}
-    void vacated(const std::string&, Time) override {}
+    void takes(const PlaceTaken&, Time) override;
+    void leaves(const PlaceLeft&, Time) override;
     void over(Time) override;
 
 private:
@@ -65,7 +47,7 @@ private:
     struct Lane {
         Number last; ///< what it did last; while it waits, its coming
         const Process* process;
-        Activeness does = Activeness::ready;
+        Activity does = Activity::ended;
         std::optional<Number> cause = {};    ///< why its wait is over, while it has not gone on
         std::optional<Number> together = {}; ///< of a message: when both were in the channel
     };
@@ -73,8 +55,8 @@ private:
     Lane* lane_of(const Process&);
     Lane* lane_of(std::uint32_t ordinal);
     std::uint32_t number_of(const std::string& subject);
-    Number add(Number before, Time at, Step, const std::string& subject, const std::string& place);
-    Number add(Number before, Time at, Step, const Process&);
+    Number add(Number before, Time at, Activity, const std::string& subject, const std::string& place);
+    Number add(Number before, Time at, Activity, const Process&);
     Number add_message(Number before, const Lane&, const AnyChannel&, Time now);
     Number later(Number, Number) const;
     std::vector<Number*> numbers_in_use();
@@ -82,11 +64,16 @@ private:
     const Lane* who_runs(const Process& any, Time now);
     Number message_over(const Lane&, const AnyChannel&, bool outputs, Time now);
     Number cause_of(const Lane&, Time now);
+    void begin(const Process&, Time now);
+    void wait(Lane&, Activity, Time now);
+    void become_ready(Lane&, Time now);
+    void go_on(Lane&, Time now);
+    void end(Lane&, Time now);
     void has_turn(Lane&, Time now);
     void hold_executive(const Lane&);
     Number turn_of(const Lane&, Number made_ready, Time now);
     void explain_wait(const Lane&, Time now);
-    void turn(Lane&, Activeness, Time now);
+    void turn(Lane&, Activity, Time now);
 
     PathPoints points_;
     std::vector<std::string> subjects_;
@@ -104,13 +91,11 @@ private:
 
 /// The lengths of a path's parts by what they were spent with, the longest first.
 struct PathShare {
-    Step step;
+    Activity activity;
     std::string subject;
     Time time;
 };
 std::vector<PathShare> shares_of(const std::vector<PathPart>&);
-/// As a trace draws it.
-std::vector<PathMark> marks_of(const std::vector<PathPart>&);
 /// "computing: master on t[0]".
 std::string name_of(const PathShare&);
 /// The same with arrays taken together: "computing: slave[] on t[]".

@@ -4,20 +4,6 @@
 
 namespace placedpar {
 
-const char* name_of(Step step) {
-    switch (step) {
-    case Step::starting: return "starting";
-    case Step::computing: return "computing";
-    case Step::communicating: return "communicating";
-    case Step::moving: return "moving words";
-    case Step::arbitrating: return "arbitrating";
-    case Step::delayed: return "delayed";
-    case Step::ready: return "ready, not running";
-    case Step::left: return "nothing more";
-    }
-    return "";
-}
-
 std::vector<bool> PathPoints::kept(std::span<Number* const> in_use) const {
     std::vector<bool> keep(points_.size());
     keep[0] = true;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "runtime/time.hpp"
+#include "runtime/process.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -9,10 +9,6 @@
 #include <vector>
 
 namespace placedpar {
-
-/// What a run's time was spent with, along its critical path.
-enum class Step : std::uint8_t { starting, computing, communicating, moving, arbitrating, delayed, ready, left };
-const char* name_of(Step);
 
 /// So many points a path can have: with what is made of them, some 2 Gbyte.
 inline constexpr std::size_t most_path_points = 2'000'000;
@@ -23,11 +19,11 @@ inline constexpr std::size_t most_path_points = 2'000'000;
 class PathPoints {
 public:
     using Number = std::uint32_t; ///< of a point
-    /// Something that happens: until then, since the point before it, time went by with the step.
+    /// Something that happens: until then, since the point before it, time went by with the activity.
     struct Point {
         Time at;
         Number before;
-        Step step;
+        Activity activity;
         std::uint32_t subject, place;
     };
 

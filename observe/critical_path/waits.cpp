@@ -14,17 +14,18 @@ void Accounts::settle(const std::string& process, Time now) {
     State& state = states_[process];
     Account& account = accounts_[process];
     Time passed = now - std::exchange(state.since, now);
-    if (state.components[Activeness::computing] > 0)
+    if (state.components[Activity::computing] > 0)
         account.computing += passed;
-    else if (state.components[Activeness::moving] > 0)
+    else if (state.components[Activity::moving] > 0)
         account.communicating += passed;
-    else if (state.components[Activeness::ready] > 0)
+    else if (state.components[Activity::ready] > 0)
         account.ready += passed;
-    else if (state.components[Activeness::waiting] > 0)
+    else if (std::ranges::any_of(state.components,
+                                 [](const auto& each) { return is_waiting(each.first) && each.second > 0; }))
         state.unexplained += passed;
 }
 
-void Accounts::turn(const std::string& process, Activeness from, Activeness to, Time now) {
+void Accounts::turn(const std::string& process, Activity from, Activity to, Time now) {
     settle(process, now);
     --states_[process].components[from];
     ++states_[process].components[to];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "runtime/process.hpp"
 #include "runtime/time.hpp"
 
 #include <map>
@@ -19,14 +20,11 @@ struct Account {
     std::string most_waited_for() const;
 };
 
-/// What a component does, and what ended a wait of all of them.
-enum class Activeness { computing, moving, ready, waiting, gone };
-
 /// Keeps the accounts of all processes at the outermost level, by name.
 class Accounts {
 public:
     /// A component, or the process itself, turns from one to another.
-    void turn(const std::string& process, Activeness from, Activeness to, Time now);
+    void turn(const std::string& process, Activity from, Activity to, Time now);
     /// A wait ends: since `together` it communicated with the partner; "" for a delay.
     void explain(const std::string& process, const std::string& partner, Time together, Time now);
     void close(Time now);
@@ -35,7 +33,7 @@ public:
 
 private:
     struct State {
-        std::map<Activeness, int> components;
+        std::map<Activity, int> components; ///< that do this
         Time since{};
         Time unexplained{}; ///< waited, before it is known for whom
     };

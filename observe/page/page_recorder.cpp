@@ -20,7 +20,9 @@ std::size_t bins_for(std::size_t tracks) {
     return std::clamp<std::size_t>(std::bit_floor(most_bins_together / std::max<std::size_t>(tracks, 1)), 16, 8192);
 }
 
-bool is_running(Doing doing) { return doing == Doing::executes || doing == Doing::carries || doing == Doing::computes; }
+bool is_running(Activity activity) {
+    return activity == Activity::executing || activity == Activity::carrying || activity == Activity::computing;
+}
 
 const char* name_of(Track::Kind kind) {
     switch (kind) {
@@ -33,11 +35,11 @@ const char* name_of(Track::Kind kind) {
     return "";
 }
 
-/// In the order of Doing.
-constexpr std::array<const char*, static_cast<std::size_t>(Doing::stopped) + 1> names_of_doing{
+/// In the order of their numbers.
+constexpr std::array<const char*, static_cast<std::size_t>(Activity::stopped) + 1> names_of_activities{
     "executes", "carries",    "ready", "computes",   "delayed", "outputs",
     "inputs",   "alternates", "joins", "after work", "stopped"};
-static_assert(names_of_doing.back() != nullptr, "each has a name");
+static_assert(names_of_activities.back() != nullptr, "each has a name");
 
 } // namespace
 
@@ -45,9 +47,9 @@ PageRecorder::PageRecorder(const Tracks& tracks, Time from)
     : tracks_(tracks), bins_(bins_for(tracks.all().size()), from), stretches_(tracks, from) {}
 
 void PageRecorder::write(const Slice& slice) {
-    if (is_running(slice.doing))
+    if (is_running(slice.activity))
         bins_.add(slice.track, LoadBins::State::running, slice.begin, slice.end);
-    else if (slice.doing == Doing::ready)
+    else if (slice.activity == Activity::ready)
         bins_.add(slice.track, LoadBins::State::ready, slice.begin, slice.end);
     stretches_.add(slice);
 }
@@ -71,7 +73,7 @@ boost::json::object PageRecorder::json() {
                              {"why", why_},
                              {"bin", bins_.width().count()},
                              {"left_out", stretches_.left_out()},
-                             {"doing", boost::json::array(names_of_doing.begin(), names_of_doing.end())},
+                             {"doing", boost::json::array(names_of_activities.begin(), names_of_activities.end())},
                              {"nodes", boost::json::array(tracks_.nodes().begin(), tracks_.nodes().end())},
                              {"tracks", tracks_json()},
                              {"deflated", stretches_.are_deflated()},
@@ -110,23 +112,23 @@ boost::json::object PageRecorder::track_json(std::size_t number) const {
             {"ready", bins_.levels(number, LoadBins::State::ready)}};
 }
 
-void PageRecorder::draw_path(std::span<const PathMark> path) {
+void PageRecorder::draw_path(std::span<const PathPart> path) {
     constexpr std::size_t most = 50'000;
     path_.assign(path.begin(), path.end());
-    std::erase_if(path_, [this](const PathMark& mark) { return tracks_.of_place(mark.place) == Tracks::none; });
+    std::erase_if(path_, [this](const PathPart& part) { return tracks_.of_place(part.place) == Tracks::none; });
     if (path_.size() <= most)
         return;
-    auto length = [](const PathMark& mark) { return mark.begin - mark.end; };
+    auto length = [](const PathPart& part) { return part.begin - part.end; };
     std::ranges::nth_element(path_, path_.begin() + most, {}, length);
     path_.resize(most);
-    std::ranges::sort(path_, {}, &PathMark::begin);
+    std::ranges::sort(path_, {}, &PathPart::begin);
 }
 
 boost::json::array PageRecorder::path_json(TextTable& texts) const {
     boost::json::array flat;
-    for (const PathMark& mark : path_)
-        flat.insert(flat.end(), {tracks_.of_place(mark.place), mark.begin.count(), (mark.end - mark.begin).count(),
-                                 texts.number_of(mark.name)});
+    for (const PathPart& part : path_)
+        flat.insert(flat.end(), {tracks_.of_place(part.place), part.begin.count(), (part.end - part.begin).count(),
+                                 texts.number_of(name_on_path(part.activity, part.subject))});
     return flat;
 }
 

@@ -21,7 +21,7 @@ public:
 
     void write(const Slice&) override;
     void write(const Passage&) override;
-    void draw_path(std::span<const PathMark>) override;
+    void draw_path(std::span<const PathPart>) override;
     void finish(Time begin, Time end, const std::string& why) override;
 
     /// Times in picoseconds. {"begin", "end", "why", "bin", "left_out": slices and messages, "lost": from when to when
@@ -41,7 +41,7 @@ private:
     const Tracks& tracks_;
     LoadBins bins_;
     Stretches stretches_;
-    std::vector<PathMark> path_; ///< where it is known; of a very long one the longest parts
+    std::vector<PathPart> path_; ///< where it is known; of a very long one the longest parts
     Time begin_{}, end_{};
     std::string why_;
 };

@@ -134,7 +134,7 @@ RunPage::RunPage(const Network& network, const TraceWindow& window)
     : tracks_(network), recorder_(tracks_, require_time_in(window).from),
       timeline_(tracks_, without_limit(window), recorder_) {}
 
-std::string RunPage::html(const PageContent& content, std::span<const PathMark> critical_path) {
+std::string RunPage::html(const PageContent& content, std::span<const PathPart> critical_path) {
     recorder_.draw_path(critical_path);
     timeline_.finish(content.report.result);
     boost::json::object data{{"processes", processes_on_page(content.network)},

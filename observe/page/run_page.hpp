@@ -31,7 +31,7 @@ public:
     TraceSink& sink() { return timeline_; }
     /// With the critical path as a line through the timelines, where it is known. REQUIRES: the run is over; called
     /// once.
-    std::string html(const PageContent&, std::span<const PathMark> critical_path = {});
+    std::string html(const PageContent&, std::span<const PathPart> critical_path = {});
     /// What the user should know about what is not on it, in lines of text that name the file. REQUIRES: the run is
     /// over.
     std::string warnings(const std::filesystem::path&) const;

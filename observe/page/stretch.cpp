@@ -33,7 +33,7 @@ void append_column(std::string& bytes, const std::vector<Entry>& entries, Number
 void Stretch::add(const Slice& slice) {
     end_ = std::max(end_, slice.end);
     slices_.push_back({static_cast<std::uint32_t>(slice.track), texts_.number_of(note_of(slice)),
-                       static_cast<std::uint8_t>(slice.doing), slice.open, slice.begin, slice.end});
+                       static_cast<std::uint8_t>(slice.activity), slice.open, slice.begin, slice.end});
 }
 
 void Stretch::add(const Passage& passage) {
@@ -66,7 +66,7 @@ void Stretch::append_slices(std::string& bytes) {
                       return (each.begin - (last && last->track == each.track ? last->end : begin_)).count();
                   });
     append_column(bytes, slices_, [](const KeptSlice& each) { return (each.end - each.begin).count(); });
-    append_column(bytes, slices_, [](const KeptSlice& each) { return each.doing + (each.open ? 16 : 0); });
+    append_column(bytes, slices_, [](const KeptSlice& each) { return each.activity + (each.open ? 16 : 0); });
     append_column(bytes, slices_, [](const KeptSlice& each) { return each.note; });
 }
 

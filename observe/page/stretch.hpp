@@ -44,7 +44,7 @@ public:
 private:
     struct KeptSlice {
         std::uint32_t track, note;
-        std::uint8_t doing;
+        std::uint8_t activity;
         bool open;
         Time begin, end;
     };

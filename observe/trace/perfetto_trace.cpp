@@ -25,11 +25,11 @@ std::string microseconds(Time t) {
 
 /// The viewers colour slices by their names.
 const char* category(const Slice& slice) {
-    switch (slice.doing) {
-    case Doing::executes: return "processor";
-    case Doing::carries: return "link";
-    case Doing::ready: return "ready";
-    case Doing::computes: return "compute";
+    switch (slice.activity) {
+    case Activity::executing: return "processor";
+    case Activity::carrying: return "link";
+    case Activity::ready: return "ready";
+    case Activity::computing: return "compute";
     default: return "wait";
     }
 }
@@ -53,24 +53,24 @@ std::string name_of_alternation(const Slice& slice) {
 
 /// A process of the machine waits on no channel while it has no packet to send.
 std::string name_of_wait(const Slice& slice) {
-    switch (slice.doing) {
-    case Doing::outputs: return "outputs to " + partners_of(slice, " ");
-    case Doing::inputs:
+    switch (slice.activity) {
+    case Activity::outputting: return "outputs to " + partners_of(slice, " ");
+    case Activity::inputting:
         return slice.awaited.empty() ? "waits for packets to send" : "inputs from " + partners_of(slice, " ");
-    case Doing::alternates: return name_of_alternation(slice);
-    case Doing::joins: return "waits for its components";
-    case Doing::after_work: return "waits for the end of the work";
-    case Doing::stopped: return "has stopped";
+    case Activity::alternating: return name_of_alternation(slice);
+    case Activity::joining: return "waits for its components";
+    case Activity::after_work: return "waits for the end of the work";
+    case Activity::stopped: return "has stopped";
     default: return "waits for its timer";
     }
 }
 
 std::string name_of(const Slice& slice) {
-    switch (slice.doing) {
-    case Doing::executes:
-    case Doing::carries: return slice.subject;
-    case Doing::ready: return "waits for its processor";
-    case Doing::computes: return "computes";
+    switch (slice.activity) {
+    case Activity::executing:
+    case Activity::carrying: return slice.subject;
+    case Activity::ready: return "waits for its processor";
+    case Activity::computing: return "computes";
     default: return name_of_wait(slice);
     }
 }
@@ -82,11 +82,11 @@ std::string described(const Awaited& awaited) {
 
 /// What more is to be said: the bytes that a link carries, the channels of a wait. "" for nothing.
 std::string arguments(const Slice& slice) {
-    if (slice.doing == Doing::carries && !slice.open)
+    if (slice.activity == Activity::carrying && !slice.open)
         return fmt::format(R"({{"bytes":{}}})", slice.bytes);
     if (slice.awaited.empty())
         return "";
-    if (slice.doing != Doing::alternates)
+    if (slice.activity != Activity::alternating)
         return described(slice.awaited.front());
     std::vector<std::string> channels;
     for (const Awaited& awaited : slice.awaited)
@@ -140,14 +140,14 @@ std::string PerfettoTrace::place_on_path(std::size_t thread) const {
     return fmt::format(R"("pid":{},"tid":{})", pid, pid + 1 + thread);
 }
 
-void PerfettoTrace::write_mark(const PathMark& mark, std::size_t thread) {
+void PerfettoTrace::write_part(const PathPart& part, std::size_t thread) {
     add(fmt::format(R"({{"ph":"X","name":{},"cat":"critical path","cname":"terrible",{},"ts":{},"dur":{}}})",
-                    json_text(mark.name), place_on_path(thread), microseconds(mark.begin),
-                    microseconds(mark.end - mark.begin)));
+                    json_text(name_on_path(part.activity, part.subject)), place_on_path(thread),
+                    microseconds(part.begin), microseconds(part.end - part.begin)));
 }
 
 /// From the last picosecond of one to the first of the other.
-void PerfettoTrace::write_step(const PathMark& from, std::size_t from_thread, const PathMark& to,
+void PerfettoTrace::write_step(const PathPart& from, std::size_t from_thread, const PathPart& to,
                                std::size_t to_thread) {
     std::string common = fmt::format(R"("name":"critical path","cat":"critical path","id":{})", ++passages_);
     add(fmt::format(R"({{"ph":"s",{},{},"ts":{}}})", common, place_on_path(from_thread),
@@ -156,27 +156,27 @@ void PerfettoTrace::write_step(const PathMark& from, std::size_t from_thread, co
                     microseconds(to.begin)));
 }
 
-void PerfettoTrace::draw_path(std::span<const PathMark> path) {
-    auto thread = [this](const PathMark& mark) { return tracks_.of_place(mark.place) + 1; }; // 0 for no place
-    const PathMark* before = nullptr;
-    for (const PathMark& mark : path) {
-        write_mark(mark, 0);
-        if (thread(mark) == 0)
+void PerfettoTrace::draw_path(std::span<const PathPart> path) {
+    auto thread = [this](const PathPart& part) { return tracks_.of_place(part.place) + 1; }; // 0 for no place
+    const PathPart* before = nullptr;
+    for (const PathPart& part : path) {
+        write_part(part, 0);
+        if (thread(part) == 0)
             continue;
-        write_mark(mark, thread(mark));
-        if (before && thread(*before) != thread(mark))
-            write_step(*before, thread(*before), mark, thread(mark));
-        before = &mark;
+        write_part(part, thread(part));
+        if (before && thread(*before) != thread(part))
+            write_step(*before, thread(*before), part, thread(part));
+        before = &part;
     }
     if (!path.empty())
         write_path_names(path);
 }
 
 /// The places in the order in which their tracks are drawn.
-void PerfettoTrace::write_path_names(std::span<const PathMark> path) {
+void PerfettoTrace::write_path_names(std::span<const PathPart> path) {
     std::set<std::size_t> places;
-    for (const PathMark& mark : path)
-        places.insert(tracks_.of_place(mark.place));
+    for (const PathPart& part : path)
+        places.insert(tracks_.of_place(part.place));
     places.erase(Tracks::none);
     add_name("process_name", place_on_path(0), R"("name":"critical path")");
     add_name("process_sort_index", place_on_path(0), R"("sort_index":-1)");

@@ -24,16 +24,16 @@ public:
 
     void write(const Slice&) override;
     void write(const Passage&) override;
-    void draw_path(std::span<const PathMark>) override;
+    void draw_path(std::span<const PathPart>) override;
     void finish(Time begin, Time end, const std::string& why) override;
 
 private:
     void add(const std::string& event);
     void add_name(const char* what, const std::string& where, const std::string& value);
     void write_names();
-    void write_mark(const PathMark&, std::size_t thread);
-    void write_step(const PathMark& from, std::size_t from_thread, const PathMark& to, std::size_t to_thread);
-    void write_path_names(std::span<const PathMark>);
+    void write_part(const PathPart&, std::size_t thread);
+    void write_step(const PathPart& from, std::size_t from_thread, const PathPart& to, std::size_t to_thread);
+    void write_path_names(std::span<const PathPart>);
     std::string place_on_path(std::size_t thread) const;
     std::string place(std::size_t track) const;
 

@@ -13,22 +13,6 @@ namespace placedpar {
 
 namespace {
 
-Doing waiting_by(Activity activity) {
-    switch (activity) {
-    case Activity::delayed: return Doing::delayed;
-    case Activity::outputting: return Doing::outputs;
-    case Activity::inputting: return Doing::inputs;
-    case Activity::alternating: return Doing::alternates;
-    case Activity::joining: return Doing::joins;
-    case Activity::after_work: return Doing::after_work;
-    case Activity::stopped: return Doing::stopped;
-    case Activity::ready:
-    case Activity::halted:
-    case Activity::ended: break;
-    }
-    return Doing::ready;
-}
-
 /// Whether what a process does at the end of the work is still so at the end of the run: it was stopped, or is held by
 /// a deadlock.
 bool never_ends(const std::string& process, const RunResult& result) {
@@ -80,56 +64,62 @@ Timeline::Lane* Timeline::lane_of(const Process& process) {
     return found == lanes_.end() ? nullptr : &found->second;
 }
 
-void Timeline::began(const Process& process, Time now) {
+void Timeline::turns(const Process& process, Activity activity, Time now) {
     if (!taking(now))
         return;
+    if (activity == Activity::starting)
+        return begin(process, now);
+    Lane* lane = lane_of(process);
+    if (!lane)
+        return;
+    switch (activity) {
+    case Activity::ready: return stop(*lane, now);
+    case Activity::executing: return go_on(*lane, now);
+    case Activity::computing:
+    case Activity::moving: return compute(*lane, now);
+    case Activity::ended: return end(*lane, now);
+    default: return turn_to(*lane, activity, now);
+    }
+}
+
+void Timeline::begin(const Process& process, Time now) {
     if (std::size_t track = tracks_.of(process); track != Tracks::none)
-        lanes_.emplace(process.ordinal(), Lane{track, &process, Doing::ready, now});
+        lanes_.emplace(process.ordinal(), Lane{track, &process, Activity::ready, now});
 }
 
-void Timeline::waits(const Process& process, Time now) {
-    if (Lane* lane = taking(now) ? lane_of(process) : nullptr)
-        turn_to(*lane, waiting_by(process.activity()), now);
+void Timeline::go_on(Lane& lane, Time now) {
+    turn_to(lane, Activity::ready, now);
+    for (std::uint64_t message : std::exchange(lane.arriving, {}))
+        lane.here.push_back({message, true});
 }
 
-void Timeline::goes_on(const Process& process, Time now) {
-    Lane* lane = taking(now) ? lane_of(process) : nullptr;
-    if (!lane)
-        return;
-    turn_to(*lane, Doing::ready, now);
-    for (std::uint64_t message : std::exchange(lane->arriving, {}))
-        lane->here.push_back({message, true});
+void Timeline::compute(Lane& lane, Time now) {
+    if (lane.activity == Activity::computing && lane.stopped == now)
+        lane.stopped.reset();
+    else if (!is_waiting(lane.activity)) // a processor may work for a process before its wait is over
+        turn_to(lane, Activity::computing, now);
+    if (std::size_t processor = processor_of(lane); processor != Tracks::none)
+        use(processor, tracks_.all()[lane.track].name, now);
 }
 
-void Timeline::computes(const Process& process, Time now) {
-    Lane* lane = taking(now) ? lane_of(process) : nullptr;
-    if (!lane)
-        return;
-    if (lane->doing == Doing::computes && lane->stopped == now)
-        lane->stopped.reset();
-    else if (!is_waiting(lane->doing)) // a processor may work for a process before its wait is over
-        turn_to(*lane, Doing::computes, now);
-    if (std::size_t processor = tracks_.of_processor(process.executive()->name()); processor != Tracks::none)
-        use(processor, tracks_.all()[lane->track].name, now);
+/// A wait is drawn until its process goes on.
+void Timeline::stop(Lane& lane, Time now) {
+    if (lane.activity == Activity::computing)
+        lane.stopped = now;
+    auto use = uses_.find(processor_of(lane));
+    if (use != uses_.end() && !use->second.stopped && use->second.subject == tracks_.all()[lane.track].name)
+        use->second.stopped = now;
 }
 
-void Timeline::stops_computing(const Process& process, Time now) {
-    Lane* lane = taking(now) ? lane_of(process) : nullptr;
-    if (!lane)
-        return;
-    if (lane->doing == Doing::computes)
-        lane->stopped = now;
-    if (std::size_t processor = tracks_.of_processor(process.executive()->name()); processor != Tracks::none)
-        uses_[processor].stopped = now;
+void Timeline::end(Lane& lane, Time now) {
+    settle(lane, now);
+    give_up(lane);
+    lanes_.erase(lane.process->ordinal());
 }
 
-void Timeline::ended(const Process& process, Time now) {
-    Lane* lane = taking(now) ? lane_of(process) : nullptr;
-    if (!lane)
-        return;
-    settle(*lane, now);
-    give_up(*lane);
-    lanes_.erase(process.ordinal());
+std::size_t Timeline::processor_of(const Lane& lane) const {
+    const Executive* executive = lane.process->executive();
+    return executive ? tracks_.of_place(executive->name()) : Tracks::none;
 }
 
 /// A process that waited in the channel goes on later: its message arrives when it does. For the other one, what it did
@@ -143,38 +133,28 @@ void Timeline::communicated(const AnyChannel& channel, Time now) {
     std::uint64_t message = message_count_++;
     messages_.emplace(message, Message{channel.name(), now});
     for (Lane* lane : {from, to})
-        if (!is_waiting(lane->doing))
-            turn_to(*lane, Doing::ready, now);
+        if (!is_waiting(lane->activity))
+            turn_to(*lane, Activity::ready, now);
     from->here.push_back({message, false});
     from->partner = to->track;
     to->partner = from->track;
-    if (is_waiting(to->doing))
+    if (is_waiting(to->activity))
         to->arriving.push_back(message);
     else
         to->here.push_back({message, true});
 }
 
-void Timeline::carries(const std::string& direction, const AnyChannel& channel, Time now, Time since) {
-    if (std::size_t track = taking(now) ? tracks_.of_link(direction) : Tracks::none; track != Tracks::none)
-        use(track, channel.name(), since);
+void Timeline::takes(const PlaceTaken& taken, Time now) {
+    if (std::size_t track = taking(now) ? tracks_.of_place(taken.place) : Tracks::none; track != Tracks::none)
+        use(track, taken.subject, taken.since);
 }
 
-void Timeline::carried(const std::string& direction, std::uint64_t bytes, Time now, Time until) {
-    std::size_t track = taking(now) ? tracks_.of_link(direction) : Tracks::none;
+void Timeline::leaves(const PlaceLeft& left, Time now) {
+    std::size_t track = taking(now) ? tracks_.of_place(left.place) : Tracks::none;
     if (track == Tracks::none)
         return;
-    uses_[track].stopped = until;
-    uses_[track].bytes = bytes;
-}
-
-void Timeline::occupied(const std::string& name, const std::string& subject, Time now) {
-    if (std::size_t track = taking(now) ? tracks_.of_bus(name) : Tracks::none; track != Tracks::none)
-        use(track, subject, now);
-}
-
-void Timeline::vacated(const std::string& name, Time now) {
-    if (std::size_t track = taking(now) ? tracks_.of_bus(name) : Tracks::none; track != Tracks::none)
-        uses_[track].stopped = now;
+    uses_[track].stopped = left.until;
+    uses_[track].bytes = left.bytes;
 }
 
 void Timeline::over(Time now) {
@@ -182,9 +162,9 @@ void Timeline::over(Time now) {
         shut(now, "");
 }
 
-void Timeline::turn_to(Lane& lane, Doing doing, Time now) {
+void Timeline::turn_to(Lane& lane, Activity activity, Time now) {
     settle(lane, now);
-    lane.doing = doing;
+    lane.activity = activity;
     lane.since = now;
     lane.partner = Tracks::none;
 }
@@ -193,7 +173,7 @@ void Timeline::turn_to(Lane& lane, Doing doing, Time now) {
 void Timeline::settle(Lane& lane, Time now) {
     if (std::optional<Time> stopped = std::exchange(lane.stopped, std::nullopt)) {
         close(lane, *stopped);
-        lane.doing = Doing::ready;
+        lane.activity = Activity::ready;
         lane.since = *stopped;
     }
     close(lane, now);
@@ -217,8 +197,8 @@ bool Timeline::close(Lane& lane, Slice slice) {
 
 /// What the process does since its last slice.
 Slice Timeline::slice_of(const Lane& lane, Time end, bool open) const {
-    Slice slice{lane.track, lane.doing, lane.since, end, open};
-    if (!is_waiting(lane.doing))
+    Slice slice{lane.track, lane.activity, lane.since, end, open};
+    if (!is_waiting(lane.activity))
         return slice;
     for (const AnyChannel* channel : lane.process->awaited_channels())
         slice.awaited.push_back({channel->name(), partner(lane, *channel, open)});
@@ -231,7 +211,8 @@ Slice Timeline::slice_of(const Lane& lane, Time end, bool open) const {
 std::string Timeline::partner(const Lane& lane, const AnyChannel& channel, bool open) const {
     if (lane.partner != Tracks::none)
         return tracks_.all()[lane.partner].name;
-    const AnyChannel::User& user = lane.doing == Doing::outputs ? channel.last_inputter() : channel.last_outputter();
+    const AnyChannel::User& user =
+        lane.activity == Activity::outputting ? channel.last_inputter() : channel.last_outputter();
     if (!user.process)
         return "";
     auto found = lanes_.find(user.ordinal);
@@ -254,15 +235,15 @@ void Timeline::close_use(std::size_t track, Time now) {
     const Use& use = uses_[track];
     if (use.subject.empty())
         return;
-    Doing doing = tracks_.all()[track].place.kind == Track::Kind::link ? Doing::carries : Doing::executes;
+    Activity activity = tracks_.all()[track].place.kind == Track::Kind::link ? Activity::carrying : Activity::executing;
     Time end = std::min(use.stopped.value_or(now), now);
-    write({track, doing, use.since, end, !use.stopped, use.subject, use.bytes});
+    write({track, activity, use.since, end, !use.stopped, use.subject, use.bytes});
 }
 
 /// Returns whether there is anything to be seen of it.
 bool Timeline::write(Slice slice) {
     slice.begin = std::max(slice.begin, window_.from);
-    if (slice.end < slice.begin || (slice.end == slice.begin && !(slice.open && is_waiting(slice.doing))))
+    if (slice.end < slice.begin || (slice.end == slice.begin && !(slice.open && is_waiting(slice.activity))))
         return false;
     writer_.write(slice);
     ++entries_;
@@ -302,7 +283,7 @@ void Timeline::shut(Time now, const std::string& why) {
     why_ = why;
     for (auto& [ordinal, lane] : lanes_) {
         if (lane.stopped)
-            turn_to(lane, Doing::ready, *lane.stopped);
+            turn_to(lane, Activity::ready, *lane.stopped);
         lane.last = slice_of(lane, now, true);
         lane.path = lane.process->path();
     }

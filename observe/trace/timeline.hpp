@@ -40,17 +40,10 @@ public:
     /// work (see wait_until_work_is_over), which is not traced.
     void finish(const RunResult&);
 
-    void began(const Process&, Time) override;
-    void waits(const Process&, Time) override;
-    void goes_on(const Process&, Time) override;
-    void computes(const Process&, Time) override;
-    void stops_computing(const Process&, Time) override;
-    void ended(const Process&, Time) override;
+    void turns(const Process&, Activity, Time) override;
     void communicated(const AnyChannel&, Time) override;
-    void carries(const std::string& direction, const AnyChannel&, Time now, Time since) override;
-    void carried(const std::string& direction, std::uint64_t bytes, Time now, Time until) override;
-    void occupied(const std::string& track, const std::string& subject, Time) override;
-    void vacated(const std::string& track, Time) override;
+    void takes(const PlaceTaken&, Time now) override;
+    void leaves(const PlaceLeft&, Time now) override;
     void over(Time) override;
 
 private:
@@ -63,7 +56,7 @@ private:
     struct Lane {
         std::size_t track;
         const Process* process;
-        Doing doing;
+        Activity activity;
         Time since;
         std::optional<Time> stopped = {};         ///< of one that computes: until then
         std::optional<Time> last_end = {};        ///< of its last slice
@@ -90,7 +83,13 @@ private:
     bool taking(Time now);
     void shut(Time now, const std::string& why);
     Lane* lane_of(const Process&);
-    void turn_to(Lane&, Doing, Time now);
+    void begin(const Process&, Time now);
+    void go_on(Lane&, Time now);
+    void compute(Lane&, Time now);
+    void stop(Lane&, Time now);
+    void end(Lane&, Time now);
+    std::size_t processor_of(const Lane&) const;
+    void turn_to(Lane&, Activity, Time now);
     void settle(Lane&, Time now);
     void close(Lane&, Time end);
     bool close(Lane&, Slice);

@@ -42,7 +42,7 @@ TraceFile::TraceFile(const std::filesystem::path& path, const Network& network, 
     : path_(path), window_(require_time_in(window)), file_((require_trace_format(path), path)), tracks_(network),
       writer_(make_writer(trace_format(path), file_, tracks_)), timeline_(tracks_, window, *writer_) {}
 
-std::string TraceFile::finish(const RunResult& result, std::span<const PathMark> critical_path) {
+std::string TraceFile::finish(const RunResult& result, std::span<const PathPart> critical_path) {
     writer_->draw_path(critical_path);
     timeline_.finish(result);
     file_.finish();

@@ -25,7 +25,7 @@ public:
     TraceSink& sink() { return timeline_; }
     /// REQUIRES: the run is over. Returns what the user should know about what is not in the trace, in lines of text.
     /// Throws UserError when the file could not be written whole. Without this call nothing is written.
-    std::string finish(const RunResult&, std::span<const PathMark> critical_path = {});
+    std::string finish(const RunResult&, std::span<const PathPart> critical_path = {});
 
 private:
     std::string warnings() const;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "observe/trace/path_mark.hpp"
+#include "observe/trace/path_part.hpp"
 #include "observe/trace/tracks.hpp"
 #include "runtime/time.hpp"
 
@@ -12,34 +12,17 @@
 
 namespace placedpar {
 
-/// What goes on on a track for a while. A processor executes, a link carries; the others are what a process does.
-enum class Doing {
-    executes,
-    carries,
-    ready,
-    computes,
-    delayed,
-    outputs,
-    inputs,
-    alternates,
-    joins,
-    after_work,
-    stopped
-};
-
-/// Whether a process that does this waits for a partner, its timer or its components.
-constexpr bool is_waiting(Doing doing) { return doing >= Doing::delayed; }
-
 /// A channel, and the process that came to its other end, or has to come.
 struct Awaited {
     std::string channel;
     std::string partner; ///< "" where none ever used the channel
 };
 
-/// A slice of time in which the same goes on on a track. Those of one track do not overlap and come in order.
+/// An interval in which the same goes on on a track: a processor executes, a link carries, a process does the rest.
+/// Those of one track do not overlap and come in order.
 struct Slice {
     std::size_t track;
-    Doing doing;
+    Activity activity;
     Time begin, end;                   ///< begin < end, unless it is open
     bool open;                         ///< it goes on when the trace ends
     std::string subject = {};          ///< the process that is executed; the channel that is carried
@@ -64,7 +47,7 @@ public:
     virtual void write(const Passage&) = 0;
     /// The critical path, where it is known, in order of time; before finish(). What a format has no means for is left
     /// out.
-    virtual void draw_path(std::span<const PathMark>) {}
+    virtual void draw_path(std::span<const PathPart>) {}
     /// The trace covers the time from `begin` to `end`; `why` says what happened then: "deadlock".
     virtual void finish(Time begin, Time end, const std::string& why) = 0;
 };

@@ -54,11 +54,7 @@ void Tracks::number_as_drawn() {
     std::ranges::sort(tracks_, {}, &Track::place);
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
         tracks_[i].outermost = i;
-        Track::Kind kind = tracks_[i].place.kind;
-        (kind == Track::Kind::link        ? links_
-         : kind == Track::Kind::bus       ? buses_
-         : kind == Track::Kind::processor ? processors_
-                                          : processes_)[tracks_[i].name] = i;
+        (tracks_[i].place.kind == Track::Kind::process ? processes_ : places_)[tracks_[i].name] = i;
     }
 }
 
@@ -100,7 +96,7 @@ void Tracks::add_component(const Process& process, const std::string& path) {
 
 /// False if no node executes it: then it takes no time, and there is nothing to be seen.
 bool Tracks::add_machine_process(const Process& process, const std::string& path) {
-    std::size_t processor = process.executive() ? of_processor(process.executive()->name()) : none;
+    std::size_t processor = process.executive() ? of_place(process.executive()->name()) : none;
     if (processor == none)
         return false;
     std::size_t node = tracks_[processor].place.node;
@@ -108,17 +104,6 @@ bool Tracks::add_machine_process(const Process& process, const std::string& path
     return true;
 }
 
-std::size_t Tracks::of_processor(const std::string& node) const { return found_in(processors_, node); }
-
-std::size_t Tracks::of_link(const std::string& direction) const { return found_in(links_, direction); }
-
-std::size_t Tracks::of_bus(const std::string& name) const { return found_in(buses_, name); }
-
-std::size_t Tracks::of_place(const std::string& name) const {
-    if (std::size_t link = of_link(name); link != none)
-        return link;
-    std::size_t bus = of_bus(name);
-    return bus == none ? of_processor(name) : bus;
-}
+std::size_t Tracks::of_place(const std::string& name) const { return found_in(places_, name); }
 
 } // namespace placedpar

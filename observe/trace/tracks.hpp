@@ -48,12 +48,8 @@ public:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
     /// The track of a process; made when it is new. `none` for one that serves a machine where no node executes it.
     std::size_t of(const Process&);
-    /// Of what a node executes.
-    std::size_t of_processor(const std::string& node) const;
-    std::size_t of_link(const std::string& direction) const;
-    /// Of what a bus carries, or of a master that waits for it.
-    std::size_t of_bus(const std::string& name) const;
-    /// Of any of these three.
+    /// Of what the processor of a node executes, a direction of a link carries, or a bus does; `none` where there is no
+    /// such place.
     std::size_t of_place(const std::string& name) const;
 
 private:
@@ -66,7 +62,7 @@ private:
 
     std::vector<Track> tracks_;
     std::vector<std::string> nodes_; ///< with their types
-    std::unordered_map<std::string, std::size_t> processors_, processes_, links_, buses_;
+    std::unordered_map<std::string, std::size_t> processes_, places_;
 };
 
 } // namespace placedpar

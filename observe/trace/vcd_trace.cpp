@@ -13,17 +13,18 @@ namespace placedpar {
 namespace {
 
 /// What has a wire of a process: not that it waits for its components, whose wires are its own.
-constexpr std::pair<Doing, const char*> wires_of_a_process[] = {
-    {Doing::computes, "computes"},     {Doing::ready, "ready"},           {Doing::inputs, "inputs"},
-    {Doing::outputs, "outputs"},       {Doing::alternates, "alternates"}, {Doing::delayed, "delayed"},
-    {Doing::after_work, "after_work"}, {Doing::stopped, "stopped"},
+constexpr std::pair<Activity, const char*> wires_of_a_process[] = {
+    {Activity::computing, "computes"},     {Activity::ready, "ready"},
+    {Activity::inputting, "inputs"},       {Activity::outputting, "outputs"},
+    {Activity::alternating, "alternates"}, {Activity::delayed, "delayed"},
+    {Activity::after_work, "after_work"},  {Activity::stopped, "stopped"},
 };
 
 /// A track has as many wires as there are things to do, of which most are not used.
 constexpr std::uint32_t wires_of_a_track = 16;
 
-std::uint32_t wire_of(std::size_t track, Doing doing) {
-    return static_cast<std::uint32_t>(track) * wires_of_a_track + static_cast<std::uint32_t>(doing);
+std::uint32_t wire_of(std::size_t track, Activity activity) {
+    return static_cast<std::uint32_t>(track) * wires_of_a_track + static_cast<std::uint32_t>(activity);
 }
 
 /// A number in the printable characters from ! to ~.
@@ -79,9 +80,9 @@ constexpr const char* end_of_scope = "$upscope $end\n";
 VcdTrace::VcdTrace(OutputFile& file, const Tracks& tracks) : file_(file), tracks_(tracks) {}
 
 void VcdTrace::write(const Slice& slice) {
-    if (slice.doing == Doing::joins)
+    if (slice.activity == Activity::joining)
         return;
-    std::uint32_t wire = wire_of(tracks_.all()[slice.track].outermost, slice.doing);
+    std::uint32_t wire = wire_of(tracks_.all()[slice.track].outermost, slice.activity);
     changes_.push_back({slice.begin, wire, 1});
     if (!slice.open)
         changes_.push_back({slice.end, wire, -1});
@@ -115,12 +116,12 @@ void VcdTrace::declare() {
 
 void VcdTrace::declare(std::size_t track, Track::Kind kind, const std::string& name) {
     if (kind == Track::Kind::processor || kind == Track::Kind::bus)
-        return declare_wire(wire_of(track, Doing::executes), name);
+        return declare_wire(wire_of(track, Activity::executing), name);
     if (kind == Track::Kind::link)
-        return declare_wire(wire_of(track, Doing::carries), name);
+        return declare_wire(wire_of(track, Activity::carrying), name);
     file_.write(scope(name));
-    for (const auto& [doing, wire_name] : wires_of_a_process)
-        declare_wire(wire_of(track, doing), wire_name);
+    for (const auto& [activity, wire_name] : wires_of_a_process)
+        declare_wire(wire_of(track, activity), wire_name);
     file_.write(end_of_scope);
 }
 

@@ -119,10 +119,11 @@ std::string Crossbar::state_of(int output) const {
 void Crossbar::trace_change(int output, const Choice& before) const {
     const Choice& choice = choices_[static_cast<std::size_t>(output)];
     std::string track = fmt::format("{}.link[{}]", name(), output);
+    Time now = kernel_.now();
     if (before.ready)
-        kernel_.trace()->vacated(track, kernel_.now());
+        kernel_.trace()->leaves({track, now}, now);
     if (choice.ready)
-        kernel_.trace()->occupied(track, fmt::format("from link[{}]", choice.input), kernel_.now());
+        kernel_.trace()->takes({track, fmt::format("from link[{}]", choice.input), now}, now);
 }
 
 bool Crossbar::Way::leads_on(bool leaves_a) const {

@@ -374,13 +374,13 @@ void LinkDirection::acknowledge_started() {
 /// for its acknowledge.
 void LinkDirection::trace_bytes(Time since) {
     if (!std::exchange(trace_carries_, true))
-        kernel_.trace()->carries(name_, *channel_, kernel_.now(), since);
+        kernel_.trace()->takes({name_, channel_->name(), since, channel_}, kernel_.now());
 }
 
 void LinkDirection::trace_break(Time byte_started) {
     trace_carries_ = false;
     std::uint64_t bytes = bytes_carried_ - std::exchange(bytes_traced_, bytes_carried_);
-    kernel_.trace()->carried(name_, bytes, kernel_.now(), later(byte_started, times_.byte().carried));
+    kernel_.trace()->leaves({name_, later(byte_started, times_.byte().carried), bytes}, kernel_.now());
 }
 
 Time LinkDirection::time_occupied() const {

@@ -214,13 +214,13 @@ bool Processor::gives_way() const { return has_low_rivals() && next_point_after_
 
 void Processor::note_computing(const Process& process) const {
     if (TraceSink* trace = kernel_.trace())
-        trace->computes(process, turn_began_);
+        trace->turns(process, Activity::computing, turn_began_);
 }
 
 void Processor::account(const Process& process, Time worked) {
     busy_ += worked;
     if (TraceSink* trace = kernel_.trace())
-        trace->stops_computing(process, kernel_.now());
+        trace->turns(process, Activity::ready, kernel_.now());
 }
 
 void Processor::end_turn() {

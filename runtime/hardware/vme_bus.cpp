@@ -119,17 +119,15 @@ void VmeBus::move_block() {
         block.each = block.until - block_began_;
     end_block_after(must_yield() ? 1 : block.words);
     if (TraceSink* trace = kernel_.trace())
-        trace->occupied(name_, holder_->name(), block_began_);
+        trace->takes({name_, holder_->name(), block_began_}, block_began_);
 }
 
 void VmeBus::end_block() {
     VmeMaster::Block& block = *holder_->blocks_.front();
     block.words -= words_moved();
     busy_ += kernel_.now() - block_began_;
-    if (TraceSink* trace = kernel_.trace()) {
-        trace->vacated(name_, kernel_.now());
-        trace->moved(block.process, name_, block_began_, kernel_.now());
-    }
+    if (TraceSink* trace = kernel_.trace())
+        trace->leaves({name_, kernel_.now(), 0, &block.process, block_began_}, kernel_.now());
     bool whole = block.words == 0;
     if (whole) {
         block.done = true;
@@ -203,18 +201,18 @@ void VmeMaster::move(std::uint64_t words, Time each, Time until) {
         bus_.move_block();
     TraceSink* trace = self.executive() ? kernel_.trace() : nullptr;
     if (trace)
-        trace->moves(self, kernel_.now());
+        trace->turns(self, Activity::moving, kernel_.now());
     while (!block.done)
         kernel_.give_way();
     if (trace)
-        trace->stops_computing(self, kernel_.now());
+        trace->turns(self, Activity::ready, kernel_.now());
 }
 
 void VmeMaster::ask() {
     asks_ = true;
     asked_at_ = kernel_.now();
     if (TraceSink* trace = kernel_.trace())
-        trace->occupied(waiting_track_, fmt::format("waits at BR{}", place_.level), asked_at_);
+        trace->takes({waiting_track_, fmt::format("waits at BR{}", place_.level), asked_at_}, asked_at_);
     bus_.asked_by(*this);
 }
 
@@ -225,7 +223,7 @@ void VmeMaster::granted() {
     waited_ += waited;
     longest_wait_ = std::max(longest_wait_, waited);
     if (TraceSink* trace = kernel_.trace())
-        trace->vacated(waiting_track_, kernel_.now());
+        trace->leaves({waiting_track_, kernel_.now()}, kernel_.now());
 }
 
 } // namespace placedpar::hardware

@@ -29,7 +29,7 @@ bool Workstation::begin_computing(Process& self, Cycles cycles, const Grain&) {
     began_ = kernel_.now();
     Time end = later(began_, duration_of(static_cast<std::int64_t>(cycles), clock_hz_));
     if (TraceSink* trace = kernel_.trace())
-        trace->computes(*current_, began_);
+        trace->turns(*current_, Activity::computing, began_);
     if (kernel_.pass_time(end))
         return end_work(), true;
     kernel_.future().schedule(work_, end, EventQueue::turn);
@@ -39,7 +39,7 @@ bool Workstation::begin_computing(Process& self, Cycles cycles, const Grain&) {
 void Workstation::end_work() {
     busy_ += kernel_.now() - began_;
     if (TraceSink* trace = kernel_.trace())
-        trace->stops_computing(*current_, kernel_.now());
+        trace->turns(*current_, Activity::ready, kernel_.now());
 }
 
 void Workstation::make_ready(Process& p) {

@@ -28,7 +28,7 @@ void TokenRing::send(std::size_t station, std::int64_t bytes, const AnyChannel& 
     Process& self = kernel_.running();
     waiting_.push_back({&self, &channel, station, bytes, kernel_.now()});
     if (TraceSink* trace = kernel_.trace())
-        trace->occupied(track_of(station), "waits for the token", kernel_.now());
+        trace->takes({track_of(station), "waits for the token", kernel_.now()}, kernel_.now());
     if (!end_frame_.scheduled())
         pass_token();
     self.wait_for(Activity::outputting, &channel, where);
@@ -63,8 +63,8 @@ void TokenRing::begin_frame() {
     kernel_.future().schedule(end_frame_, began_ + duration_of(8 * (frame.bytes + header_bytes), bits_per_second_),
                               EventQueue::arrival);
     if (TraceSink* trace = kernel_.trace()) {
-        trace->vacated(track_of(frame.station), began_);
-        trace->occupied(name_, sender.name, began_);
+        trace->leaves({track_of(frame.station), began_}, began_);
+        trace->takes({name_, sender.name, began_}, began_);
     }
 }
 
@@ -75,7 +75,7 @@ void TokenRing::end_frame() {
     left_at_ = kernel_.now();
     busy_ += left_at_ - began_;
     if (TraceSink* trace = kernel_.trace())
-        trace->vacated(name_, left_at_);
+        trace->leaves({name_, left_at_}, left_at_);
     kernel_.make_ready(*frame.process);
     pass_token();
 }

@@ -103,17 +103,10 @@ TEST_CASE("only the work is traced") {
         int told = 0, told_after_work = 0;
         std::optional<Time> work_over;
         void note() { ++(work_over ? told_after_work : told); }
-        void began(const Process&, Time) override { note(); }
-        void waits(const Process&, Time) override { note(); }
-        void goes_on(const Process&, Time) override { note(); }
-        void computes(const Process&, Time) override { note(); }
-        void stops_computing(const Process&, Time) override { note(); }
-        void ended(const Process&, Time) override { note(); }
+        void turns(const Process&, Activity, Time) override { note(); }
         void communicated(const AnyChannel&, Time) override { note(); }
-        void carries(const std::string&, const AnyChannel&, Time, Time) override { note(); }
-        void carried(const std::string&, std::uint64_t, Time, Time) override { note(); }
-        void occupied(const std::string&, const std::string&, Time) override { note(); }
-        void vacated(const std::string&, Time) override { note(); }
+        void takes(const PlaceTaken&, Time) override { note(); }
+        void leaves(const PlaceLeft&, Time) override { note(); }
         void over(Time now) override { work_over = now; }
     } sink;
     Simulation simulation;

@@ -32,8 +32,8 @@ CriticalPath path_of(const Network& network, std::size_t most) {
 std::vector<std::string> texts_of(const CriticalPath& path) {
     std::vector<std::string> texts;
     for (const PathPart& part : path.parts())
-        texts.push_back(fmt::format("{} {} {} {} {}", name_of(part.step), part.subject, part.place, part.begin.count(),
-                                    part.end.count()));
+        texts.push_back(fmt::format("{} {} {} {} {}", name_on_path(part.activity), part.subject, part.place,
+                                    part.begin.count(), part.end.count()));
     return texts;
 }
 
@@ -95,7 +95,9 @@ TEST_CASE("in the place of a path that was given up stands what to do") {
 
 TEST_CASE("points that nothing in use leads back to are forgotten") {
     PathPoints points(8);
-    auto add = [&](PathPoints::Number before, int at) { return points.add({Time{at}, before, Step::computing, 0, 0}); };
+    auto add = [&](PathPoints::Number before, int at) {
+        return points.add({Time{at}, before, Activity::computing, 0, 0});
+    };
     add(0, 0);
     PathPoints::Number one = add(0, 1), other = add(0, 1);
     for (int at = 2; at < 5; ++at) {

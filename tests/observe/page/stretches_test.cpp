@@ -12,7 +12,7 @@ namespace {
 PackedStretch ten_bytes(int begin, int end) { return {Time{begin}, Time{end}, 3, std::string(10, 'x')}; }
 
 Slice working(std::size_t track, int begin, int end) {
-    return {track, Doing::computes, Time{begin}, Time{end}, false, "work"};
+    return {track, Activity::computing, Time{begin}, Time{end}, false, "work"};
 }
 
 /// Track 0 works in steps of one picosecond; track 1 for as long as all of them take.
@@ -89,8 +89,8 @@ TEST_CASE("what there is no room for is said") {
 
 TEST_CASE("a stretch as bytes") {
     page::Stretch stretch(Time{100});
-    stretch.add(Slice{2, Doing::inputs, Time{110}, Time{115}, true, "", 0, {{"c", "p"}}});
-    stretch.add(Slice{1, Doing::computes, Time{100}, Time{300}, false, "w"});
+    stretch.add(Slice{2, Activity::inputting, Time{110}, Time{115}, true, "", 0, {{"c", "p"}}});
+    stretch.add(Slice{1, Activity::computing, Time{100}, Time{300}, false, "w"});
     std::string channel = "c";
     stretch.add(Passage{channel, 1, 2, Time{105}, Time{110}});
     PackedStretch packed = stretch.pack();
@@ -99,7 +99,8 @@ TEST_CASE("a stretch as bytes") {
     CHECK(stretch.begin() == Time{300});
     CHECK(stretch.entries() == 0);
     std::string texts = R"(["","c\tp","w","c"])";
-    std::string computes(1, static_cast<char>(Doing::computes)), inputs(1, static_cast<char>(Doing::inputs) + 16);
+    std::string computes(1, static_cast<char>(Activity::computing)),
+        inputs(1, static_cast<char>(Activity::inputting) + 16);
     CHECK(packed.bytes == std::string(1, static_cast<char>(texts.size())) + texts + // texts
                               std::string("\2\1\1\2\1", 5) +                        // tracks 1 and 2 have one each
                               std::string("\0\12\310\1\5", 5) +                     // gaps; lengths

@@ -1,8 +1,8 @@
 // What a run is told to a trace, and what slices and messages become of it.
 
-#include "observe/trace/timeline.hpp"
+#include "on_one_node.hpp"
 
-#include "netlist/kinds/device_kind.hpp"
+#include "observe/trace/timeline.hpp"
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/processor.hpp"
 #include "runtime/parallel.hpp"
@@ -17,21 +17,22 @@
 #include <vector>
 
 using namespace placedpar;
+using test::on_one_node;
 using namespace std::chrono_literals;
 
 namespace {
 
-const char* word(Doing doing) {
+const char* word(Activity activity) {
     const char* words[] = {"executes", "carries",    "ready", "computes",   "delayed", "outputs",
                            "inputs",   "alternates", "joins", "after_work", "stopped"};
-    return words[static_cast<std::size_t>(doing)];
+    return words[static_cast<std::size_t>(activity)];
 }
 
 /// Notes what it is given as text.
 struct Notes final : TraceWriter {
     explicit Notes(const Tracks& t) : tracks(t) {}
     void write(const Slice& s) override {
-        std::string line = fmt::format("{}: {} {} to {}", tracks.all()[s.track].name, word(s.doing), s.begin / 1ns,
+        std::string line = fmt::format("{}: {} {} to {}", tracks.all()[s.track].name, word(s.activity), s.begin / 1ns,
                                        s.open ? "the end" : std::to_string(s.end / 1ns));
         for (const Awaited& awaited : s.awaited)
             line += fmt::format(", {} with {}", awaited.channel, awaited.partner);
@@ -59,24 +60,6 @@ struct Notes final : TraceWriter {
 };
 
 using Lines = std::vector<std::string>;
-
-/// One node, "t", and these processes on it.
-Network on_one_node(const std::vector<std::string>& processes) {
-    Network network;
-    DeviceKind kind;
-    kind.executes = Execution::in_time;
-    Node node;
-    node.name = "t";
-    node.kind = std::make_shared<const DeviceKind>(kind);
-    network.nodes.push_back(node);
-    for (const std::string& name : processes) {
-        ProcessInstance process;
-        process.name = name;
-        process.node = 0;
-        network.processes.push_back(process);
-    }
-    return network;
-}
 
 /// A simulation whose processes are traced. Of a processor of 1 GHz a cycle takes 1 ns.
 struct Traced {

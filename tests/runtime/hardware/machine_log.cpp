@@ -10,12 +10,16 @@ void MachineLog::communicated(const AnyChannel& channel, Time now) {
     note(now, "trace: communicated on " + channel.name(), 0);
 }
 
-void MachineLog::carries(const std::string& direction, const AnyChannel&, Time now, Time since) {
-    note(now, "trace: carries on " + direction, since.count());
+void MachineLog::takes(const PlaceTaken& taken, Time now) {
+    if (!taken.channel)
+        return;
+    links_.insert(taken.place);
+    note(now, "trace: carries on " + taken.place, taken.since.count());
 }
 
-void MachineLog::carried(const std::string& direction, std::uint64_t bytes, Time now, Time until) {
-    note(now, fmt::format("trace: carried {} bytes on {}", bytes, direction), until.count());
+void MachineLog::leaves(const PlaceLeft& left, Time now) {
+    if (links_.contains(left.place))
+        note(now, fmt::format("trace: carried {} bytes on {}", left.bytes, left.place), left.until.count());
 }
 
 } // namespace placedpar::test

@@ -4,6 +4,7 @@
 #include "runtime/trace.hpp"
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -21,20 +22,14 @@ public:
     }
 
     void communicated(const AnyChannel&, Time now) override;
-    void carries(const std::string& direction, const AnyChannel&, Time now, Time since) override;
-    void carried(const std::string& direction, std::uint64_t bytes, Time now, Time until) override;
+    void takes(const PlaceTaken&, Time now) override;
+    void leaves(const PlaceLeft&, Time now) override;
     void over(Time now) override { note(now, "trace: over", 0); }
-    void began(const Process&, Time) override {}
-    void waits(const Process&, Time) override {}
-    void goes_on(const Process&, Time) override {}
-    void computes(const Process&, Time) override {}
-    void stops_computing(const Process&, Time) override {}
-    void ended(const Process&, Time) override {}
-    void occupied(const std::string&, const std::string&, Time) override {}
-    void vacated(const std::string&, Time) override {}
+    void turns(const Process&, Activity, Time) override {}
 
 private:
     std::vector<Entry> entries_;
+    std::set<std::string> links_; ///< directions that have carried something
 };
 
 } // namespace placedpar::test

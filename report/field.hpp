@@ -1,0 +1,80 @@
+#pragma once
+
+#include "runtime/time.hpp"
+
+#include <boost/json.hpp>
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace placedpar {
+
+/// A fact of a row of a report, described once: what a table for people shows of it below a heading, and what a
+/// document for programs has of it under a key. Either may be missing.
+struct Field {
+    std::string heading, text;
+    std::size_t width = 0; ///< of its column; 0: of the widest text or the heading
+    enum class Column { none, left, right } column = Column::none;
+    std::string key = ""; ///< "": in no document
+    boost::json::value value = nullptr;
+
+    static Field left(std::size_t width, std::string heading, std::string text) {
+        return {std::move(heading), std::move(text), width, Column::left};
+    }
+    static Field right(std::size_t width, std::string heading, std::string text) {
+        return {std::move(heading), std::move(text), width, Column::right};
+    }
+    /// With the same name in both.
+    static Field count(std::size_t width, const std::string& name, auto number) {
+        return right(width, name, fmt::format("{}", number)).as(name, number);
+    }
+    /// In documents only.
+    static Field member(std::string key, const auto& value) { return Field().as(std::move(key), value); }
+    /// In picoseconds, as "busy_ps"; missing where there is no such moment.
+    static Field member_ps(const std::string& key, std::optional<Time> time) {
+        return time ? member(key + "_ps", time->count()) : Field();
+    }
+
+    /// It is in documents, too: with this value, or with its text.
+    Field as(std::string its_key, const auto& its_value) && {
+        key = std::move(its_key);
+        value = boost::json::value(its_value);
+        return std::move(*this);
+    }
+    Field as(std::string its_key) && { return std::move(*this).as(std::move(its_key), text); }
+    Field shown_if(bool shown) && {
+        column = shown ? column : Column::none;
+        return std::move(*this);
+    }
+};
+
+using Row = std::vector<Field>;
+
+boost::json::object json_of(const Row&);
+boost::json::array json_of(const std::vector<Row>&);
+
+/// Rows of the same fields.
+struct Table {
+    Row head; ///< only headings, widths and keys mean something: there may be no rows
+    std::vector<Row> rows;
+
+    /// A line of headings, painted and below `before`, and one for each row, without blanks at their ends.
+    std::string text(const std::string& before = "") const;
+    /// A line of keys, and one for each row; a cell without a value is empty.
+    std::string csv() const;
+};
+
+/// `row_of` describes one thing; also one that is made of nothing, for the headings.
+template <class Things, class RowOf>
+Table table_of(const Things& things, RowOf row_of) {
+    Table table{row_of(typename Things::value_type()), {}};
+    for (const auto& each : things)
+        table.rows.push_back(row_of(each));
+    return table;
+}
+
+} // namespace placedpar

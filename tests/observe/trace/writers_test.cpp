@@ -1,0 +1,156 @@
+// Slices and messages as the formats of traces have them.
+
+#include "on_one_node.hpp"
+
+#include "observe/trace/perfetto_trace.hpp"
+#include "observe/trace/vcd_trace.hpp"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <string>
+
+using namespace placedpar;
+using test::on_one_node;
+
+namespace {
+
+/// What a writer of that format makes of what `tell` tells it: the file.
+template <class Writer>
+std::string written(const Tracks& tracks, const std::function<void(TraceWriter&)>& tell) {
+    const std::filesystem::path path = std::filesystem::temp_directory_path() / "placedpar_writers_test";
+    OutputFile file(path);
+    Writer writer(file, tracks);
+    tell(writer);
+    writer.finish(Time{0}, Time{9000}, "completed");
+    file.finish();
+    std::stringstream text;
+    text << std::ifstream(path).rdbuf();
+    std::filesystem::remove(path);
+    return text.str();
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// How Perfetto shows one slice of the process `p`: track 1, behind its processor.
+std::string shown(const Slice& slice) {
+    Tracks tracks(on_one_node({"p"}));
+    std::string text = written<PerfettoTrace>(tracks, [&](TraceWriter& writer) { writer.write(slice); });
+    std::string lines = text.substr(text.find('\n') + 1);
+    return lines.substr(0, lines.find(",\n"));
+}
+
+Slice waiting(Activity activity, std::vector<Awaited> awaited = {}, bool timer = false) {
+    return {1, activity, Time{1000}, Time{3000}, false, "", 0, std::move(awaited), timer};
+}
+
+/// Its value "name" alone.
+std::string name_shown(const Slice& slice) {
+    std::string text = shown(slice);
+    std::size_t begin = text.find("\"name\":\"") + 8;
+    return text.substr(begin, text.find('"', begin) - begin);
+}
+
+} // namespace
+
+TEST_CASE("Perfetto: a slice has a place, a beginning and a length in microseconds to the picosecond") {
+    CHECK(shown({1, Activity::computing, Time{1000}, Time{2500}, false}) ==
+          R"({"ph":"X","name":"computes","cat":"compute","pid":1,"tid":3,"ts":0.001000,"dur":0.001500})");
+}
+
+TEST_CASE("Perfetto: one that goes on begins and does not end") {
+    CHECK(shown({1, Activity::computing, Time{1000}, Time{2500}, true}) ==
+          R"({"ph":"B","name":"computes","cat":"compute","pid":1,"tid":3,"ts":0.001000})");
+}
+
+TEST_CASE("Perfetto: a wait says for whom, and on which channel") {
+    CHECK(name_shown(waiting(Activity::inputting, {{"c", "q"}})) == "inputs from q");
+    CHECK(name_shown(waiting(Activity::inputting, {{"c", ""}})) == "inputs from c");
+    CHECK(name_shown(waiting(Activity::inputting)) == "waits for packets to send");
+    CHECK(name_shown(waiting(Activity::outputting, {{"c", "q"}})) == "outputs to q");
+    CHECK(name_shown(waiting(Activity::joining)) == "waits for its components");
+    CHECK(name_shown(waiting(Activity::delayed, {}, true)) == "waits for its timer");
+    CHECK(name_shown(waiting(Activity::after_work)) == "waits for the end of the work");
+    CHECK(name_shown(waiting(Activity::stopped)) == "has stopped");
+    CHECK(has(shown(waiting(Activity::inputting, {{"c", ""}})), R"("args":{"channel":"c","partner":"nobody yet"})"));
+}
+
+TEST_CASE("Perfetto: an alternation names a few partners, and counts many") {
+    CHECK(name_shown(waiting(Activity::alternating, {{"c", "q"}, {"d", "r"}})) == "alternates: input from q or r");
+    CHECK(name_shown(waiting(Activity::alternating, {{"c", "q"}}, true)) == "alternates: input from q, or its timer");
+    CHECK(name_shown(waiting(Activity::alternating, {{"a", ""}, {"b", ""}, {"c", ""}, {"d", ""}})) ==
+          "alternates between 4 channels");
+    CHECK(name_shown(waiting(Activity::alternating, {}, true)) == "waits for its timer");
+}
+
+TEST_CASE("Perfetto: a message is a flow from slice to slice") {
+    Tracks tracks(on_one_node({"p", "q"}));
+    const std::string channel = "c";
+    std::string text = written<PerfettoTrace>(tracks, [&](TraceWriter& writer) {
+        writer.write(Passage{channel, 1, 2, Time{10}, Time{20}});
+    });
+    CHECK(has(text, R"({"ph":"s","name":"c","cat":"message","id":1,"pid":1,"tid":3,"ts":0.000010})"));
+    CHECK(has(text, R"({"ph":"f","bp":"e","name":"c","cat":"message","id":1,"pid":1,"tid":4,"ts":0.000020})"));
+}
+
+TEST_CASE("Perfetto: the critical path stands above all, whole and by place") {
+    Tracks tracks(on_one_node({"p"}));
+    const PathPart path[] = {{Activity::computing, "p on t", "t", Time{0}, Time{5}},
+                             {Activity::delayed, "p", "", Time{5}, Time{9}}};
+    std::string text = written<PerfettoTrace>(tracks, [&](TraceWriter& writer) { writer.draw_path(path); });
+    CHECK(has(text, R"("name":"computing: p on t","cat":"critical path","cname":"terrible","pid":4,"tid":5,)"));
+    CHECK(has(text, R"("name":"computing: p on t","cat":"critical path","cname":"terrible","pid":4,"tid":6,)"));
+    CHECK(has(text, R"("name":"delayed: p","cat":"critical path","cname":"terrible","pid":4,"tid":5,)"));
+    CHECK(has(text, R"("args":{"name":"via processor t"})"));
+}
+
+TEST_CASE("Perfetto: the end says why, and every track has its name") {
+    Tracks tracks(on_one_node({"p"}));
+    std::string text = written<PerfettoTrace>(tracks, [](TraceWriter&) {});
+    CHECK(text.starts_with("{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n"));
+    CHECK(has(text, R"({"ph":"i","s":"g","name":"completed","cat":"end","pid":1,"tid":2,"ts":0.009000})"));
+    CHECK(has(text, R"("args":{"name":"processor t"})"));
+    CHECK(has(text, R"("args":{"name":"p"})"));
+    CHECK(text.ends_with("\n]}\n"));
+}
+
+namespace {
+
+/// A value change dump of these slices: what follows the declarations.
+std::string changes(const std::vector<Slice>& slices) {
+    Tracks tracks(on_one_node({"p"}));
+    std::string text = written<VcdTrace>(tracks, [&](TraceWriter& writer) {
+        for (const Slice& slice : slices)
+            writer.write(slice);
+    });
+    return text.substr(text.find("$enddefinitions $end\n") + 21);
+}
+
+} // namespace
+
+TEST_CASE("VCD: a node is a scope, a processor a wire, and a process has a wire for each thing that it can do") {
+    Tracks tracks(on_one_node({"p[0]"}));
+    std::string text = written<VcdTrace>(tracks, [](TraceWriter&) {});
+    CHECK(text.starts_with("$version PlacedPar $end\n$timescale 1 ps $end\n$comment completed at 9.000 ns $end\n"
+                           "$scope module machine $end\n$scope module t $end\n$var wire 1 ! busy $end\n"
+                           "$scope module p_0 $end\n$var wire 1 4 computes $end\n"));
+    CHECK(has(text, " after_work $end\n"));
+    CHECK_FALSE(has(text, "joins"));
+}
+
+TEST_CASE("VCD: a wire is 1 while a slice lasts") {
+    std::string text = changes({{0, Activity::executing, Time{1000}, Time{2000}, false, "p"},
+                                {0, Activity::executing, Time{5000}, Time{9000}, true, "p"}});
+    CHECK(text.starts_with("#0\n$dumpvars\n0!\n"));
+    CHECK(has(text, "$end\n#1000\n1!\n#2000\n0!\n#5000\n1!\n#9000\n"));
+}
+
+TEST_CASE("VCD: what follows at once, and what waits for components, changes nothing") {
+    std::string text = changes({{0, Activity::executing, Time{1000}, Time{2000}, false, "p"},
+                                {0, Activity::executing, Time{2000}, Time{3000}, false, "q"},
+                                {1, Activity::joining, Time{1000}, Time{3000}, false}});
+    CHECK(has(text, "$end\n#1000\n1!\n#3000\n0!\n#9000\n"));
+}
