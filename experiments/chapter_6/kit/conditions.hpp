@@ -2,8 +2,8 @@
 
 #include "experiments/chapter_6/kit/plant_runs.hpp"
 #include "experiments/kit/comparison.hpp"
-#include "experiments/kit/interval.hpp"
 #include "experiments/kit/seed_runs.hpp"
+#include "text/interval.hpp"
 
 #include <cstddef>
 #include <functional>
