@@ -1,5 +1,7 @@
 #pragma once
 
+#include "text/interval.hpp"
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,13 +10,6 @@ namespace placedpar {
 
 struct Point {
     double x, y;
-};
-
-/// What is known of a figure from some seeds: with a probability of 95 % it lies within.
-struct Interval {
-    double low, high;
-
-    bool contains(double value) const { return low <= value && value <= high; }
 };
 
 enum class Stroke {

@@ -102,11 +102,12 @@ void require_study(const Experiment& experiment, const ReplayOptions& options) {
     require_writable(options.resume);
 }
 
-std::unique_ptr<KeptRuns> kept_runs(const ReplayOptions& options) {
-    if (options.resume.empty())
-        return nullptr;
-    return std::make_unique<KeptRuns>(
-        options.resume, fmt::format("replay {} --seed {}, {} {}", options.experiment, options.seed, version, commit));
+/// Where the runs of a study are kept.
+StudyResults results_of(const ReplayOptions& options) {
+    const std::string whose =
+        fmt::format("replay {} --seed {}, {} {}", options.experiment, options.seed, version, commit);
+    const StudySource source{.netlist = whose, .texts = {}, .options = whose, .named_by = ""};
+    return options.resume.empty() ? StudyResults(source) : StudyResults(options.resume, source);
 }
 
 std::size_t number_of_seeds(const Experiment& experiment, const ReplayOptions& options) {
@@ -116,13 +117,13 @@ std::size_t number_of_seeds(const Experiment& experiment, const ReplayOptions& o
 /// Throws UnfinishedRun.
 Replay run_experiment(const Experiment& experiment, const ReplayOptions& options, Interruption& interruption) {
     Progress progress;
-    auto kept = kept_runs(options);
+    StudyResults results = results_of(options);
     auto show = [&](const std::string& what) {
         end_if_requested(interruption);
         progress.show(what);
     };
-    Replay result = experiment.run({examples_folder(), options.seed, show, print_warnings, interruption,
-                                    number_of_seeds(experiment, options), kept.get()});
+    Replay result = experiment.run({examples_folder(), options.seed, show, print_warnings, interruption, results,
+                                    number_of_seeds(experiment, options)});
     end_if_requested(interruption);
     return result;
 }

@@ -6,6 +6,7 @@
 #include "app/options/time_option.hpp"
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
+#include "explore/study/comparisons.hpp"
 #include "explore/study/rank_helper.hpp"
 #include "explore/study/rank_zero.hpp"
 #include "explore/study/ranks.hpp"
@@ -53,6 +54,17 @@ void set_axis(StudyProduct& product, const StudyAxis& axis) {
         *found = axis;
 }
 
+/// A table says which of its runs stands in a cell, so that it takes one value of each setting.
+void set_in_table(StudyTable& table, const StudyAxis& axis) {
+    if (axis.count() > 1)
+        throw UserError(
+            fmt::format("{} has several values, and the study's table \"{}\" takes one", axis.name, table.name));
+    for (StudyVariant& column : table.columns)
+        column.set[axis.name] = axis.at(0);
+    for (StudyRow& row : table.rows)
+        row.runs.set.erase(axis.name);
+}
+
 void add_settings(Study& study, const SweepOptions& options) {
     std::vector<std::string> given;
     for (const std::string& text : options.settings) {
@@ -62,6 +74,8 @@ void add_settings(Study& study, const SweepOptions& options) {
         given.push_back(axis.name);
         for (StudyProduct& product : study.products)
             set_axis(product, axis);
+        for (StudyTable& table : study.tables)
+            set_in_table(table, axis);
     }
 }
 
@@ -163,6 +177,19 @@ bool make_missing_runs(const Study& study, const SweepOptions& options, StudyRes
     return !interruption.requested();
 }
 
+/// What the study's tables say, and whether that is within their tolerances.
+ExitCode print_tables(const Study& study, StudyResults& results) {
+    if (study.tables.empty())
+        return ExitCode::success;
+    const std::vector<Comparison> tables = comparisons_of(study, results);
+    std::string out;
+    for (const Comparison& table : tables)
+        out += "\n" + print_comparison(table);
+    out += study.notes.empty() ? "" : "\n" + study.notes;
+    print_out(out + "\n" + print_verdict(tables));
+    return are_within_tolerance(tables) ? ExitCode::success : ExitCode::missed_tolerance;
+}
+
 /// As a rank other than 0.
 ExitCode help(Ranks& ranks, const SweepOptions& options) {
     InterruptedBySignals interruption;
@@ -186,10 +213,12 @@ ExitCode sweep(const SweepOptions& options, RankZero* others) {
         say_interrupted(results);
         return ExitCode::interrupted;
     }
-    if (whole)
-        print_out(print_summary(summary_of(results, {}, &study, study.relative_to)) +
-                  fmt::format("\nresults: {}\n", results.path().string()));
-    return ExitCode::success;
+    if (!whole)
+        return ExitCode::success;
+    print_out(print_summary(summary_of(results, {}, &study, study.relative_to)));
+    const ExitCode code = print_tables(study, results);
+    print_out(fmt::format("\nresults: {}\n", results.path().string()));
+    return code;
 }
 
 ExitCode sweep(const SweepOptions& typed) {

@@ -4,7 +4,6 @@
 #include "experiments/chapter_3/kit/spool_lag.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
-#include "experiments/kit/statistics.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "identification/compliance_fit.hpp"
 #include "text/statistics.hpp"

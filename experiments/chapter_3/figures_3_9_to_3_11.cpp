@@ -2,7 +2,6 @@
 #include "experiments/chapter_3/kit/two_link_study.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
-#include "experiments/kit/statistics.hpp"
 #include "text/statistics.hpp"
 
 #include <fmt/format.h>

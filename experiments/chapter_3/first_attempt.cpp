@@ -1,7 +1,6 @@
 #include "experiments/chapter_3/kit/boom_search.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
-#include "experiments/kit/statistics.hpp"
 #include "hydraulics/circuit/steady_flow.hpp"
 #include "hydraulics/plant/excavator_motion.hpp"
 #include "hydraulics/plant/excavator_values.hpp"

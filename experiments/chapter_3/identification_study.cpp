@@ -1,7 +1,6 @@
 #include "experiments/chapter_3/kit/study.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/record_seeds.hpp"
-#include "experiments/kit/statistics.hpp"
 #include "text/statistics.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "experiments/chapter_5/kit/maximisation.hpp"
 #include "experiments/chapter_5/kit/plant_study.hpp"
 #include "experiments/kit/experiment.hpp"
-#include "experiments/kit/interval.hpp"
+#include "text/interval.hpp"
 #include "text/statistics.hpp"
 
 #include <fmt/format.h>

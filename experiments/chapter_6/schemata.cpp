@@ -1,8 +1,9 @@
+#include "experiments/kit/bootstrap.hpp"
 #include "experiments/kit/experiment.hpp"
-#include "experiments/kit/interval.hpp"
 #include "experiments/kit/seed_runs.hpp"
 #include "gaprocs/schema_theorem.hpp"
 #include "gaprocs/search.hpp"
+#include "text/interval.hpp"
 
 #include <fmt/format.h>
 

@@ -7,13 +7,6 @@
 
 namespace placedpar {
 
-bool Replay::within_tolerance() const {
-    return std::ranges::all_of(comparisons, [&](const Comparison& each) {
-        bool judged = &each == &comparisons.front() || each.judged;
-        return !judged || each.within_tolerance();
-    });
-}
-
 Replay replay_of(std::vector<Comparison> comparisons, std::vector<NamedPlot> plots) {
     Fingerprint fingerprint;
     for (const Comparison& comparison : comparisons)

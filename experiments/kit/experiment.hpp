@@ -1,10 +1,10 @@
 #pragma once
 
-#include "experiments/kit/comparison.hpp"
-#include "experiments/kit/kept_runs.hpp"
 #include "explore/load.hpp"
 #include "explore/netlist_run.hpp"
+#include "explore/study/results.hpp"
 #include "picture/plot.hpp"
+#include "report/comparison.hpp"
 #include "runtime/hardware/constants.hpp"
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct Replay {
     std::vector<NamedPlot> plots = {};       ///< --plots draws them,
     std::vector<NamedDrawing> drawings = {}; ///< and writes these
 
-    bool within_tolerance() const;
+    bool within_tolerance() const { return are_within_tolerance(comparisons); }
 };
 
 /// Of an experiment that runs no processes. The fingerprint is of its tables as printed, so that it does not depend on
@@ -44,8 +44,8 @@ struct ReplayContext {
     std::function<void(const std::string&)> progress; ///< told what is being run; it may throw to end the experiment
     WarningSink warn;                                 ///< told the warnings of netlists
     Interruption& interruption;                       ///< ends the runs of netlists
+    StudyResults& results;                            ///< what a study has found before, and finds
     std::size_t seeds = 0;                            ///< over which a study is run: see kit/seed_runs.hpp
-    KeptRuns* kept = nullptr;                         ///< what a study has found before, and finds
 };
 
 /// What the file of an experiment says about it: see experiments/README.md.

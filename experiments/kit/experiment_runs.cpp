@@ -8,10 +8,6 @@ namespace placedpar {
 
 namespace {
 
-constexpr const char* compliance = "C_BOi";
-
-double true_compliance() { return known_problems(0).find("boom").problem()->true_parameters().at(0); }
-
 void require_end(const RunReport& report, const std::filesystem::path& netlist) {
     if (Ending ending = report.result.ending; ending != Ending::completed)
         throw UnfinishedRun(
@@ -34,23 +30,6 @@ RunReport run_to_the_end(const std::filesystem::path& netlist, const Overrides& 
     end_if_requested(context.interruption);
     require_end(report, netlist);
     return report;
-}
-
-Cell compliance_cell(const std::string& column, const RunReport& report, const std::string& process) {
-    return {.row = compliance,
-            .column = column,
-            .unit = "in^3/psi",
-            .reference = true_compliance(),
-            .simulated = report.measured(process, compliance),
-            .tolerance_percent = compliance_tolerance_percent,
-            .decimals = 5};
-}
-
-std::string print_compliance_note() {
-    return fmt::format(
-        "{}: the compliance identified, beside the {} in^3/psi that the record was made with; it depends on the noise\n"
-        "and the draws of the seed, and is judged at {:.0f} %\n",
-        compliance, true_compliance(), compliance_tolerance_percent);
 }
 
 } // namespace placedpar

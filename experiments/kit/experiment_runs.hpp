@@ -19,11 +19,4 @@ void end_if_requested(const Interruption&);
 /// Runs a netlist of the examples to its end. Throws RefusedInput and UnfinishedRun.
 RunReport run_to_the_end(const std::filesystem::path& netlist, const Overrides&, const ReplayContext&);
 
-/// What the boom's identification is to come within of the truth: the thesis's "states within 10 %".
-inline constexpr double compliance_tolerance_percent = 10;
-/// The compliance that a process identified, beside the one that the record was made with.
-Cell compliance_cell(const std::string& column, const RunReport&, const std::string& process);
-/// For people: what that row shows.
-std::string print_compliance_note();
-
 } // namespace placedpar

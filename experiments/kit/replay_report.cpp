@@ -1,12 +1,10 @@
 #include "experiments/kit/replay_report.hpp"
 
 #include "report/manifest.hpp"
-#include "text/paint.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string_view>
 
 namespace placedpar {
@@ -62,14 +60,6 @@ boost::json::array cells_json(const Comparison& comparison) {
     return cells;
 }
 
-std::string print_verdict(const Replay& replay) {
-    bool others = std::ranges::any_of(replay.comparisons, &Comparison::judged);
-    auto text = fmt::format("{} cell{} {}\n", replay.within_tolerance() ? "every judged" : "a",
-                            others ? "" : " of the first reading",
-                            replay.within_tolerance() ? "is within its tolerance" : "misses its tolerance");
-    return painted(replay.within_tolerance() ? Paint::success : Paint::failure, text);
-}
-
 boost::json::object other_json(const Comparison& other) {
     return {{"reading", other.name},
             {"cells", cells_json(other)},
@@ -111,7 +101,7 @@ std::string print_replay(const Replay& replay) {
     for (const Comparison& comparison : replay.comparisons)
         out += print_comparison(comparison) + "\n";
     return out + print_constants(replay.constant_table) + replay.constants +
-           fmt::format("fingerprint: {:016x}\n{}", replay.fingerprint, print_verdict(replay));
+           fmt::format("fingerprint: {:016x}\n{}", replay.fingerprint, print_verdict(replay.comparisons));
 }
 
 boost::json::object replay_json(const Replay& replay, std::string_view experiment, std::uint64_t seed,

@@ -1,30 +1,29 @@
 #include "experiments/kit/seed_runs.hpp"
 
+#include "experiments/kit/experiment_runs.hpp"
+#include "explore/study/sweep.hpp"
+#include "explore/workers.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <future>
-#include <optional>
-#include <thread>
 
 namespace placedpar {
 
 namespace {
 
-using Run = std::function<Figures(std::uint64_t seed)>;
-
-std::optional<Figures> kept(const ReplayContext& context, const std::string& what, std::uint64_t seed) {
-    return context.kept ? context.kept->find(what, seed) : std::nullopt;
+/// They are named by their places, which come in this order.
+StudyFigures with_names(const Figures& figures) {
+    StudyFigures named;
+    for (double figure : figures)
+        named[fmt::format("{:06}", named.size())] = {figure, ""};
+    return named;
 }
 
-/// As many runs at once as there are seeds; they have ended when it returns or throws.
-std::vector<Figures> run_at_once(std::span<const std::uint64_t> seeds, const Run& run) {
-    std::vector<std::future<Figures>> under_way;
-    for (std::uint64_t seed : seeds)
-        under_way.push_back(std::async(std::launch::async, run, seed));
-    std::vector<Figures> figures;
-    for (std::future<Figures>& each : under_way)
-        figures.push_back(each.get());
+Figures without_names(const StudyFigures& named) {
+    Figures figures;
+    for (const auto& each : named)
+        figures.push_back(each.second.value);
     return figures;
 }
 
@@ -32,26 +31,25 @@ std::vector<Figures> run_at_once(std::span<const std::uint64_t> seeds, const Run
 
 Seeds seeds_of(const ReplayContext& context) { return record_seeds(context.seed, context.seeds); }
 
-std::vector<Figures> run_seeds(const ReplayContext& context, const std::string& what, const Run& run) {
-    const std::size_t at_once = std::max(std::thread::hardware_concurrency(), 1u);
-    Seeds seeds = seeds_of(context), missing;
-    for (std::uint64_t seed : seeds)
-        if (!kept(context, what, seed))
-            missing.push_back(seed);
-    std::map<std::uint64_t, Figures> made;
-    for (std::size_t first = 0; first < missing.size(); first += at_once) {
-        context.progress(fmt::format("{}: {} of {} seeds", what, seeds.size() - missing.size() + first, seeds.size()));
-        auto part = std::span(missing).subspan(first, std::min(at_once, missing.size() - first));
-        std::vector<Figures> figures = run_at_once(part, run);
-        for (std::size_t i = 0; i < part.size(); ++i) {
-            made[part[i]] = figures[i];
-            if (context.kept)
-                context.kept->add(what, part[i], figures[i]);
-        }
-    }
+std::vector<Figures> run_seeds(const ReplayContext& context, const std::string& what,
+                               const std::function<Figures(std::uint64_t seed)>& run) {
+    const Seeds seeds = seeds_of(context);
+    Study study;
+    study.function = [&](const StudyRun& each) { return with_names(run(seeds[each.seed])); };
+    study.products = {{.axes = {{"run", {StudyValues("run", fmt::format("\"{}\"", what))}}}}};
+    study.first_seed = 0; // the number of the record, from which its seed is made
+    study.seeds = seeds.size();
+    StudySweep sweep(study, context.results);
+    const std::size_t missing = sweep.missing().runs;
+    auto show = [&](std::uint64_t ended) {
+        context.progress(fmt::format("{}: {} of {} seeds", what, seeds.size() - missing + ended, seeds.size()));
+    };
+    show(0);
+    sweep.run(std::min(count_cores(), missing), context.interruption, show);
+    end_if_requested(context.interruption);
     std::vector<Figures> all;
-    for (std::uint64_t seed : seeds)
-        all.push_back(made.contains(seed) ? made[seed] : *kept(context, what, seed));
+    for (std::size_t i = 0; i < seeds.size(); ++i)
+        all.push_back(without_names(context.results.find(*study.at(i))->figures));
     return all;
 }
 

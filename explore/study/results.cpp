@@ -161,7 +161,7 @@ auto StudyResults::parsed(Read read) {
 }
 
 void StudyResults::refuse_damaged(const std::string& where) const {
-    throw UserError(fmt::format("{}: it is damaged ({}): put back a copy from before, or move it away and sweep again",
+    throw UserError(fmt::format("{}: it is damaged ({}): put back a copy from before, or move it away and begin again",
                                 path_.string(), where));
 }
 
@@ -170,8 +170,14 @@ StudyResults::StudyResults(const std::filesystem::path& path, const StudySource&
     require_no_folder(path);
     make_file(path);
     lock_.emplace(path, path.string(), program_name() + " sweep or optimise");
+    open(source, of_any_version);
+}
+
+StudyResults::StudyResults(const StudySource& source) : path_(":memory:") { open(source, false); }
+
+void StudyResults::open(const StudySource& source, bool of_any_version) {
     guarded([&] {
-        database_.emplace(path);
+        database_.emplace(path_);
         if (!is_ours())
             make(source);
         if (std::string fault = database_->text("PRAGMA integrity_check(1)"); fault != "ok")
@@ -224,7 +230,8 @@ bool StudyResults::is_ours() {
     } catch (const store::DatabaseError& error) {
         if (!error.damage())
             throw;
-        throw UserError(fmt::format("{}: it is no file of results ({})", path_.string(), error.what()));
+        throw UserError(fmt::format("{}: it is no file of results ({}): name another file, or move this one away",
+                                    path_.string(), error.what()));
     }
     if (std::int64_t format = database_->integer("PRAGMA user_version"); format != results_format)
         throw UserError(fmt::format("{}: its format is {}, of {} PlacedPar; this one knows {}", path_.string(), format,
@@ -306,7 +313,7 @@ void StudyResults::require_same(const StudySource& wanted) {
             ? fmt::format("its runs were made with other options ({}, not {})", kept.options, wanted.options)
             : fmt::format("its runs are of {}, as that was then", kept.netlist);
     throw UserError(
-        fmt::format("{}: {}; name another file with --results, or move this one away", path_.string(), why));
+        fmt::format("{}: {}; name another file{}, or move this one away", path_.string(), why, wanted.named_by));
 }
 
 void StudyResults::require_version(bool of_any_version) {

@@ -26,11 +26,13 @@ struct StudyOutcome {
     StudyFigures figures = {};
 };
 
-/// What all runs of a file have in common. Files of another one are refused.
+/// What all runs of a file have in common. Files of another one are refused. Those of functions have no texts.
 struct StudySource {
     std::string netlist;                                    ///< its path as it was given; may be another
     std::vector<std::pair<std::string, std::string>> texts; ///< path and text of the netlist and what it includes
-    std::string options; ///< JSON: what else decides a run: programs, faults, where it is stopped
+    std::string
+        options; ///< JSON: what else decides a run: programs, faults, where it is stopped; of functions, whose they are
+    std::string named_by = " with --results"; ///< how another file is named, as a refusal says it
 
     /// Whatever its files are called.
     bool operator==(const StudySource& other) const;
@@ -49,6 +51,8 @@ public:
     StudyResults(const std::filesystem::path&, const StudySource&, bool of_any_version = false);
     /// Opens a file to read it, also while another program adds to it: it stays as it is now.
     explicit StudyResults(const std::filesystem::path&);
+    /// Has them in memory: they go with it.
+    explicit StudyResults(const StudySource&);
     ~StudyResults();
 
     bool has(const StudyRun&);
@@ -83,6 +87,7 @@ private:
         std::int64_t checksum() const; ///< REQUIRES: add_up_texts() was called for these texts
     };
 
+    void open(const StudySource&, bool of_any_version);
     void make(const StudySource&);
     /// Whether something is in it; throws where that is not ours.
     bool is_ours();

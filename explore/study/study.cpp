@@ -50,6 +50,12 @@ void require_seeds(std::uint64_t first, std::uint64_t seeds) {
 
 } // namespace
 
+Overrides StudyTable::set(const StudyRow& row, const StudyVariant& column) const {
+    Overrides set = row.runs.set;
+    set.insert(column.set.begin(), column.set.end());
+    return set;
+}
+
 std::uint64_t StudyProduct::count() const { return count_with(1, *this); }
 
 Overrides StudyProduct::at(std::uint64_t index) const {

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "explore/study/axis.hpp"
-#include "explore/study/condition.hpp"
+#include "explore/study/expression.hpp"
+#include "explore/study/measure.hpp"
+#include "explore/study/table.hpp"
 #include "netlist/read.hpp"
 #include "runtime/time.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +18,7 @@ namespace placedpar {
 /// All combinations of the axes' values for which the condition holds. The last axis counts fastest.
 struct StudyProduct {
     std::vector<StudyAxis> axes;
-    StudyCondition where{""};
+    StudyExpression where{""};
 
     /// Throws UserError, which says what makes it so large, where 64 bits do not hold it.
     std::uint64_t count() const;
@@ -43,9 +46,13 @@ struct StudySearch {
     std::uint64_t seed = 1;            ///< of the search's random numbers
 };
 
-/// Which runs of a netlist are to be made, and what is to be known of them.
+/// What is run in place of a netlist. Called from several threads at once. REQUIRES: no figure is not a number.
+using StudyFunction = std::function<StudyFigures(const StudyRun&)>;
+
+/// Which runs of a netlist, or of a function, are to be made, and what is to be known of them.
 struct Study {
-    std::string netlist; ///< its path
+    std::string netlist;         ///< its path
+    StudyFunction function = {}; ///< none: the netlist is run
     ReadOptions read = {};
     std::vector<StudyProduct> products;
     std::uint64_t first_seed = 1, seeds = 1; ///< each combination is run with so many
@@ -53,6 +60,9 @@ struct Study {
     std::vector<std::string> measures;
     Overrides relative_to = {}; ///< figures are shown relative to those with these settings; none: as they are
     std::optional<StudySearch> search = {}; ///< none: it is only swept
+    std::vector<StudyTable> tables = {};    ///< of figures beside known ones
+    std::vector<std::string> figures = {};  ///< measures that the tables are made of
+    std::string notes = "";                 ///< for people, below the tables
 
     /// Runs, those with combinations for which the condition does not hold among them. Throws UserError, which says
     /// what makes it so large, where 64 bits do not hold it, or the last seed.

@@ -1,46 +1,26 @@
-// Debian's package would have a library linked otherwise.
-#define TOML_HEADER_ONLY 1
-// What the parser asserts, it promises to the compiler where assertions are off, and "[(set]" breaks the promise. With
-// neither, it goes on and says itself what is wrong with such a text.
-#define TOML_ASSERT(condition) static_cast<void>(0)
-#pragma push_macro("NDEBUG")
-#undef NDEBUG
-#include <toml++/toml.h>
-#pragma pop_macro("NDEBUG")
-
 #include "explore/study/study_file.hpp"
 
 #include "explore/study/measure.hpp"
+#include "explore/study/toml_reader.hpp"
 #include "explore/time_text.hpp"
-#include "text/load_source.hpp"
-#include "text/nearest.hpp"
-#include "text/paint.hpp"
-#include "text/reporter.hpp"
-#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <limits>
 #include <map>
-#include <string_view>
 #include <utility>
 
 namespace placedpar {
 
 namespace {
 
-/// Of one file. Reports everything that is wrong, not only the first.
-class StudyReader {
+/// Reads one study.
+class StudyReader : TomlReader {
 public:
-    explicit StudyReader(const std::string& path) : folder_(std::filesystem::path(path).parent_path()) {
-        LoadedSource loaded = load_input(path);
-        source_ = loaded.file;
-        if (has_errors(loaded.problems))
-            throw RefusedInput(render(loaded.problems));
-    }
+    explicit StudyReader(const std::string& path)
+        : TomlReader(path), folder_(std::filesystem::path(path).parent_path()) {}
 
     Study read() {
         toml::table top = parsed();
@@ -50,50 +30,7 @@ public:
     }
 
 private:
-    using Handler = std::function<void(const toml::node&)>;
-    using Handlers = std::map<std::string, Handler>;
-
-    toml::table parsed() {
-        try {
-            return toml::parse(source_->text(), source_->path());
-        } catch (const toml::parse_error& error) {
-            report(error.source().begin, described(error), "a study is TOML: https://toml.io");
-        }
-        refuse_if_failed();
-        return {};
-    }
-
-    /// The parser garbles the names of keys that are given twice.
-    std::string described(const toml::parse_error& error) const {
-        const std::string description(error.description());
-        if (description.find("redefine existing") == std::string::npos ||
-            description.ends_with("as dotted key-value pair"))
-            return description;
-        return fmt::format("\"{}\" is given twice", key_at(error.source().begin));
-    }
-
-    /// Without its quotes. The place may be in the key or in its value.
-    std::string key_at(const toml::source_position& place) const {
-        std::string key;
-        char quote = 0;
-        bool complete = false;
-        std::size_t column = 0;
-        for (char each : source_->line(place.line)) {
-            if (const bool past = ++column >= place.column; past && complete)
-                break;
-            if (quote ? each == quote : each == '"' || each == '\'') {
-                quote = quote ? 0 : each;
-            } else if (quote == 0 && (each == ',' || each == '{')) {
-                key.clear();
-                complete = false;
-            } else if (quote == 0 && (each == '=' || each == ']')) {
-                complete = true;
-            } else if (!complete && (quote || std::string_view(" \t\r[").find(each) == std::string_view::npos)) {
-                key += each;
-            }
-        }
-        return key;
-    }
+    static constexpr const char* form_of_variants = "[{name = \"8 slaves\", set = {slaves = 8}}]";
 
     void read_top(const toml::table& top) {
         StudyProduct product;
@@ -102,7 +39,13 @@ private:
         handlers["seeds"] = [&](const toml::node& node) { study_.seeds = whole(node, 1); };
         handlers["first_seed"] = [&](const toml::node& node) { study_.first_seed = whole(node, 0); };
         handlers["measure"] = [&](const toml::node& node) { study_.measures = measures(node); };
-        handlers["also"] = [&](const toml::node& node) { read_further(node); };
+        handlers["notes"] = [&](const toml::node& node) { study_.notes = text(node); };
+        handlers["also"] = [&](const toml::node& node) {
+            read_in_turn(node, &StudyReader::read_product, "a further product is a table", "[[also]]");
+        };
+        handlers["table"] = [&](const toml::node& node) {
+            read_in_turn(node, &StudyReader::read_figures, "it takes tables of figures", "[[table]]");
+        };
         handlers["include"] = [&](const toml::node& node) {
             for (const std::string& each : texts(node))
                 study_.read.include_folders.emplace_back(beside(each));
@@ -114,12 +57,16 @@ private:
         handlers["until"] = [&](const toml::node& node) { study_.until = time(node); };
         of_whole_study_ = names_of(handlers);
         read_table(top, handlers);
+        study_.figures = study_.measures; // which --measure does not change
         if (study_.netlist.empty())
             report(top.source().begin, "it names no netlist", "netlist = \"figure-e2.cfs\"");
         if (study_.search && !study_.relative_to.empty())
             report(top.get("relative_to")->source().begin, "a search compares figures as they are",
                    "leave out relative_to, or [search]");
-        study_.products.insert(study_.products.begin(), std::move(product));
+        if (top.contains("set") || !top.contains("table"))
+            study_.products.push_back(std::move(product));
+        for (const auto& [line, read_part] : parts_)
+            read_part();
     }
 
     /// The product's members.
@@ -128,18 +75,164 @@ private:
                 {"where", [&](const toml::node& node) { read_condition(node, product); }}};
     }
 
-    void read_further(const toml::node& node) {
-        const toml::array* tables = node.as_array();
-        if (!tables || !tables->is_homogeneous(toml::node_type::table))
-            return report(node.source().begin, "a further product is a table", "[[also]]");
-        for (const toml::node& each : *tables) {
-            StudyProduct product;
-            Handlers handlers = of_product(product);
-            for (const std::string& name : of_whole_study_)
-                handlers.emplace(name, [&](const toml::node& misplaced) { report_misplaced(name, misplaced); });
-            read_table(*each.as_table(), handlers);
-            study_.products.push_back(std::move(product));
+    /// Reads each table of a list when it is its turn among all of [[also]] and [[table]].
+    void read_in_turn(const toml::node& node, void (StudyReader::*read)(const toml::table&), const char* what,
+                      const char* form) {
+        for (const toml::table* each : tables_in(node, what, form))
+            parts_.emplace(each->source().begin.line, [this, each, read] { (this->*read)(*each); });
+    }
+
+    void read_product(const toml::table& table) {
+        StudyProduct product;
+        Handlers handlers = of_product(product);
+        for (const std::string& name : of_whole_study_)
+            handlers.emplace(name, [&](const toml::node& misplaced) { report_misplaced(name, misplaced); });
+        read_table(table, handlers);
+        study_.products.push_back(std::move(product));
+    }
+
+    /// A table while it is read, for others to be like it.
+    struct TableRead {
+        StudyTable table;
+        Overrides set; ///< in all its runs
+        StudyRow row;  ///< what all its rows say
+        const toml::node* rows = nullptr;
+    };
+
+    void read_figures(const toml::table& source) {
+        TableRead read = read_like(source);
+        read_table(source, of_table(read), "table");
+        tables_read_.insert_or_assign(read.table.name, read);
+        for (StudyVariant& column : read.table.columns)
+            column.set.insert(read.set.begin(), read.set.end());
+        if (read.rows)
+            read_rows(read);
+        if (read.table.columns.empty() || read.table.rows.empty())
+            return report(source.source().begin, "a table has columns and rows", form_of_variants);
+        add_runs_of(read.table);
+        study_.tables.push_back(std::move(read.table));
+    }
+
+    TableRead read_like(const toml::table& source) {
+        const toml::node* like = source.get("like");
+        auto found = tables_read_.find(like ? text(*like) : "");
+        if (like && found == tables_read_.end())
+            report(like->source().begin, fmt::format("there is no table \"{}\" before it", text(*like)));
+        return found == tables_read_.end() ? TableRead() : found->second;
+    }
+
+    /// The parser sorts members by their names: the columns are read before what has a value for each.
+    Handlers of_table(TableRead& read) {
+        Handlers handlers = of_row(read.row, read.table.columns);
+        handlers.merge(
+            Handlers{{"name", [&](const toml::node& node) { read.table.name = text(node); }},
+                     {"like", [](const toml::node&) {}},
+                     {"against", [&](const toml::node& node) { read.table.against = text(node); }},
+                     {"notes", [&](const toml::node& node) { read.table.notes = node.value_or(std::string()); }},
+                     {"judged", [&](const toml::node& node) { read.table.judged = truth(node); }},
+                     {"fit", [&](const toml::node& node) { read.table.fit = truth(node); }},
+                     {"set", [&](const toml::node& node) { read.set = settings(node); }},
+                     {"columns", [&](const toml::node& node) { read_columns(node, read.table); }},
+                     {"rows", [&](const toml::node& node) { read.rows = &node; }}});
+        return handlers;
+    }
+
+    void read_columns(const toml::node& node, StudyTable& table) {
+        table.columns.clear();
+        for (const toml::table* each : tables_in(node, "it takes a list of tables", form_of_variants))
+            read_table(*each, of_variant(table.columns.emplace_back()), "column");
+    }
+
+    void read_rows(TableRead& read) {
+        for (const toml::table* each : tables_in(*read.rows, "it takes a list of tables", form_of_variants)) {
+            StudyRow row = read.row;
+            Handlers handlers = of_row(row, read.table.columns);
+            handlers.merge(of_variant(row.runs));
+            read_table(*each, handlers, "row");
+            if (!row.figure)
+                report(each->source().begin, "a row has a figure", "figure = \"time\"");
+            read.table.rows.push_back(std::move(row));
         }
+    }
+
+    Handlers of_variant(StudyVariant& variant) {
+        return {{"name", [&](const toml::node& node) { variant.name = text(node); }},
+                {"set", [&](const toml::node& node) { variant.set = settings(node); }}};
+    }
+
+    Handlers of_row(StudyRow& row, const std::vector<StudyVariant>& columns) {
+        return {
+            {"figure", [&](const toml::node& node) { row.figure = expression(node, text(node)); }},
+            {"unit", [&](const toml::node& node) { row.unit = text(node); }},
+            {"decimals", [&](const toml::node& node) { row.decimals = static_cast<int>(whole(node, 0, 9)); }},
+            {"relative_to", [&](const toml::node& node) { row.relative_to = settings(node); }},
+            {"known", [&](const toml::node& node) { row.known = by_column(node, columns, &StudyReader::known); }},
+            {"tolerance",
+             [&](const toml::node& node) { row.tolerances = by_column(node, columns, &StudyReader::tolerance); }},
+            {"origin", [&](const toml::node& node) { row.origins = by_column(node, columns, &StudyReader::origin); }}};
+    }
+
+    /// One that is no list is of all columns.
+    template <class Read>
+    std::vector<Read> by_column(const toml::node& node, const std::vector<StudyVariant>& columns,
+                                Read (StudyReader::*read)(const toml::node&, std::string)) {
+        const toml::array* array = node.as_array();
+        if (!array)
+            return std::vector(columns.size(), (this->*read)(node, value_text(node)));
+        if (array->size() > columns.size())
+            report(node.source().begin, "it has more values than the table has columns");
+        std::vector<Read> all;
+        for (const toml::node& each : *array)
+            all.push_back((this->*read)(each, value_text(each)));
+        return all;
+    }
+
+    StudyExpression expression(const toml::node& node, const std::string& text) {
+        StudyExpression read("");
+        attempt_at(node, [&] { read = StudyExpression(text); });
+        return read;
+    }
+
+    StudyExpression known(const toml::node& node, std::string text) {
+        return expression(node, text == "nan" ? "" : text);
+    }
+
+    /// "3 %" is of what is known, ".05" or ".01 * known" in the figure's unit.
+    StudyTolerance tolerance(const toml::node& node, std::string text) {
+        const bool in_percent = text.ends_with('%');
+        if (in_percent)
+            text.pop_back();
+        return {expression(node, text), in_percent};
+    }
+
+    Origin origin(const toml::node& node, std::string text) {
+        for (Origin each : {Origin::outcome, Origin::calibrated, Origin::workload})
+            if (text == name_of(each))
+                return each;
+        report(node.source().begin, fmt::format("there is no origin \"{}\"", text),
+               "\"outcome\", \"calibrated\" or \"workload\"");
+        return Origin::outcome;
+    }
+
+    /// Those that it has not yet.
+    void add_runs_of(const StudyTable& table) {
+        for (const StudyRow& row : table.rows)
+            for (const StudyVariant& column : table.columns) {
+                Overrides set = table.set(row, column);
+                add_run(set);
+                for (const auto& [name, value] : row.relative_to)
+                    set[name] = value;
+                add_run(set);
+            }
+    }
+
+    void add_run(const Overrides& set) {
+        if (study_.has(set))
+            return;
+        StudyProduct product;
+        for (const auto& [name, value] : set)
+            product.axes.push_back({name, read_values(name, value)});
+        study_.products.push_back(std::move(product));
     }
 
     void read_search(const toml::node& node) {
@@ -167,43 +260,27 @@ private:
     void read_reference(const toml::node& node) {
         if (!node.is_table())
             return report(node.source().begin, "it takes a table", "relative_to = {slaves = 0}");
+        study_.relative_to = settings(node);
+    }
+
+    /// One value of each.
+    Overrides settings(const toml::node& node) {
         std::vector<StudyAxis> axes;
         read_axes(node, "", axes);
+        Overrides set;
         for (const StudyAxis& axis : axes)
             if (axis.count() == 1)
-                study_.relative_to[axis.name] = axis.at(0);
+                set[axis.name] = axis.at(0);
             else
                 report(node.source().begin, fmt::format("\"{}\" has several values", axis.name),
-                       "a study is relative to one value of each");
+                       "it takes one value of each");
+        return set;
     }
 
     /// What stands below a line in brackets is of that table.
     void report_misplaced(const std::string& name, const toml::node& node) {
         report(node.source().begin, fmt::format("\"{}\" is of the whole study, not of this part of it", name),
                "it stands above [set] and [[also]]");
-    }
-
-    /// Each member by what takes it.
-    void read_table(const toml::table& table, const Handlers& handlers, std::string_view what = "study") {
-        for (const auto& [key, node] : table) {
-            std::string name(key.str());
-            if (auto found = handlers.find(name); found != handlers.end())
-                found->second(node);
-            else
-                report(key.source().begin, fmt::format("a {} has no \"{}\"", what, name), hint_for(name, handlers));
-        }
-    }
-
-    static std::vector<std::string> names_of(const Handlers& handlers) {
-        std::vector<std::string> names;
-        for (const auto& each : handlers)
-            names.push_back(each.first);
-        return names;
-    }
-
-    static std::string hint_for(const std::string& name, const Handlers& handlers) {
-        std::string meant = did_you_mean(name, names_of(handlers));
-        return meant.empty() ? "what is set in the netlist stands below [set]" : meant;
     }
 
     /// In the order of the text, which the parser's tables do not keep. Names with dots are tables in tables.
@@ -242,22 +319,8 @@ private:
         attempt_at(node, [&] { axes.push_back({name, read_values(name, values)}); });
     }
 
-    /// As --set takes it.
-    std::string value_text(const toml::node& node) {
-        if (const auto* text = node.as_string())
-            return text->get();
-        if (const auto* integer = node.as_integer())
-            return fmt::format("{}", integer->get());
-        if (const auto* real = node.as_floating_point())
-            return fmt::format("{}", real->get());
-        if (const auto* truth = node.as_boolean())
-            return truth->get() ? "1" : "0";
-        report(node.source().begin, "it takes numbers and texts", "[1, 2, 5], [\"5M\", \"10M\"] or \"0..7\"");
-        return "0";
-    }
-
     void read_condition(const toml::node& node, StudyProduct& product) {
-        attempt_at(node, [&] { product.where = StudyCondition(text(node)); });
+        attempt_at(node, [&] { product.where = StudyExpression(text(node)); });
     }
 
     void read_programs(const toml::node& node) {
@@ -276,34 +339,6 @@ private:
         return names;
     }
 
-    std::vector<std::string> texts(const toml::node& node) {
-        std::vector<std::string> found;
-        if (const toml::array* array = node.as_array())
-            for (const toml::node& each : *array)
-                found.push_back(text(each));
-        else
-            found.push_back(text(node));
-        return found;
-    }
-
-    std::string text(const toml::node& node) {
-        if (const auto* text = node.as_string(); text && !text->get().empty())
-            return text->get();
-        report(node.source().begin, "it takes a text in quotes");
-        return "?";
-    }
-
-    std::uint64_t whole(const toml::node& node, std::int64_t least,
-                        std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
-        std::int64_t number = node.value_exact<std::int64_t>().value_or(least - 1);
-        auto found = static_cast<std::uint64_t>(std::max(number, least));
-        if (number < least)
-            report(node.source().begin, fmt::format("it takes a whole number of at least {}", least));
-        else if (found > most)
-            report(node.source().begin, fmt::format("it takes a whole number of at most {}", most));
-        return std::min(found, most);
-    }
-
     Time time(const toml::node& node) {
         Time until = Time::max();
         attempt_at(node, [&] { until = parse_time(text(node)); });
@@ -312,32 +347,12 @@ private:
 
     std::string beside(const std::string& path) const { return (folder_ / path).lexically_normal().string(); }
 
-    template <class Work>
-    void attempt_at(const toml::node& node, Work work) {
-        try {
-            work();
-        } catch (const RefusedInput& refused) {
-            std::string said = unpainted(refused.what());
-            report(node.source().begin, "it cannot be understood: " + said.substr(0, said.find('\n')));
-        } catch (const UserError& refused) {
-            report(node.source().begin, refused.what());
-        }
-    }
-
-    void report(const toml::source_position& at, std::string message, std::string hint = "") {
-        reporter_.error({source_, at.line, at.column}, std::move(message), std::move(hint));
-    }
-
-    void refuse_if_failed() {
-        if (reporter_.failed())
-            throw RefusedInput(render(reporter_.take()));
-    }
-
     std::filesystem::path folder_;
-    std::shared_ptr<const SourceFile> source_;
-    Reporter reporter_;
     Study study_;
     std::vector<std::string> of_whole_study_;
+    /// What [[also]] and [[table]] say, by line, so that runs come in the order of the file.
+    std::multimap<toml::source_index, std::function<void()>> parts_;
+    std::map<std::string, TableRead> tables_read_; ///< by name
 };
 
 } // namespace

@@ -13,6 +13,7 @@
 #include <chrono>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <numeric>
 #include <set>
 #include <string>
@@ -107,6 +108,19 @@ void look_at_networks(const Study& study, const std::function<bool(const Network
         if (!combination || (network && look(*network)))
             return;
     }
+}
+
+/// Makes runs in one thread, as StudyWorker::outcome_of().
+using RunMaker = std::function<std::optional<StudyOutcome>(const StudyRun&, Interruption&)>;
+
+RunMaker maker_of(const Study& study) {
+    if (study.function)
+        return [&](const StudyRun& run, Interruption&) {
+            return StudyOutcome{.ended = name_of(Ending::completed), .figures = study.function(run)};
+        };
+    return [worker = std::make_shared<StudyWorker>(study)](const StudyRun& run, Interruption& interruption) {
+        return worker->outcome_of(run, interruption);
+    };
 }
 
 template <class Then, class Work>
@@ -333,11 +347,11 @@ void StudySweep::keep(const StudyRun& run, const StudyOutcome& outcome) {
 }
 
 void StudySweep::work(Interruption& interruption) {
-    StudyWorker worker(study_);
+    const RunMaker make = maker_of(study_);
     while (!interruption.requested()) {
         std::optional<StudyRun> run = next();
         std::optional<StudyOutcome> outcome;
-        if (!run || !(outcome = worker.outcome_of(*run, interruption)))
+        if (!run || !(outcome = make(*run, interruption)))
             return;
         keep(*run, *outcome);
     }
@@ -356,7 +370,7 @@ void StudySweep::run(std::size_t workers, Interruption& interruption,
     auto attend = [&] {
         if (interruption.requested() || stop_)
             stop();
-        show(ended_);
+        on_exception(stop, [&] { show(ended_); });
         if (others_work)
             on_exception(stop, [&] { others_work = others(stop_); });
     };

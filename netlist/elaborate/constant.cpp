@@ -8,12 +8,12 @@
 
 namespace placedpar {
 
-namespace {
-
 double as_real(const Constant& constant) {
     const auto* integer = constant.integer();
     return integer != nullptr ? static_cast<double>(integer->value) : *constant.real();
 }
+
+namespace {
 
 /// By -1 or by 64 bits there is nothing to shift; a bit that is shifted out to the left is an overflow.
 bool shift_left(std::int64_t a, std::int64_t b, std::int64_t& result) {

@@ -27,6 +27,8 @@ struct Constant {
 };
 
 Constant integer_constant(std::int64_t value);
+/// REQUIRES: it is a number.
+double as_real(const Constant& constant);
 
 /// "an integer", "a real number", "a string", "an array".
 std::string type_name(const Constant& constant);

@@ -140,6 +140,13 @@ Integer Evaluator::integer(const Expression& expression, std::string_view whose)
     wrong_type(expression, value, whose, "it takes an integer");
 }
 
+double Evaluator::number(const Expression& expression, std::string_view whose) {
+    auto value = evaluate(expression);
+    if (value.is_number())
+        return as_real(value);
+    wrong_type(expression, value, whose, "it takes a number");
+}
+
 std::string Evaluator::text(const Expression& expression, std::string_view whose) {
     auto value = evaluate(expression);
     if (const auto* text = value.text())

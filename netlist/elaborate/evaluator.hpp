@@ -22,6 +22,8 @@ public:
 
     /// For `whose`, such as `the attribute "memory"`: "wrong type for ...".
     Integer integer(const Expression& expression, std::string_view whose);
+    /// An integer, too.
+    double number(const Expression& expression, std::string_view whose);
     std::string text(const Expression& expression, std::string_view whose);
     bool condition(const Expression& expression);
 

@@ -35,11 +35,6 @@ def rows(text, count=40):
     return b"".join(text.splitlines(keepends=True)[:count])
 
 
-def kept():
-    """Runs as an experiment keeps them; the checksum is of the one that is read here."""
-    return [b"checked runs of fuzz\n", b"checked runs of fuzz\na\t1\t0.5\t0123456789abcdef\n", b"runs of fuzz\n"]
-
-
 SEEDS = {
     "netlist": lambda: files("examples/**/*.cfs", "tests/netlist/refusals/**/*.cfs"),
     "record": lambda: [rows(text) for text in files("examples/records/*.csv")] + texts_of("tests/hydraulics/data/record*.cpp"),
@@ -49,7 +44,6 @@ SEEDS = {
     "texts": lambda: texts_of("tests/text/*.cpp"),
     "study": lambda: files("examples/**/*.toml") + matches(r"^```toml[^\n]*\n(.*?)^```", "docs/*.md", "examples/**/*.md"),
     "results": lambda: [],
-    "kept": kept,
     "message": lambda: matches(r'\{"type".*?\}(?=[\n\'"`)])', "docs/monitor.md", "tests/monitor/**/*.cpp"),
     "state": lambda: [],
     "options": lambda: [b"n=3\nt[0].link[0] silent (from = 20ms)\ncsp.sink=csp.sink", b"t.memory=2M\n\n"] + texts_of("tests/netlist/elaborate/overrides_test.cpp"),

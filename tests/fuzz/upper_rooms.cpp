@@ -2,7 +2,6 @@
 
 #include "app/command.hpp"
 #include "app/record/scenario_record.hpp"
-#include "experiments/kit/kept_runs.hpp"
 #include "explore/generate/generate.hpp"
 #include "explore/problems.hpp"
 #include "explore/study/measure.hpp"
@@ -88,12 +87,6 @@ void read_results(const std::string& patches) {
     static const std::string good = made_results();
     StudyResults results(file_of(patched(good, patches), "results.sqlite"));
     summary_of(results);
-}
-
-void read_kept_runs(const std::string& text) {
-    const std::string path = file_of(text, "kept");
-    KeptRuns(path, "fuzz").add("another", 1, {0.1, -0.0});
-    require(KeptRuns(path, "fuzz").find("another", 1) == Figures{0.1, -0.0}, "what is kept is found");
 }
 
 void read_message(const std::string& line) {
@@ -308,7 +301,7 @@ void read_scenario_settings(const std::string& text) {
 void read_arguments(const std::string& text) {
     attempt_to([&] { parse_time(text); });
     attempt_to([&] { StudyMeasure{text}; });
-    attempt_to([&] { StudyCondition{text}; });
+    attempt_to([&] { StudyExpression{text}; });
     attempt_to([&] {
         const StudyAxis axis = read_axis(text);
         if (axis.count() > 0)
@@ -330,15 +323,23 @@ void read_arguments(const std::string& text) {
 } // namespace
 
 std::span<const Reader> readers() {
-    static const Reader all[] = {{"study", read_study_text},    {"results", read_results},
-                                 {"kept", read_kept_runs},      {"message", read_message},
-                                 {"state", read_state},         {"arguments", read_arguments},
-                                 {"policies", read_policies},   {"strings", read_strings},
-                                 {"diagnosis", read_diagnosis}, {"population", read_population},
-                                 {"names", read_names},         {"searches", read_searches},
-                                 {"wish", read_wish},           {"scenario", read_scenario_settings},
-                                 {"answer", read_answer},       {"places", read_place},
-                                 {"request", read_request},     {"command", read_words}};
+    static const Reader all[] = {{"study", read_study_text},
+                                 {"results", read_results},
+                                 {"message", read_message},
+                                 {"state", read_state},
+                                 {"arguments", read_arguments},
+                                 {"policies", read_policies},
+                                 {"strings", read_strings},
+                                 {"diagnosis", read_diagnosis},
+                                 {"population", read_population},
+                                 {"names", read_names},
+                                 {"searches", read_searches},
+                                 {"wish", read_wish},
+                                 {"scenario", read_scenario_settings},
+                                 {"answer", read_answer},
+                                 {"places", read_place},
+                                 {"request", read_request},
+                                 {"command", read_words}};
     return all;
 }
 

@@ -26,3 +26,11 @@ TEST_CASE("a quantile is one of the values, by nearest rank") {
     CHECK(quantile({5, 1, 4, 2, 3}, 0.5) == 3);
     CHECK(quantile({5, 1, 4, 2, 3}, 0) == 1);
 }
+
+TEST_CASE("percentage of a sample within a bound") { CHECK(percent_within({5, 1, 4, 2, 3}, 2) == 40); }
+
+TEST_CASE("mean and deviation of a sample") {
+    std::vector<double> values{2, 4, 4, 4, 5, 5, 7, 9};
+    CHECK(mean(values) == 5);
+    CHECK(deviation(values) == doctest::Approx(2.13809)); // sqrt(32 / 7)
+}

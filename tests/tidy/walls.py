@@ -48,7 +48,7 @@ BELOW = {
     "explore/explain": ["explore", "observe/critical_path"],
     "explore/study": ["explore", "store"],
     "explore/optimise": ["explore/explain", "explore/study"],
-    "experiments/kit": ["explore"],
+    "experiments/kit": ["explore/study"],
     "experiments/chapter_2": ["experiments/kit"],
     "experiments/chapter_3/kit": ["experiments/kit", "identification/on_line"],
     "experiments/chapter_3": ["experiments/chapter_3/kit"],

@@ -1,6 +1,5 @@
 #include "experiments/chapter_3/kit/fault_study.hpp"
 
-#include "experiments/kit/statistics.hpp"
 #include "text/statistics.hpp"
 
 namespace placedpar {

@@ -1,8 +1,8 @@
 #include "experiments/chapter_3/kit/rate_study.hpp"
 
 #include "experiments/chapter_3/kit/verdict_study.hpp"
-#include "experiments/kit/interval.hpp"
 #include "experiments/kit/seed_runs.hpp"
+#include "text/interval.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "experiments/chapter_3/kit/fault_study.hpp"
-#include "experiments/kit/comparison.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "hydraulics/circuit/link_calibration.hpp"
+#include "report/comparison.hpp"
 
 namespace placedpar {
 

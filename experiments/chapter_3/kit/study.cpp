@@ -1,6 +1,5 @@
 #include "experiments/chapter_3/kit/study.hpp"
 
-#include "experiments/kit/statistics.hpp"
 #include "hydraulics/data/units.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"

@@ -2,10 +2,10 @@
 
 #include "experiments/chapter_3/kit/fault_study.hpp"
 #include "experiments/chapter_3/kit/tested_machine.hpp"
-#include "experiments/kit/comparison.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "hydraulics/circuit/link_calibration.hpp"
 #include "identification/on_line/alarm.hpp"
+#include "report/comparison.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -14,12 +14,6 @@ double formula_4_9(double alpha, double processors) {
 
 double formula_4_10(double alpha) { return (alpha + 1) / 2; }
 
-double formula_4_6(double population, double local_population) { return population / local_population; }
-
-double formula_4_11(double population, double local_population, double alpha) {
-    return formula_4_6(population, local_population) * formula_4_10(alpha);
-}
-
 double formula_pipelined(double alpha, double processors) { return std::min(processors, alpha + 1); }
 
 double formula_c_2(double speedup, double processors) { return speedup / processors; }

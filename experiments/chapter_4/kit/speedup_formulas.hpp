@@ -17,10 +17,6 @@ double formula_c_1(const GenerationTimes&, double processors);
 double formula_4_9(double alpha, double processors);
 /// Equation 4.10: 4.9 with n = alpha.
 double formula_4_10(double alpha);
-/// Equation 4.6: of islands alone.
-double formula_4_6(double population, double local_population);
-/// Equations 4.11 and 4.14: of islands with alpha processors each, 4.6 times 4.10.
-double formula_4_11(double population, double local_population, double alpha);
 /// "100 % efficiency" up to "the maximum achievable speedup factor" (4.2), which is that of infinitely many processors.
 double formula_pipelined(double alpha, double processors);
 

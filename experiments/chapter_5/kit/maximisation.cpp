@@ -1,11 +1,12 @@
 #include "experiments/chapter_5/kit/maximisation.hpp"
 
-#include "experiments/kit/interval.hpp"
+#include "experiments/kit/bootstrap.hpp"
 #include "experiments/kit/seed_runs.hpp"
 #include "gaprocs/generation_log.hpp"
 #include "gaprocs/problem_registry.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "problems/benchmark/benchmark.hpp"
+#include "text/interval.hpp"
 #include "text/statistics.hpp"
 
 #include <fmt/format.h>

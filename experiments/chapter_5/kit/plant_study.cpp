@@ -1,6 +1,5 @@
 #include "experiments/chapter_5/kit/plant_study.hpp"
 
-#include "experiments/kit/statistics.hpp"
 #include "text/statistics.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 #include "experiments/chapter_5/kit/plant_study.hpp"
-#include "experiments/kit/interval.hpp"
+#include "experiments/kit/bootstrap.hpp"
+#include "text/interval.hpp"
 #include "text/statistics.hpp"
 
 #include <fmt/format.h>

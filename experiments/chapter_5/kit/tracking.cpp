@@ -1,6 +1,5 @@
 #include "experiments/chapter_5/kit/tracking.hpp"
 
-#include "experiments/kit/statistics.hpp"
 #include "text/statistics.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "experiments/chapter_6/kit/plant_runs.hpp"
-#include "experiments/kit/comparison.hpp"
-#include "experiments/kit/interval.hpp"
 #include "experiments/kit/seed_runs.hpp"
+#include "report/comparison.hpp"
+#include "text/interval.hpp"
 
 #include <cstddef>
 #include <functional>

@@ -31,11 +31,3 @@ TEST_CASE("every experiment has a name, a place of its own, a line about it, and
     CHECK(experiments().front().name == "table-2-6");
     CHECK(experiments().back().name == "evidence");
 }
-
-TEST_CASE("an experiment is judged by its first comparison, and by the others that say so") {
-    Comparison good{.name = "good"}, bad{.name = "bad", .cells = {at_most(1, plain_cell("x", "a", "", 2, 1))}};
-    CHECK(Replay{.comparisons = {good, bad}}.within_tolerance());
-    CHECK_FALSE(Replay{.comparisons = {bad, good}}.within_tolerance());
-    bad.judged = true;
-    CHECK_FALSE(Replay{.comparisons = {good, bad}}.within_tolerance());
-}

@@ -45,7 +45,7 @@ LandscapeSearch::LandscapeSearch(const std::string& folder, const Landscape& lan
     study_.products.emplace_back();
     for (std::size_t i = 0; i < landscape.vals; ++i)
         study_.products[0].axes.push_back(read_axis(fmt::format("v{}=0..{}", i, landscape.values - 1)));
-    study_.products[0].where = StudyCondition(where);
+    study_.products[0].where = StudyExpression(where);
     study_.search = search;
     space_.emplace(study_);
     results_.emplace(folder + "/landscape.sqlite", source_of(study_, readable_network(study_)));

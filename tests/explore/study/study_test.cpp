@@ -29,7 +29,7 @@ using Values = std::vector<std::string>;
 
 Study two_axes(const std::string& where) {
     Study study;
-    study.products.push_back({.axes = {read_axis("a=0..2"), read_axis("b.c=5M,7M")}, .where = StudyCondition(where)});
+    study.products.push_back({.axes = {read_axis("a=0..2"), read_axis("b.c=5M,7M")}, .where = StudyExpression(where)});
     study.seeds = 2;
     return study;
 }
@@ -79,7 +79,7 @@ TEST_CASE("values that mean the same are equal, however they are spelled") {
 }
 
 TEST_CASE("a condition holds for equal values, however they are spelled") {
-    StudyCondition speed("linkspeed == 20M"), plain("2 * linkspeed > 39999999 && memory == 1M");
+    StudyExpression speed("linkspeed == 20M"), plain("2 * linkspeed > 39999999 && memory == 1M");
     for (const char* value : {"20M", "20000000", "20000k", "20e6"})
         CHECK(speed.holds({{"linkspeed", value}}));
     CHECK(speed.holds({{"t.linkspeed", "20M"}}));
@@ -87,7 +87,7 @@ TEST_CASE("a condition holds for equal values, however they are spelled") {
     CHECK(plain.holds({{"linkspeed", "20M"}, {"memory", "1048576"}}));
     CHECK_FALSE(plain.holds({{"linkspeed", "20M"}, {"memory", "1000000"}}));
     CHECK_FALSE(plain.holds({{"linkspeed", "19M"}, {"memory", "1M"}}));
-    CHECK(StudyCondition("slaves == 8").holds({{"slaves", "8.0"}}));
+    CHECK(StudyExpression("slaves == 8").holds({{"slaves", "8.0"}}));
 }
 
 TEST_CASE("equal values are one, spelled as the first, or as a whole number") {
@@ -121,7 +121,7 @@ TEST_CASE("a study is all combinations for which its condition holds, with each 
     study.first_seed = 7;
     CHECK(study.at(3) == StudyRun{{{"a", "0"}, {"b.c", "7M"}}, 8});
     CHECK_THROWS_WITH_AS(two_axes("d > 0").at(0), doctest::Contains("the name \"d\" is undefined"), RefusedInput);
-    CHECK_THROWS_AS(StudyCondition("a >"), RefusedInput);
+    CHECK_THROWS_AS(StudyExpression("a >"), RefusedInput);
 }
 
 TEST_CASE("a study knows its combinations without counting them up") {

@@ -1,10 +1,10 @@
 // Least squares against what is known: the plant itself, the batch of the same samples, and every string.
 
 #include "experiments/chapter_5/kit/least_squares.hpp"
-#include "experiments/kit/statistics.hpp"
 #include "gaprocs/representation/genome.hpp"
 #include "problems/plant/plant_problem.hpp"
 #include "runtime/random.hpp"
+#include "text/statistics.hpp"
 
 #include <doctest/doctest.h>
 

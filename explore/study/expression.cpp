@@ -1,4 +1,4 @@
-#include "explore/study/condition.hpp"
+#include "explore/study/expression.hpp"
 
 #include "explore/study/setting_value.hpp"
 #include "netlist/elaborate/evaluator.hpp"
@@ -72,48 +72,56 @@ Constant constant_of(const std::string& name, const std::string& text) {
     return constant;
 }
 
-[[noreturn]] void refuse_condition(Reporter& reporter) { throw RefusedInput(render(reporter.take())); }
+[[noreturn]] void refuse_expression(Reporter& reporter) { throw RefusedInput(render(reporter.take())); }
 
 } // namespace
 
-struct StudyCondition::Parsed {
+struct StudyExpression::Parsed {
     ExpressionPointer expression;
     Scopes scopes{Catalogue()};
 
-    void declare(const Overrides& set) {
+    void declare(const Overrides& set, const Figures& figures) {
+        for (const auto& [name, value] : figures)
+            scopes.declare(name, {Constant{value}, {}});
         for (const auto& [name, text] : named_plainly(set))
             scopes.declare(name, {constant_of(name, text), {}});
     }
 };
 
-StudyCondition::StudyCondition(const std::string& text) {
+StudyExpression::StudyExpression(const std::string& text) {
     if (text.empty())
         return;
     Reporter reporter;
     ExpressionPointer expression = parsed_expression(std::make_shared<const SourceFile>("where", text), reporter);
     if (!expression)
-        refuse_condition(reporter);
-    parsed_ = std::make_unique<Parsed>();
+        refuse_expression(reporter);
+    parsed_ = std::make_shared<Parsed>();
     parsed_->expression = std::move(expression);
     read_frequencies(*parsed_->expression);
 }
 
-StudyCondition::~StudyCondition() = default;
-StudyCondition::StudyCondition(StudyCondition&&) noexcept = default;
-StudyCondition& StudyCondition::operator=(StudyCondition&&) noexcept = default;
-
-bool StudyCondition::holds(const Overrides& set) const {
-    if (!parsed_)
-        return true;
+template <class Read>
+void StudyExpression::evaluate(const Overrides& set, const Figures& figures, Read read) const {
     Reporter reporter;
-    bool holds = false;
     parsed_->scopes.open();
-    parsed_->declare(set);
-    attempt([&] { holds = Evaluator(parsed_->scopes, reporter).condition(*parsed_->expression); });
+    parsed_->declare(set, figures);
+    attempt([&] { read(Evaluator(parsed_->scopes, reporter)); });
     parsed_->scopes.close();
     if (reporter.failed())
-        refuse_condition(reporter);
+        refuse_expression(reporter);
+}
+
+bool StudyExpression::holds(const Overrides& set) const {
+    bool holds = true;
+    if (parsed_)
+        evaluate(set, {}, [&](Evaluator evaluator) { holds = evaluator.condition(*parsed_->expression); });
     return holds;
+}
+
+double StudyExpression::value(const Overrides& set, const Figures& figures) const {
+    double value = 0;
+    evaluate(set, figures, [&](Evaluator evaluator) { value = evaluator.number(*parsed_->expression, "a figure"); });
+    return value;
 }
 
 } // namespace placedpar

@@ -1,4 +1,4 @@
-#include "experiments/kit/comparison.hpp"
+#include "report/comparison.hpp"
 
 #include <doctest/doctest.h>
 
@@ -127,4 +127,22 @@ TEST_CASE("a claim of two bounds shows both, and what is wide pushes no other co
                                           "       simulat.     claim  simulat.   claim   error  tolerance\n"
                                           "x         1.00 0.67-0.99      2.00\n"
                                           "y     -1234.50                3.00       3       0   0.25\n");
+}
+
+TEST_CASE("tables are judged by the first of them, and by the others that say so") {
+    Comparison good{.name = "good"}, bad{.name = "bad", .cells = {at_most(1, plain_cell("x", "a", "", 2, 1))}};
+    CHECK(are_within_tolerance({good, bad}));
+    CHECK(print_verdict({good, bad}) == "every judged cell of the first reading is within its tolerance\n");
+    CHECK_FALSE(are_within_tolerance({bad, good}));
+    bad.judged = true;
+    CHECK_FALSE(are_within_tolerance({good, bad}));
+    CHECK(print_verdict({good, bad}) == "a cell misses its tolerance\n");
+}
+
+TEST_CASE("a fit is of outcomes beside what is known, in the first cell's unit") {
+    std::vector<Cell> cells{cell("a", "x", "ms", 10, 10.3), cell("a", "y", "ms", 10, 9.6), cell("a", "z", "ms", 0, 0),
+                            cell("b", "x", "s", 1, 3), cell("c", "x", "ms", 1, 5)};
+    cells.back().origin = Origin::calibrated;
+    CHECK(print_fit(cells) == "outcomes: rms error 3.5 %, greatest -4.0 % (a, y)\n");
+    CHECK(print_fit({cells.back()}).empty());
 }

@@ -1,4 +1,4 @@
-#include "experiments/kit/cell.hpp"
+#include "report/cell.hpp"
 
 #include <doctest/doctest.h>
 

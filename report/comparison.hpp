@@ -1,13 +1,13 @@
 #pragma once
 
-#include "experiments/kit/cell.hpp"
+#include "report/cell.hpp"
 
 #include <string>
 #include <vector>
 
 namespace placedpar {
 
-/// One table of an experiment: simulated figures beside known ones.
+/// One table of an experiment or a study: simulated figures beside known ones.
 struct Comparison {
     std::string name;
     std::vector<Cell> cells = {};
@@ -25,5 +25,12 @@ struct Comparison {
 /// is left out. Rows and columns come in the order of the cells. A row with a column that the rows above it do not have
 /// begins a table of its own.
 std::string print_comparison(const Comparison&);
+
+/// Whether the first is within its tolerances, and the others that are judged.
+bool are_within_tolerance(const std::vector<Comparison>&);
+/// For people: that every judged cell of them is within its tolerance, or that one is not.
+std::string print_verdict(const std::vector<Comparison>&);
+/// For people: how far the outcomes are from what is known, of those in the first cell's unit.
+std::string print_fit(const std::vector<Cell>&);
 
 } // namespace placedpar

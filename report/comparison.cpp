@@ -1,4 +1,6 @@
-#include "experiments/kit/comparison.hpp"
+#include "report/comparison.hpp"
+
+#include "text/paint.hpp"
 
 #include <fmt/format.h>
 
@@ -208,6 +210,11 @@ std::string print_table(const Table& table, const std::string& against, std::siz
     return out;
 }
 
+/// Whether it says how good a fit is: an outcome beside a figure that is not 0.
+bool shows_fit(const Cell& cell) {
+    return cell.origin == Origin::outcome && cell.error_percent() && *cell.reference != 0;
+}
+
 } // namespace
 
 void Comparison::add(Cell cell) { cells.push_back(std::move(cell)); }
@@ -220,6 +227,38 @@ std::string print_comparison(const Comparison& comparison) {
         out += print_table(with_what_is_shown(table, comparison.against), comparison.against,
                            label_width(comparison.cells));
     return out + "\n" + comparison.notes;
+}
+
+bool are_within_tolerance(const std::vector<Comparison>& comparisons) {
+    return std::ranges::all_of(comparisons, [&](const Comparison& each) {
+        bool judged = &each == &comparisons.front() || each.judged;
+        return !judged || each.within_tolerance();
+    });
+}
+
+std::string print_verdict(const std::vector<Comparison>& comparisons) {
+    const bool others = std::ranges::any_of(comparisons, &Comparison::judged),
+               within = are_within_tolerance(comparisons);
+    auto text = fmt::format("{} cell{} {}\n", within ? "every judged" : "a", others ? "" : " of the first reading",
+                            within ? "is within its tolerance" : "misses its tolerance");
+    return painted(within ? Paint::success : Paint::failure, text);
+}
+
+std::string print_fit(const std::vector<Cell>& cells) {
+    double squares = 0;
+    int count = 0;
+    const Cell* worst = nullptr;
+    for (const Cell& cell : cells) {
+        if (!shows_fit(cell) || cell.unit != cells.front().unit)
+            continue;
+        squares += *cell.error_percent() * *cell.error_percent();
+        ++count;
+        if (!worst || std::abs(*cell.error_percent()) > std::abs(*worst->error_percent()))
+            worst = &cell;
+    }
+    return !worst ? ""
+                  : fmt::format("outcomes: rms error {:.1f} %, greatest {:+.1f} % ({}, {})\n",
+                                std::sqrt(squares / count), *worst->error_percent(), worst->row, worst->column);
 }
 
 } // namespace placedpar

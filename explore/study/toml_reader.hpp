@@ -1,0 +1,196 @@
+#pragma once
+
+// Debian's package would have a library linked otherwise.
+#define TOML_HEADER_ONLY 1
+// What the parser asserts, it promises to the compiler where assertions are off, and "[(set]" breaks the promise. With
+// neither, it goes on and says itself what is wrong with such a text.
+#define TOML_ASSERT(condition) static_cast<void>(0)
+#pragma push_macro("NDEBUG")
+#undef NDEBUG
+#include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
+
+#include "text/load_source.hpp"
+#include "text/nearest.hpp"
+#include "text/paint.hpp"
+#include "text/reporter.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace placedpar {
+
+/// Reads a file of TOML. Reports everything that is wrong, not only the first: what is read in place of it means
+/// nothing, and refuse_if_failed() comes before it is used.
+class TomlReader {
+protected:
+    /// Throws RefusedInput where there is no such text.
+    explicit TomlReader(const std::string& path) {
+        LoadedSource loaded = load_input(path);
+        source_ = loaded.file;
+        if (has_errors(loaded.problems))
+            throw RefusedInput(render(loaded.problems));
+    }
+
+    using Handler = std::function<void(const toml::node&)>;
+    using Handlers = std::map<std::string, Handler>;
+    toml::table parsed() {
+        try {
+            return toml::parse(source_->text(), source_->path());
+        } catch (const toml::parse_error& error) {
+            report(error.source().begin, described(error), "a study is TOML: https://toml.io");
+        }
+        refuse_if_failed();
+        return {};
+    }
+
+    /// The parser garbles the names of keys that are given twice.
+    std::string described(const toml::parse_error& error) const {
+        const std::string description(error.description());
+        if (description.find("redefine existing") == std::string::npos ||
+            description.ends_with("as dotted key-value pair"))
+            return description;
+        return fmt::format("\"{}\" is given twice", key_at(error.source().begin));
+    }
+
+    /// Without its quotes. The place may be in the key or in its value.
+    std::string key_at(const toml::source_position& place) const {
+        std::string key;
+        char quote = 0;
+        bool complete = false;
+        std::size_t column = 0;
+        for (char each : source_->line(place.line)) {
+            if (const bool past = ++column >= place.column; past && complete)
+                break;
+            if (quote ? each == quote : each == '"' || each == '\'') {
+                quote = quote ? 0 : each;
+            } else if (quote == 0 && (each == ',' || each == '{')) {
+                key.clear();
+                complete = false;
+            } else if (quote == 0 && (each == '=' || each == ']')) {
+                complete = true;
+            } else if (!complete && (quote || std::string_view(" \t\r[").find(each) == std::string_view::npos)) {
+                key += each;
+            }
+        }
+        return key;
+    }
+
+    /// Each member by what takes it.
+    void read_table(const toml::table& table, const Handlers& handlers, std::string_view what = "study") {
+        for (const auto& [key, node] : table) {
+            std::string name(key.str());
+            if (auto found = handlers.find(name); found != handlers.end())
+                found->second(node);
+            else
+                report(key.source().begin, fmt::format("a {} has no \"{}\"", what, name), hint_for(name, handlers));
+        }
+    }
+
+    static std::vector<std::string> names_of(const Handlers& handlers) {
+        std::vector<std::string> names;
+        for (const auto& each : handlers)
+            names.push_back(each.first);
+        return names;
+    }
+
+    static std::string hint_for(const std::string& name, const Handlers& handlers) {
+        std::string meant = did_you_mean(name, names_of(handlers));
+        return meant.empty() ? "what is set in the netlist stands below [set]" : meant;
+    }
+
+    std::vector<const toml::table*> tables_in(const toml::node& node, const char* what, const char* form) {
+        std::vector<const toml::table*> tables;
+        if (const toml::array* array = node.as_array(); array && array->is_homogeneous(toml::node_type::table))
+            for (const toml::node& each : *array)
+                tables.push_back(each.as_table());
+        else
+            report(node.source().begin, what, form);
+        return tables;
+    }
+
+    /// As --set takes it.
+    std::string value_text(const toml::node& node) {
+        if (const auto* text = node.as_string())
+            return text->get();
+        if (const auto* integer = node.as_integer())
+            return fmt::format("{}", integer->get());
+        if (const auto* real = node.as_floating_point())
+            return fmt::format("{}", real->get());
+        if (const auto* truth = node.as_boolean())
+            return truth->get() ? "1" : "0";
+        report(node.source().begin, "it takes numbers and texts", "[1, 2, 5], [\"5M\", \"10M\"] or \"0..7\"");
+        return "0";
+    }
+
+    std::vector<std::string> texts(const toml::node& node) {
+        std::vector<std::string> found;
+        if (const toml::array* array = node.as_array())
+            for (const toml::node& each : *array)
+                found.push_back(text(each));
+        else
+            found.push_back(text(node));
+        return found;
+    }
+
+    std::string text(const toml::node& node) {
+        if (const auto* text = node.as_string(); text && !text->get().empty())
+            return text->get();
+        report(node.source().begin, "it takes a text in quotes");
+        return "?";
+    }
+
+    bool truth(const toml::node& node) {
+        if (!node.is_boolean())
+            report(node.source().begin, "it takes true or false");
+        return node.value_or(false);
+    }
+
+    std::uint64_t whole(const toml::node& node, std::int64_t least,
+                        std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
+        std::int64_t number = node.value_exact<std::int64_t>().value_or(least - 1);
+        auto found = static_cast<std::uint64_t>(std::max(number, least));
+        if (number < least)
+            report(node.source().begin, fmt::format("it takes a whole number of at least {}", least));
+        else if (found > most)
+            report(node.source().begin, fmt::format("it takes a whole number of at most {}", most));
+        return std::min(found, most);
+    }
+
+    template <class Work>
+    void attempt_at(const toml::node& node, Work work) {
+        try {
+            work();
+        } catch (const RefusedInput& refused) {
+            std::string said = unpainted(refused.what());
+            report(node.source().begin, "it cannot be understood: " + said.substr(0, said.find('\n')));
+        } catch (const UserError& refused) {
+            report(node.source().begin, refused.what());
+        }
+    }
+
+    void report(const toml::source_position& at, std::string message, std::string hint = "") {
+        reporter_.error({source_, at.line, at.column}, std::move(message), std::move(hint));
+    }
+
+    void refuse_if_failed() {
+        if (reporter_.failed())
+            throw RefusedInput(render(reporter_.take()));
+    }
+
+private:
+    std::shared_ptr<const SourceFile> source_;
+    Reporter reporter_;
+};
+
+} // namespace placedpar

@@ -1,0 +1,133 @@
+// Runs of many seeds are made at once, and kept in a file that is read as it was written or refused.
+
+#include "experiments/kit/experiment_runs.hpp"
+#include "experiments/kit/seed_runs.hpp"
+#include "text/user_error.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+using namespace placedpar;
+
+namespace {
+
+StudySource source_named(const std::string& replay) { return {replay, {}, replay, ""}; }
+
+/// A file in a folder of its own, which goes with it.
+class RunsFile {
+public:
+    RunsFile() { std::filesystem::create_directory(folder_); }
+    ~RunsFile() { std::filesystem::remove_all(folder_); }
+    RunsFile(const RunsFile&) = delete;
+    RunsFile& operator=(const RunsFile&) = delete;
+
+    StudyResults open(const std::string& replay = "mine") const { return StudyResults(path(), source_named(replay)); }
+    std::filesystem::path path() const { return folder_ / "kept"; }
+    std::string bytes() const {
+        std::ifstream in(path(), std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    void write(const std::string& bytes) const { std::ofstream(path(), std::ios::binary) << bytes; }
+
+private:
+    std::filesystem::path folder_ =
+        std::filesystem::temp_directory_path() / fmt::format("placedpar-seed-runs-{}", ::getpid());
+};
+
+/// A replay of so many seeds, and how many runs it made.
+struct SmallReplay {
+    Interruption interruption;
+    std::atomic<int> made = 0;
+
+    std::vector<Figures> run(std::size_t seeds, StudyResults& results, const std::string& what = "a, b") {
+        return run_seeds(context(seeds, results), what, [&](std::uint64_t seed) {
+            ++made;
+            return Figures{static_cast<double>(seed % 1000), 1.0 / 3, -0.0, HUGE_VAL};
+        });
+    }
+    ReplayContext context(std::size_t seeds, StudyResults& results) {
+        return {{}, 1, [](const std::string&) {}, [](const std::string&) {}, interruption, results, seeds};
+    }
+};
+
+} // namespace
+
+TEST_CASE("figures come in the order of the seeds, to the last bit") {
+    SmallReplay replay;
+    StudyResults results(source_named("mine"));
+    std::vector<Figures> runs = replay.run(9, results);
+    Seeds seeds = seeds_of(replay.context(9, results));
+    for (std::size_t i = 0; i < seeds.size(); ++i)
+        CHECK(runs[i] == Figures{static_cast<double>(seeds[i] % 1000), 1.0 / 3, 0, HUGE_VAL});
+    CHECK(std::signbit(runs[0][2]));
+    CHECK(replay.made == 9);
+}
+
+TEST_CASE("runs that a file has are not made again") {
+    RunsFile file;
+    SmallReplay replay;
+    std::vector<Figures> first, more;
+    {
+        StudyResults kept = file.open();
+        first = replay.run(5, kept);
+    }
+    StudyResults kept = file.open();
+    CHECK(replay.run(9, kept).at(4) == first.at(4));
+    CHECK(replay.made == 9);
+    replay.run(9, kept, "another");
+    CHECK(replay.made == 18);
+}
+
+TEST_CASE("what a run throws ends the experiment, and what has been made is kept") {
+    RunsFile file;
+    SmallReplay replay;
+    StudyResults kept = file.open();
+    replay.run(3, kept);
+    auto fails = [](std::uint64_t) -> Figures { throw std::runtime_error("no more ink"); };
+    CHECK_THROWS_WITH(run_seeds(replay.context(5, kept), "a, b", fails), "no more ink");
+    CHECK(kept.count() == 3);
+}
+
+TEST_CASE("an interrupted replay keeps the runs that ended") {
+    RunsFile file;
+    SmallReplay replay;
+    StudyResults kept = file.open();
+    auto interrupts = [&](std::uint64_t) {
+        replay.interruption.request();
+        return Figures{1};
+    };
+    CHECK_THROWS_AS(run_seeds(replay.context(1000, kept), "a, b", interrupts), UnfinishedRun);
+    CHECK(kept.count() > 0);
+    CHECK(kept.count() < 1000);
+}
+
+TEST_CASE("a file of another replay, of an earlier PlacedPar, damaged or cut off is refused and stays as it is") {
+    RunsFile file;
+    SmallReplay replay;
+    {
+        StudyResults kept = file.open();
+        replay.run(5, kept);
+    }
+    const std::string good = file.bytes();
+    auto refused = [&](const std::string& bytes, const char* whose, const char* why) {
+        file.write(bytes);
+        CHECK_THROWS_WITH_AS(file.open(whose), doctest::Contains(why), UserError);
+        CHECK(file.bytes() == bytes);
+    };
+    refused(good, "yours", "with other options (mine, not yours); name another file, or move this one away");
+    refused("checked runs of mine\na\t1\t0.5\t0123456789abcdef\n", "mine", "name another file");
+    std::string damaged = good;
+    damaged[damaged.find("E0,\"\"")] ^= 1;
+    refused(damaged, "mine", "it is damaged (row ");
+    refused(good.substr(0, good.size() / 2), "mine", "it is damaged");
+    file.write(good);
+    CHECK(file.open().count() == 5);
+}

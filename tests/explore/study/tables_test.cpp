@@ -1,0 +1,154 @@
+// Tables of a study: which runs they need, and what stands in their cells.
+
+#include "explore/study/comparisons.hpp"
+#include "explore/study/study_file.hpp"
+#include "explore/study/sweep.hpp"
+#include "text/user_error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace placedpar;
+
+namespace {
+
+Study study_in(const std::string& text) {
+    const auto path = std::filesystem::temp_directory_path() / "placedpar_tables_test.toml";
+    std::ofstream(path) << text;
+    Study study = read_study(path.string());
+    std::filesystem::remove(path);
+    return study;
+}
+
+/// A machine whose rate is 10 with a processor, and 10 less 1 of each more; its seed adds as much.
+StudyFigures rate_of(const StudyRun& run) {
+    const double processors = std::stod(run.set.contains("slaves") ? run.set.at("slaves") : "0") + 1;
+    return {{"master.rate", {processors * (11 - processors) + static_cast<double>(run.seed), "1/s"}},
+            {"time", {2.5, "ms"}}};
+}
+
+std::vector<Comparison> tables_of(Study study) {
+    study.function = rate_of;
+    StudyResults results(StudySource{});
+    Interruption never;
+    StudySweep(study, results).run(2, never, [](std::uint64_t) {});
+    return comparisons_of(study, results);
+}
+
+std::vector<double> simulated(const Comparison& table) {
+    std::vector<double> figures;
+    for (const Cell& cell : table.cells)
+        figures.push_back(cell.simulated);
+    return figures;
+}
+
+const std::string head = "netlist = \"any.cfs\"\nfirst_seed = 0\nmeasure = [\"master.rate\", \"time\"]\n";
+const std::string columns = "columns = [{name = \"alone\", set = {slaves = 0}}, {name = \"one\", set = {slaves = 1}}, "
+                            "{name = \"two\", set = {slaves = 2}}]\n";
+
+void check_refused(const std::string& text, const std::string& why) {
+    CAPTURE(text);
+    CHECK_THROWS_WITH_AS(study_in(text), doctest::Contains(why.c_str()), RefusedInput);
+}
+
+} // namespace
+
+TEST_CASE("a table needs a run for each row and column, and no other") {
+    Study study =
+        study_in(head + "[[table]]\nname = \"x\"\nset = {reading = 30}\n" + columns +
+                 "rows = [{name = \"a\", figure = \"rate\"}, {name = \"b\", figure = \"rate\", set = {clock = "
+                 "\"5M\"}, relative_to = {slaves = 0}}]\n");
+    CHECK(study.count() == 6);
+    CHECK(study.at(1)->set == Overrides{{"reading", "30"}, {"slaves", "1"}});
+    CHECK(study.at(5)->set == Overrides{{"clock", "5M"}, {"reading", "30"}, {"slaves", "2"}});
+}
+
+TEST_CASE("runs come in the order of the file, those of [set] first") {
+    Study study = study_in(head + "[set]\nslaves = 9\n[[table]]\nname = \"x\"\n" + columns +
+                           "rows = [{name = \"a\", figure = \"rate\"}]\n[[also]]\nset = {slaves = 5}\n");
+    std::vector<std::string> slaves;
+    for (std::uint64_t i = 0; i < study.count(); ++i)
+        slaves.push_back(study.at(i)->set.at("slaves"));
+    CHECK(slaves == std::vector<std::string>{"9", "0", "1", "2", "5"});
+}
+
+TEST_CASE("a cell has a figure of its run, what is known, and how far both may be apart") {
+    Comparison table =
+        tables_of(study_in(head + "[[table]]\nname = \"x\"\nagainst = \"thesis\"\n" + columns +
+                           "rows = [{name = \"rate\", figure = \"rate\", unit = \"1/s\", decimals = 1, known "
+                           "= [10, nan, \"9 * (slaves + 1)\"], tolerance = [\"3 %\", \"3 %\", \".01 * "
+                           "known\"], origin = [\"workload\"]}]\n"))
+            .at(0);
+    CHECK(simulated(table) == std::vector<double>{10, 18, 24});
+    CHECK(table.against == "thesis");
+    const Cell &alone = table.cells[0], &one = table.cells[1], &two = table.cells[2];
+    CHECK(alone.column == "alone");
+    CHECK(two.column == "two");
+    CHECK(alone.reference == 10);
+    CHECK(alone.tolerance_percent == 3);
+    CHECK(alone.origin == Origin::workload);
+    CHECK_FALSE(one.reference);
+    CHECK_FALSE(one.tolerance_percent);
+    CHECK(two.reference == 27);
+    CHECK(*two.tolerance == doctest::Approx(.27));
+    CHECK(two.origin == Origin::outcome);
+    CHECK_FALSE(table.within_tolerance());
+}
+
+TEST_CASE("figures are relative to a run, and use those of the rows above") {
+    Comparison table =
+        tables_of(study_in(head + "[[table]]\nname = \"x\"\n" + columns +
+                           "relative_to = {slaves = 0}\nrows = [{name = \"speedup\", figure = \"rate\"}, "
+                           "{name = \"efficiency\", figure = \"speedup / (slaves + 1)\"}, {name = "
+                           "\"per slave\", figure = \"rate / (slaves + 1)\"}]\n"))
+            .at(0);
+    CHECK(simulated(table) == std::vector<double>{1, 1.8, 2.4, 1, .9, 2.4 / 3, 1, .9, 2.4 / 3});
+}
+
+TEST_CASE("a figure is the mean over the seeds") {
+    const std::string table = "[[table]]\nname = \"x\"\n" + columns + "rows = [{name = \"a\", figure = \"rate\"}]\n";
+    CHECK(simulated(tables_of(study_in("seeds = 3\n" + head + table)).at(0)) == std::vector<double>{11, 19, 25});
+}
+
+TEST_CASE("a table is like another but for what it says, and its rows like the table") {
+    std::vector<Comparison> tables = tables_of(study_in(
+        head + "[[table]]\nname = \"x\"\nunit = \"1/s\"\nfigure = \"rate\"\njudged = true\nnotes = \"of x\"\n" +
+        columns +
+        "rows = [{name = \"a\"}, {name = \"b\", figure = \"time\", unit = \"ms\"}]\n[[table]]\nname = \"y\"\nlike = "
+        "\"x\"\nfigure = \"2 * rate\"\nnotes = \"\"\n"));
+    CHECK(tables.at(0).notes == "of x");
+    CHECK(tables.at(1).notes.empty());
+    CHECK(tables.at(1).judged);
+    CHECK(simulated(tables.at(1)) == std::vector<double>{20, 36, 48, 2.5, 2.5, 2.5});
+    CHECK(tables.at(1).cells.front().unit == "1/s");
+    CHECK(tables.at(1).cells.back().unit == "ms");
+}
+
+TEST_CASE("what is wrong in a table is refused with its place") {
+    const std::string table = head + "[[table]]\nname = \"x\"\n", rows = "rows = [{name = \"a\", figure = \"rate\"}]\n";
+    check_refused(table + rows, "a table has columns and rows");
+    check_refused(table + columns, "a table has columns and rows");
+    check_refused(table + columns + "rows = [{name = \"a\"}]\n", "a row has a figure");
+    check_refused(table + columns + rows + "tolerence = 1\n", "did you mean \"tolerance\"?");
+    check_refused(table + columns + "rows = [{name = \"a\", figure = \"rate\", knwon = 1}]\n",
+                  "a row has no \"knwon\"");
+    check_refused(table + columns + rows + "like = \"y\"\n", "there is no table \"y\" before it");
+    check_refused(table + columns + rows + "known = [1, 2, 3, 4]\n", "more values than the table has columns");
+    check_refused(table + columns + rows + "origin = \"guess\"\n", "there is no origin \"guess\"");
+    check_refused(table + columns + "rows = [{name = \"a\", figure = \"rate /\"}]\n", "it cannot be understood");
+    check_refused(table + "columns = [{name = \"a\", set = {a = \"0..1\"}}]\n" + rows, "\"a\" has several values");
+    check_refused(head + "table = 1\n", "it takes tables of figures");
+}
+
+TEST_CASE("a figure that no run has, or a run that did not end, is told") {
+    const std::string table = "[[table]]\nname = \"x\"\n" + columns + "rows = [{name = \"a\", figure = \"speed\"}]\n";
+    CHECK_THROWS_WITH_AS(tables_of(study_in("netlist = \"any.cfs\"\nmeasure = \"master.speed\"\n" + table)),
+                         doctest::Contains("there is no measure \"master.speed\""), UserError);
+    CHECK_THROWS_WITH_AS(tables_of(study_in(head + table)), doctest::Contains("the name \"speed\" is undefined"),
+                         RefusedInput);
+    StudyResults none(StudySource{});
+    CHECK_THROWS_WITH_AS(comparisons_of(study_in(head + table), none), doctest::Contains("has not been made"),
+                         UserError);
+}
