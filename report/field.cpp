@@ -11,10 +11,12 @@ namespace {
 
 std::size_t width_of(const Table& table, std::size_t column) {
     const Field& head = table.head[column];
-    std::size_t widest = head.heading.size();
-    for (const Row& row : table.rows)
+    std::size_t asked_for = head.width, widest = head.heading.size();
+    for (const Row& row : table.rows) {
+        asked_for = std::max(asked_for, row[column].width);
         widest = std::max(widest, row[column].text.size());
-    return head.width > 0 ? head.width : widest;
+    }
+    return asked_for > 0 ? asked_for : widest;
 }
 
 std::string line_of(const Row& row, const std::vector<std::size_t>& widths, std::string Field::*text) {

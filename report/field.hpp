@@ -17,7 +17,7 @@ namespace placedpar {
 /// document for programs has of it under a key. Either may be missing.
 struct Field {
     std::string heading, text;
-    std::size_t width = 0; ///< of its column; 0: of the widest text or the heading
+    std::size_t width = 0; ///< its column is at least as wide; 0 in all rows: as wide as the widest text or the heading
     enum class Column { none, left, right } column = Column::none;
     std::string key = ""; ///< "": in no document
     boost::json::value value = nullptr;
@@ -28,18 +28,18 @@ struct Field {
     static Field right(std::size_t width, std::string heading, std::string text) {
         return {std::move(heading), std::move(text), width, Column::right};
     }
-    /// With the same name in both.
+    /// Returns a number that has the same name in a table and in a document.
     static Field count(std::size_t width, const std::string& name, auto number) {
         return right(width, name, fmt::format("{}", number)).as(name, number);
     }
-    /// In documents only.
+    /// Returns a fact that only documents have.
     static Field member(std::string key, const auto& value) { return Field().as(std::move(key), value); }
-    /// In picoseconds, as "busy_ps"; missing where there is no such moment.
+    /// Returns a time that only documents have, in picoseconds: "busy_ps". It is missing where there is no such moment.
     static Field member_ps(const std::string& key, std::optional<Time> time) {
         return time ? member(key + "_ps", time->count()) : Field();
     }
 
-    /// It is in documents, too: with this value, or with its text.
+    /// Adds it to documents, with this value, or with its text.
     Field as(std::string its_key, const auto& its_value) && {
         key = std::move(its_key);
         value = boost::json::value(its_value);

@@ -4,6 +4,7 @@
 #include "report/search_report.hpp"
 #include "text/counted.hpp"
 #include "text/paint.hpp"
+#include "text/user_error.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
@@ -155,8 +156,14 @@ Field figure_of(const RunReport& report, const std::string& name, const std::var
 }
 
 Table rows_of(const RunReport& report, const DeviceUse& device) {
+    const std::size_t figures = device.columns.size() - 1;
     return table_of(device.rows, [&](DeviceUse::Row each) {
-        each.figures.resize(device.columns.size() - 1);
+        if (each.figures.empty()) // of the headings
+            each.figures.resize(figures);
+        if (each.figures.size() != figures)
+            throw UserError(
+                fmt::format("{} reports {} figures of \"{}\", expected {}: one for each column but the first",
+                            device.title, each.figures.size(), each.name, figures));
         Row row{Field::left(0, device.columns.front(), each.name).as(device.columns.front())};
         for (std::size_t i = 0; i < each.figures.size(); ++i)
             row.push_back(figure_of(report, device.columns[i + 1], each.figures[i]));

@@ -207,8 +207,15 @@ const char* name_of(Activity activity) {
     case Activity::stopped: return "has stopped";
     case Activity::halted: return "is halted";
     case Activity::ended: return "has ended";
-    default: return "is ready";
+    case Activity::ready:
+    case Activity::executing:
+    case Activity::carrying:
+    case Activity::computing:
+    case Activity::starting:
+    case Activity::moving:
+    case Activity::arbitrating: break;
     }
+    return "is ready";
 }
 
 namespace {

@@ -39,7 +39,7 @@ enum class Priority { high, low };
 /// (`stopped` waits for nothing), or that it has ended. The others are told to a trace, or are what a trace makes of
 /// that: a link carries; on a critical path, a bus is waited for. `halted` is for reports: its executive has stopped
 /// for ever.
-/// INVARIANT: the numbers of those up to `stopped` stand in the files of traces.
+/// The numbers of those up to `stopped` stand in the files of traces, and must not change.
 enum class Activity {
     executing,
     carrying,
@@ -58,6 +58,7 @@ enum class Activity {
     moving,
     arbitrating
 };
+static_assert(static_cast<int>(Activity::stopped) == 10 && static_cast<int>(Activity::arbitrating) < 16);
 
 /// Whether a process that does this waits for a partner, its timer, its components, the end of the work, or nothing.
 constexpr bool is_waiting(Activity activity) { return activity >= Activity::delayed && activity <= Activity::stopped; }

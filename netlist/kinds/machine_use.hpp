@@ -94,7 +94,7 @@ struct DeviceUse {
     std::vector<std::string> columns; ///< the first heads the names of the rows
     struct Row {
         std::string name;
-        std::vector<std::variant<std::uint64_t, Time>> figures; ///< below the other columns
+        std::vector<std::variant<std::uint64_t, Time>> figures; ///< one below each other column
     };
     std::vector<Row> rows;
 };

@@ -2,6 +2,8 @@
 
 #include "report/run_report.hpp"
 
+#include "text/user_error.hpp"
+
 #include <boost/json.hpp>
 #include <doctest/doctest.h>
 
@@ -124,4 +126,12 @@ TEST_CASE("in a deadlock there is no whole to have a part of") {
     CHECK(has(printed(report), "t[0]       T800    250.000 ms\n"));
     CHECK(has(printed(report), "master   t[0]  for ever, from 600.000 ms on\n"));
     CHECK(only(document(report), "processors").at("busy").is_null());
+}
+
+TEST_CASE("a device that reports another number of figures than it has columns is refused by name") {
+    RunReport report = of_one_second();
+    report.devices.push_back({"ring r", 10ms, {"station", "frames", "waited"}, {{"w[0]", {std::uint64_t{1}}}}});
+    CHECK_THROWS_WITH_AS(printed(report),
+                         "ring r reports 1 figures of \"w[0]\", expected 2: one for each column but the first",
+                         UserError);
 }

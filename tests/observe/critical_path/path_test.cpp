@@ -87,7 +87,7 @@ TEST_CASE("so does one that an alternation takes") {
     CHECK(sought.parts() == Lines{"delayed: late, 0 to 5000", "delayed: chooses, 5000 to 6000"});
 }
 
-TEST_CASE("who waits for a processor waited for what that did") {
+TEST_CASE("a process that waits for its processor waited for what the processor did") {
     Sought sought;
     hardware::Processor& t = sought.processor();
     for (const char* name : {"first", "second"})

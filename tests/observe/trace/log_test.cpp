@@ -27,7 +27,7 @@ const char* log_word(Activity activity) {
     return words[static_cast<std::size_t>(activity)];
 }
 
-/// ToldLines what it is told as text, with moments in nanoseconds.
+/// Notes what it is told as text, with moments in nanoseconds.
 struct ToldLines final : TraceSink {
     void turns(const Process& process, Activity activity, Time now) override {
         lines.push_back(fmt::format("{} {} {}", now / 1ns, process.path(), log_word(activity)));
