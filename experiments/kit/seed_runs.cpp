@@ -3,27 +3,31 @@
 #include "experiments/kit/experiment_runs.hpp"
 #include "explore/study/sweep.hpp"
 #include "explore/workers.hpp"
+#include "text/number.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace placedpar {
 
 namespace {
 
-/// They are named by their places, which come in this order.
+/// They are named by their places, which come in this order. Where one is not finite, its unit says what it is.
 StudyFigures with_names(const Figures& figures) {
     StudyFigures named;
     for (double figure : figures)
-        named[fmt::format("{:06}", named.size())] = {figure, ""};
+        named[fmt::format("{:06}", named.size())] =
+            std::isfinite(figure) ? StudyFigure{figure, ""} : StudyFigure{0, fmt::format("{}", figure)};
     return named;
 }
 
 Figures without_names(const StudyFigures& named) {
     Figures figures;
     for (const auto& each : named)
-        figures.push_back(each.second.value);
+        figures.push_back(each.second.unit.empty() ? each.second.value
+                                                   : parse_number<double>(each.second.unit).value());
     return figures;
 }
 

@@ -19,7 +19,7 @@ Seeds seeds_of(const ReplayContext& context);
 /// A run for each of those seeds, on all processors, as a study of a function; the figures come in the order of the
 /// seeds. Progress is told as "what: 12 of 60 seeds". Runs that ReplayContext::results has are not made again, those
 /// that are made are added to it. REQUIRES: `run` may be called from several threads at once; no other runs of the
-/// experiment are called `what`; no figure is not a number. Throws what progress or a run throws, after the runs under
+/// experiment are called `what`. Throws what progress or a run throws, after the runs under
 /// way have ended, and UnfinishedRun.
 std::vector<Figures> run_seeds(const ReplayContext& context, const std::string& what,
                                const std::function<Figures(std::uint64_t seed)>& run);

@@ -46,7 +46,7 @@ struct StudySearch {
     std::uint64_t seed = 1;            ///< of the search's random numbers
 };
 
-/// What is run in place of a netlist. Called from several threads at once. REQUIRES: no figure is not a number.
+/// What is run in place of a netlist. Called from several threads at once. REQUIRES: the figures are finite.
 using StudyFunction = std::function<StudyFigures(const StudyRun&)>;
 
 /// Which runs of a netlist, or of a function, are to be made, and what is to be known of them.

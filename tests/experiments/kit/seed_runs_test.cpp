@@ -127,7 +127,7 @@ TEST_CASE("a file of another replay, of an earlier PlacedPar, damaged or cut off
     std::string damaged = good;
     damaged[damaged.find("E0,\"\"")] ^= 1;
     refused(damaged, "mine", "it is damaged (row ");
-    refused(good.substr(0, good.size() / 2), "mine", "it is damaged");
+    refused(good.substr(0, good.size() / 2), "mine", "malformed): name another file, or move this one away");
     file.write(good);
     CHECK(file.open().count() == 5);
 }

@@ -48,7 +48,7 @@ const std::string head = "netlist = \"any.cfs\"\nfirst_seed = 0\nmeasure = [\"ma
 const std::string columns = "columns = [{name = \"alone\", set = {slaves = 0}}, {name = \"one\", set = {slaves = 1}}, "
                             "{name = \"two\", set = {slaves = 2}}]\n";
 
-void check_refused(const std::string& text, const std::string& why) {
+void check_study_refused(const std::string& text, const std::string& why) {
     CAPTURE(text);
     CHECK_THROWS_WITH_AS(study_in(text), doctest::Contains(why.c_str()), RefusedInput);
 }
@@ -128,18 +128,19 @@ TEST_CASE("a table is like another but for what it says, and its rows like the t
 
 TEST_CASE("what is wrong in a table is refused with its place") {
     const std::string table = head + "[[table]]\nname = \"x\"\n", rows = "rows = [{name = \"a\", figure = \"rate\"}]\n";
-    check_refused(table + rows, "a table has columns and rows");
-    check_refused(table + columns, "a table has columns and rows");
-    check_refused(table + columns + "rows = [{name = \"a\"}]\n", "a row has a figure");
-    check_refused(table + columns + rows + "tolerence = 1\n", "did you mean \"tolerance\"?");
-    check_refused(table + columns + "rows = [{name = \"a\", figure = \"rate\", knwon = 1}]\n",
-                  "a row has no \"knwon\"");
-    check_refused(table + columns + rows + "like = \"y\"\n", "there is no table \"y\" before it");
-    check_refused(table + columns + rows + "known = [1, 2, 3, 4]\n", "more values than the table has columns");
-    check_refused(table + columns + rows + "origin = \"guess\"\n", "there is no origin \"guess\"");
-    check_refused(table + columns + "rows = [{name = \"a\", figure = \"rate /\"}]\n", "it cannot be understood");
-    check_refused(table + "columns = [{name = \"a\", set = {a = \"0..1\"}}]\n" + rows, "\"a\" has several values");
-    check_refused(head + "table = 1\n", "it takes tables of figures");
+    check_study_refused(table + rows, "a table has columns and rows");
+    check_study_refused(table + columns, "a table has columns and rows");
+    check_study_refused(table + columns + "rows = [{name = \"a\"}]\n", "a row has a figure");
+    check_study_refused(table + columns + rows + "tolerence = 1\n", "did you mean \"tolerance\"?");
+    check_study_refused(table + columns + "rows = [{name = \"a\", figure = \"rate\", knwon = 1}]\n",
+                        "a row has no \"knwon\"");
+    check_study_refused(table + columns + rows + "like = \"y\"\n", "there is no table \"y\" before it");
+    check_study_refused(table + columns + rows + "known = [1, 2, 3, 4]\n", "more values than the table has columns");
+    check_study_refused(table + columns + rows + "origin = \"guess\"\n", "there is no origin \"guess\"");
+    check_study_refused(table + columns + "rows = [{name = \"a\", figure = \"rate /\"}]\n", "it cannot be understood");
+    check_study_refused(table + "columns = [{name = \"a\", set = {a = \"0..1\"}}]\n" + rows,
+                        "\"a\" has several values");
+    check_study_refused(head + "table = 1\n", "it takes tables of figures");
 }
 
 TEST_CASE("a figure that no run has, or a run that did not end, is told") {
