@@ -71,8 +71,8 @@ TEST_CASE("processors that pass packets on have two columns more") {
 TEST_CASE("links: only those that carried something are printed, below each other as all would be") {
     RunReport report = of_one_second();
     report.links = {{"t[0].link[0]", "t[1].link[0]", 100, 500ms}, {"a rather long name", "another long name", 0, 0ms}};
-    CHECK(has(printed(report), "\nlink                                         bytes   occupied\n"
-                               "t[0].link[0] -> t[1].link[0]                   100      50.0%\n"));
+    CHECK(has(printed(report), "\nlink                                          bytes   occupied\n"
+                               "t[0].link[0] -> t[1].link[0]                    100      50.0%\n"));
     CHECK_FALSE(has(printed(report), "another long name"));
     CHECK(document(report).at("links").as_array().size() == 2);
     report.links.front().bytes = 0;
