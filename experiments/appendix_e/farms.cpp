@@ -56,29 +56,32 @@ Comparison under_way_table(const StudyReplay& study) {
 }
 
 /// A table over the slaves, a curve for each form.
-Panel farm_panel(const Comparison& table, const std::string& measured, const std::string& title) {
+Panel farm_panel(const StudyReplay& study, const Comparison& table, const std::string& measured,
+                 const std::string& title) {
     Panel panel{.title = title, .x = {.label = "slaves"}, .y = {.label = fmt::format("{} [ms]", measured), .from = 0}};
     for (const Cell& cell : table.cells) {
         auto series = std::ranges::find(panel.series, cell.column, &Series::name);
         if (series == panel.series.end())
             series = panel.series.insert(series, {.name = cell.column, .points = {}});
-        series->points.push_back({std::stod(cell.row), cell.simulated}); // "12 slaves"
+        series->points.push_back({study.number_in(cell.row), cell.simulated}); // "12 slaves"
     }
     return panel;
 }
 
-NamedPlot farm_plot(const Comparison& communication, const Comparison& generation) {
-    Panel panel = farm_panel(communication, "C_time2", "communication of a generation");
+NamedPlot farm_plot(const StudyReplay& study, Replay& replay) {
+    const Comparison &communication = study.table(replay, "C_time2: the communication of a generation"),
+                     &generation = study.table(replay, "T_exe: a generation");
+    Panel panel = farm_panel(study, communication, "C_time2", "communication of a generation");
     panel.series.push_back({.name = "Table E.1", .points = {{1, 0.6}, {2, 1.28}, {3, 1.89}}, .stroke = Stroke::points});
     panel.marks.push_back({.name = "appendix E: a link each", .y = 0.4});
     return {"farms",
-            {"Forms of a farm over the number of slaves", {panel, farm_panel(generation, "T_exe", "a generation")}}};
+            {"Forms of a farm over the number of slaves", {panel, farm_panel(study, generation, "T_exe", "a generation")}}};
 }
 
 Replay replay_farms(const ReplayContext& context) {
     const StudyReplay study(context, "36-farms/farms.toml");
     Replay replay = study.replay();
-    replay.plots = {farm_plot(replay.comparisons.at(1), replay.comparisons.at(2))};
+    replay.plots = {farm_plot(study, replay)};
     replay.comparisons.push_back(under_way_table(study));
     return replay;
 }

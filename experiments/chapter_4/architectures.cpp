@@ -19,12 +19,16 @@ constexpr int most_islands = 16, hybrid_islands = 4;
 
 std::string alpha_column(int alpha) { return fmt::format("alpha = {}", alpha); }
 
-/// The speedups of one architecture by its processors, from a table that has both.
-std::vector<Point> speedups_of(const std::string& architecture, int alpha, const Comparison& table) {
+/// The speedups of one architecture by its processors, from a table that has both: one at least.
+std::vector<Point> speedups_of(const std::string& architecture, int alpha, const StudyReplay& study,
+                               const Comparison& table) {
     std::vector<Point> points;
     for (const Cell& cell : table.cells)
         if (cell.column == alpha_column(alpha) && cell.row.starts_with(architecture + ", "))
-            points.push_back({std::stod(cell.row.substr(architecture.size() + 2)), cell.simulated});
+            points.push_back({study.number_in(cell.row), cell.simulated});
+    if (points.empty())
+        study.refuse(fmt::format("the table \"{}\" has no row \"{}, ... processors\" with a column \"{}\"", table.name,
+                                 architecture, alpha_column(alpha)));
     return points;
 }
 
@@ -35,8 +39,9 @@ double crossover(double hypercube, const std::vector<Point>& hybrid) {
     return found == hybrid.end() ? 0 : found->x;
 }
 
-double crossover_in(const Comparison& table, int alpha) {
-    return crossover(speedups_of("hypercube", alpha, table).back().y, speedups_of("hybrid", alpha, table));
+double crossover_in(const StudyReplay& study, const Comparison& table, int alpha) {
+    return crossover(speedups_of("hypercube", alpha, study, table).back().y,
+                     speedups_of("hybrid", alpha, study, table));
 }
 
 /// As equation 4.9 says.
@@ -48,26 +53,26 @@ double crossover_by_formula(int alpha) {
 }
 
 /// Where communication takes nothing, that is what equation 4.9 says, to the next size.
-Comparison crossover_table(const Comparison& ideal, const Comparison& on_t800s) {
+Comparison crossover_table(const StudyReplay& study, const Comparison& ideal, const Comparison& on_t800s) {
     Comparison table{.name = "from how many processors on the hybrid is faster than 16 islands of 6",
                      .against = "(4.9)"};
     for (int alpha : machine_alphas) {
         table.add(judged_cell(alpha_column(alpha), "no communication", "", crossover_by_formula(alpha),
-                              crossover_in(ideal, alpha), hybrid_islands, 0));
-        table.add(plain_cell(alpha_column(alpha), "on T800s", "", crossover_in(on_t800s, alpha), 0));
+                              crossover_in(study, ideal, alpha), hybrid_islands, 0));
+        table.add(plain_cell(alpha_column(alpha), "on T800s", "", crossover_in(study, on_t800s, alpha), 0));
     }
     table.notes = "0: it is not with up to 48\n";
     return table;
 }
 
-Panel architecture_panel(const std::string& title, const Comparison& table) {
+Panel architecture_panel(const std::string& title, const StudyReplay& study, const Comparison& table) {
     Panel panel{.title = title, .x = {.label = "processors", .from = 0}, .y = {.label = "speedup", .from = 0}};
     for (int colour = 1; int alpha : machine_alphas)
         panel.series.push_back({.name = fmt::format("hybrid, alpha {}", alpha),
-                                .points = speedups_of("hybrid", alpha, table),
+                                .points = speedups_of("hybrid", alpha, study, table),
                                 .colour = colour++});
     panel.series.push_back(
-        {.name = "hypercube", .points = speedups_of("hypercube", machine_alphas[0], table), .colour = 0});
+        {.name = "hypercube", .points = speedups_of("hypercube", machine_alphas[0], study, table), .colour = 0});
     return panel;
 }
 
@@ -95,23 +100,25 @@ std::uint64_t fingerprint_of(const StudyReplay& study) {
 }
 
 /// Puts the cells of each alpha together, those of the hypercube first where a table has both.
-void order_by_alpha(Comparison& table) {
-    std::ranges::stable_sort(table.cells, {}, [](const Cell& cell) {
-        return std::tuple(cell.row.starts_with("hybrid"), std::stoi(cell.column.substr(alpha_column(0).size() - 1)));
+void order_by_alpha(const StudyReplay& study, Comparison& table) {
+    std::ranges::stable_sort(table.cells, {}, [&](const Cell& cell) {
+        return std::tuple(cell.row.starts_with("hybrid"), study.number_in(cell.column));
     });
 }
 
 Replay replay_architectures(const ReplayContext& context) {
     const StudyReplay study(context, "66-architectures/overtaking.toml");
     Replay replay = study.replay();
-    std::ranges::for_each(replay.comparisons, order_by_alpha);
-    const Comparison ideal = replay.comparisons.at(1), on_t800s = replay.comparisons.at(2);
-    replay.comparisons.insert(replay.comparisons.begin(), crossover_table(ideal, on_t800s));
+    for (Comparison& each : replay.comparisons)
+        order_by_alpha(study, each);
+    const Comparison ideal = study.table(replay, "speedup, communication taking nothing"),
+                     on_t800s = study.table(replay, "speedup on T800s");
+    replay.comparisons.insert(replay.comparisons.begin(), crossover_table(study, ideal, on_t800s));
     replay.fingerprint = fingerprint_of(study);
     replay.plots = {{"architectures",
                      {"Islands alone and islands with slaves",
-                      {architecture_panel("communication taking nothing", ideal),
-                       architecture_panel("on T800s, slaves in a chain", on_t800s)}}}};
+                      {architecture_panel("communication taking nothing", study, ideal),
+                       architecture_panel("on T800s, slaves in a chain", study, on_t800s)}}}};
     return replay;
 }
 

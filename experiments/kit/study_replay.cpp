@@ -1,14 +1,24 @@
 #include "experiments/kit/study_replay.hpp"
 
 #include "experiments/kit/experiment_runs.hpp"
+#include "explore/load.hpp"
+#include "explore/problems.hpp"
 #include "explore/study/comparisons.hpp"
 #include "explore/study/study_file.hpp"
+#include "explore/study/summary_cells.hpp"
 #include "explore/study/sweep.hpp"
 #include "explore/workers.hpp"
+#include "text/number.hpp"
+#include "text/user_error.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <ranges>
+#include <set>
+#include <string_view>
 
 namespace placedpar {
 
@@ -27,8 +37,10 @@ void require_whole(const StudyOutcome& outcome, const std::string& netlist) {
 } // namespace
 
 StudyReplay::StudyReplay(const ReplayContext& context, const std::string& file)
-    : context_(context), study_(read_study((context.examples / file).string())) {
+    : context_(context), path_((context.examples / file).string()), study_(read_study(path_)) {
+    require_tables();
     study_.first_seed = context.seed;
+    look_at_netlists();
     StudySweep sweep(study_, context.results);
     const std::uint64_t missing = sweep.missing().runs;
     auto show = [&](std::uint64_t ended) { context.progress(fmt::format("{} of {} runs", ended, missing)); };
@@ -37,10 +49,56 @@ StudyReplay::StudyReplay(const ReplayContext& context, const std::string& file)
     end_if_requested(context.interruption);
 }
 
+void StudyReplay::refuse(const std::string& why) const { throw UserError(fmt::format("{}: {}", path_, why)); }
+
+void StudyReplay::require_tables() const {
+    if (study_.tables.empty())
+        refuse("the study has no table, and a replay is made of tables: [[table]]");
+    if (study_.seeds != 1 || study_.first_seed != 1)
+        refuse("a replay runs its study with the seed that --seed says: leave out seeds and first_seed");
+}
+
+void StudyReplay::look_at_netlists() const {
+    const ProblemRegistry problems = known_problems(context_.seed);
+    const Catalogue kinds = known_kinds(problems);
+    const ParsedNetlist netlist(study_.netlist, study_.read);
+    std::set<std::string> told;
+    auto warn = [&](const std::string& warnings) {
+        if (told.insert(warnings).second)
+            context_.warn(warnings);
+    };
+    PossibleMeasures possible;
+    for (std::uint64_t i = 0; i < study_.count(); ++i)
+        if (auto run = study_.at(i))
+            possible.add(load_network(netlist, run->set, kinds, warn), kinds, problems);
+    for (const std::string& each : study_.figures)
+        if (const StudyMeasure measure(each); !possible.has(measure))
+            refuse(possible.there_is_no(measure));
+}
+
+Comparison& StudyReplay::table(Replay& replay, const std::string& name) const {
+    auto found = std::ranges::find(replay.comparisons, name, &Comparison::name);
+    if (found == replay.comparisons.end())
+        refuse(fmt::format("the study has no table \"{}\", which the replay shows; it has \"{}\"", name,
+                           fmt::join(replay.comparisons | std::views::transform(&Comparison::name), "\", \"")));
+    return *found;
+}
+
+double StudyReplay::number_in(const std::string& name) const {
+    const std::size_t first = name.find_first_of("0123456789");
+    const std::size_t behind = std::min(name.find_first_not_of("0123456789.", first), name.size());
+    auto number = first == name.npos ? std::nullopt : parse_number<double>(std::string_view(name).substr(first, behind - first));
+    if (!number)
+        refuse(fmt::format("the replay needs a number in \"{}\", as in \"12 slaves\"", name));
+    return *number;
+}
+
 StudyOutcome StudyReplay::outcome_of(const StudyRun& run) const {
-    StudyOutcome outcome = context_.results.find(run).value();
-    require_whole(outcome, study_.netlist);
-    return outcome;
+    const std::optional<StudyOutcome> outcome = context_.results.find(run);
+    if (!outcome)
+        refuse(fmt::format("the study has no run with {}, which the replay shows", shown_settings(run.set)));
+    require_whole(*outcome, study_.netlist);
+    return *outcome;
 }
 
 Replay StudyReplay::replay() const {
@@ -48,16 +106,22 @@ Replay StudyReplay::replay() const {
     for (std::uint64_t i = 0; i < study_.count(); ++i)
         if (auto run = study_.at(i))
             fingerprint.mix(outcome_of(*run).fingerprint);
-    return {.comparisons = comparisons_of(study_, context_.results),
-            .constants = study_.notes,
-            .fingerprint = fingerprint.value()};
+    Replay replay{.comparisons = comparisons_of(study_, context_.results),
+                  .constants = study_.notes,
+                  .fingerprint = fingerprint.value()};
+    for (const Comparison& table : replay.comparisons)
+        for (const Cell& cell : table.cells)
+            if (std::isnan(cell.simulated))
+                refuse(fmt::format("the table \"{}\" has no figure in \"{}\", \"{}\"\n{}", table.name, cell.row,
+                                   cell.column, table.notes));
+    return replay;
 }
 
 double StudyReplay::measured(const Overrides& set, const std::string& measure) const {
     const StudyOutcome outcome = outcome_of({set, study_.first_seed});
     auto figure = StudyMeasure(measure).of(outcome.figures);
     if (!figure)
-        throw UserError(there_is_no_measure(StudyMeasure(measure), outcome.figures));
+        refuse(there_is_no_measure(StudyMeasure(measure), outcome.figures));
     return figure->value;
 }
 

@@ -10,16 +10,12 @@
 
 namespace placedpar {
 
-namespace {
-
 std::string shown_settings(const Overrides& set) {
     std::vector<std::string> parts;
     for (const auto& [name, value] : set)
         parts.push_back(fmt::format("{} = {}", name, value));
     return fmt::format("{}", fmt::join(parts, ", "));
 }
-
-} // namespace
 
 std::string there_is_no_reference(const Overrides& wanted, const std::vector<std::string>& set) {
     return fmt::format("no combination has {}, so figures cannot be relative to it; {}", shown_settings(wanted),

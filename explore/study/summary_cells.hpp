@@ -20,6 +20,8 @@ std::string ended_of(const StudyLine&);
 std::string measure_with_unit(const StudySummary&, std::size_t measure);
 /// Whether some combination was run with several seeds.
 bool has_intervals(const StudySummary&);
+/// "slaves = 2, clock = 5M".
+std::string shown_settings(const Overrides&);
 /// What is wrong with settings that no run has, where figures are to be relative to those with them: a sentence, with
 /// the names of what runs set.
 std::string there_is_no_reference(const Overrides& wanted, const std::vector<std::string>& set);
