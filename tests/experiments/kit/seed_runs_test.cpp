@@ -9,11 +9,13 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <thread>
 
 using namespace placedpar;
 
@@ -100,11 +102,16 @@ TEST_CASE("an interrupted replay keeps the runs that ended") {
     RunsFile file;
     SmallReplay replay;
     StudyResults kept = file.open();
+    std::atomic<int> told = 0; // how often progress was told since: the second time all workers have been stopped
+    ReplayContext context = replay.context(1000, kept);
+    context.progress = [&](const std::string&) { told += replay.interruption.requested(); };
     auto interrupts = [&](std::uint64_t) {
         replay.interruption.request();
+        while (told < 2)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
         return Figures{1};
     };
-    CHECK_THROWS_AS(run_seeds(replay.context(1000, kept), "a, b", interrupts), UnfinishedRun);
+    CHECK_THROWS_AS(run_seeds(context, "a, b", interrupts), UnfinishedRun);
     CHECK(kept.count() > 0);
     CHECK(kept.count() < 1000);
 }
