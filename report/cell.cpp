@@ -12,7 +12,7 @@ const char* name_of(Origin origin) {
 }
 
 std::optional<double> Cell::error_percent() const {
-    if (!reference || (*reference == 0 && simulated != 0))
+    if (!reference || std::isnan(simulated) || (*reference == 0 && simulated != 0))
         return std::nullopt;
     return *reference == 0 ? 0 : 100 * (simulated - *reference) / std::abs(*reference);
 }

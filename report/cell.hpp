@@ -19,7 +19,7 @@ const char* name_of(Origin);
 struct Cell {
     std::string row, column, unit = {};
     std::optional<double> reference = {}; ///< the known figure: Comparison::against names its source
-    double simulated = 0;
+    double simulated = 0; ///< not a number: there is none, which meets no tolerance
     std::optional<double> tolerance_percent = {}; ///< of the reference; none: printed, not judged
     Origin origin = Origin::outcome;
     std::optional<double> tolerance = {}; ///< in the cell's unit; replaces tolerance_percent
@@ -34,6 +34,7 @@ struct Cell {
     std::optional<double> error_percent() const;
     /// tolerance_percent, or `tolerance` in percent of the reference; none where that is not defined.
     std::optional<double> tolerance_in_percent() const;
+    bool is_judged() const { return at_least || at_most || tolerance || tolerance_percent; }
     bool within_tolerance() const;
 };
 

@@ -100,6 +100,8 @@ std::string print_bound(const char* sign, double bound, int decimals) {
 }
 
 std::string print_simulated(const Cell& cell) {
+    if (std::isnan(cell.simulated))
+        return "-";
     double simulated = std::abs(cell.simulated) < 0.5 * std::pow(10, -cell.decimals) ? 0 : cell.simulated; // no -0.00
     return fmt::format("{:.{}f}", simulated, cell.decimals);
 }
@@ -116,6 +118,8 @@ std::string print_error(const Cell& cell, const std::string& against) {
         return print_bound(">= ", *cell.at_least, cell.decimals);
     if (cell.at_most)
         return print_bound("<= ", *cell.at_most, cell.decimals);
+    if (std::isnan(cell.simulated))
+        return "";
     if (cell.reference && (cell.tolerance || cell.unit == "%"))
         return print_difference(cell.simulated - *cell.reference, cell.decimals);
     auto error = against == "claim" ? std::nullopt : cell.error_percent();
@@ -215,6 +219,10 @@ bool shows_fit(const Cell& cell) {
     return cell.origin == Origin::outcome && cell.error_percent() && *cell.reference != 0;
 }
 
+bool counts(const Comparison& comparison, const std::vector<Comparison>& all) {
+    return &comparison == &all.front() || comparison.judged;
+}
+
 } // namespace
 
 void Comparison::add(Cell cell) { cells.push_back(std::move(cell)); }
@@ -231,15 +239,23 @@ std::string print_comparison(const Comparison& comparison) {
 
 bool are_within_tolerance(const std::vector<Comparison>& comparisons) {
     return std::ranges::all_of(comparisons, [&](const Comparison& each) {
-        bool judged = &each == &comparisons.front() || each.judged;
-        return !judged || each.within_tolerance();
+        return !counts(each, comparisons) || each.within_tolerance();
     });
 }
 
-std::string print_verdict(const std::vector<Comparison>& comparisons) {
+bool is_any_judged(const std::vector<Comparison>& comparisons) {
+    return std::ranges::any_of(comparisons, [&](const Comparison& each) {
+        return counts(each, comparisons) && std::ranges::any_of(each.cells, &Cell::is_judged);
+    });
+}
+
+std::string print_verdict(const std::vector<Comparison>& comparisons, const std::string& called) {
     const bool others = std::ranges::any_of(comparisons, &Comparison::judged),
                within = are_within_tolerance(comparisons);
-    auto text = fmt::format("{} cell{} {}\n", within ? "every judged" : "a", others ? "" : " of the first reading",
+    const std::string of_first = others ? "" : " of the first " + called;
+    if (!is_any_judged(comparisons))
+        return fmt::format("no cell{} has a tolerance: none is judged\n", of_first);
+    auto text = fmt::format("{} cell{} {}\n", within ? "every judged" : "a", of_first,
                             within ? "is within its tolerance" : "misses its tolerance");
     return painted(within ? Paint::success : Paint::failure, text);
 }

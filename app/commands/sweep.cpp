@@ -54,15 +54,24 @@ void set_axis(StudyProduct& product, const StudyAxis& axis) {
         *found = axis;
 }
 
+/// Whether its cells differ in that setting.
+bool varies(const StudyTable& table, const std::string& name) {
+    auto sets = [&](const StudyVariant& runs) { return runs.set.contains(name); };
+    return std::ranges::any_of(table.columns, sets) || std::ranges::any_of(table.rows, [&](const StudyRow& row) {
+               return sets(row.runs) || row.relative_to.contains(name);
+           });
+}
+
 /// A table says which of its runs stands in a cell, so that it takes one value of each setting.
 void set_in_table(StudyTable& table, const StudyAxis& axis) {
     if (axis.count() > 1)
         throw UserError(
             fmt::format("{} has several values, and the study's table \"{}\" takes one", axis.name, table.name));
-    for (StudyVariant& column : table.columns)
-        column.set[axis.name] = axis.at(0);
-    for (StudyRow& row : table.rows)
-        row.runs.set.erase(axis.name);
+    if (varies(table, axis.name))
+        throw UserError(fmt::format("the columns, rows or relative_to of the study's table \"{}\" set {}, which the "
+                                    "command line leaves to them",
+                                    table.name, axis.name));
+    table.shared[axis.name] = axis.at(0);
 }
 
 void add_settings(Study& study, const SweepOptions& options) {
@@ -186,7 +195,7 @@ ExitCode print_tables(const Study& study, StudyResults& results) {
     for (const Comparison& table : tables)
         out += "\n" + print_comparison(table);
     out += study.notes.empty() ? "" : "\n" + study.notes;
-    print_out(out + "\n" + print_verdict(tables));
+    print_out(out + "\n" + print_verdict(tables, "table"));
     return are_within_tolerance(tables) ? ExitCode::success : ExitCode::missed_tolerance;
 }
 
@@ -205,6 +214,8 @@ ExitCode sweep(const SweepOptions& options, RankZero* others) {
     require_reference_run(study);
     Network network = readable_network(study);
     require_possible(study.measures, study, network);
+    if (!study.tables.empty())
+        require_possible(study.figures, study, network);
     StudyResults results(results_of(options), source_of(study, network), options.any_version);
     InterruptedBySignals interruption;
     results.set_measures(study.measures);

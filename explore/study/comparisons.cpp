@@ -1,13 +1,16 @@
 #include "explore/study/comparisons.hpp"
 
 #include "explore/study/spellings.hpp"
+#include "explore/study/summary_cells.hpp"
 #include "runtime/kernel.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include <cmath>
 #include <map>
+#include <set>
+#include <stdexcept>
 
 namespace placedpar {
 
@@ -15,11 +18,24 @@ namespace {
 
 using FiguresByName = StudyExpression::Figures;
 
-/// What figures call a measure: "T_exe" is "max(master.T_exe)".
-std::string name_of(const StudyMeasure& measure) {
-    const std::string name = measure.name_without_subscripts();
-    return name.substr(name.rfind('.') + 1); // from 0 without a dot
-}
+/// Why cells of a table have no figure: the runs by their ends.
+class MissingFigures {
+public:
+    void add(const Overrides& set, const UserError& why) {
+        const std::string said = why.what();
+        runs_[said.substr(0, said.find('\n'))].push_back(shown_settings(set));
+    }
+    std::string print() const {
+        std::string out;
+        for (const auto& [why, runs] : runs_)
+            out += fmt::format("-: no figure of the run with {}{}: {}\n", runs.front(),
+                               runs.size() == 1 ? "" : fmt::format(" ({} such cells)", runs.size()), why);
+        return out;
+    }
+
+private:
+    std::map<std::string, std::vector<std::string>> runs_;
+};
 
 /// Makes the tables of one study.
 class ComparisonMaker {
@@ -30,21 +46,27 @@ public:
     Comparison made(const StudyTable& table) {
         Comparison comparison{.name = table.name, .against = table.against, .judged = table.judged};
         std::vector<FiguresByName> above(table.columns.size());
+        MissingFigures missing;
         for (const StudyRow& row : table.rows)
             for (std::size_t i = 0; i < table.columns.size(); ++i) {
                 const Overrides set = spellings_.of(table.set(row, table.columns[i]));
-                comparison.add(cell(row, table.columns[i].name, set, i, above[i]));
+                comparison.add(cell(row, table.columns[i].name, set, i, above[i], missing));
                 above[i][row.runs.name] = comparison.cells.back().simulated;
             }
-        comparison.notes = (table.fit ? print_fit(comparison.cells) : "") + table.notes;
+        comparison.notes = missing.print() + (table.fit ? print_fit(comparison.cells) : "") + table.notes;
         return comparison;
     }
 
 private:
     Cell cell(const StudyRow& row, const std::string& column, const Overrides& set, std::size_t place,
-              const FiguresByName& above) {
+              const FiguresByName& above, MissingFigures& missing) {
         Cell cell{.row = row.runs.name, .column = column, .unit = row.unit, .decimals = row.decimals};
-        cell.simulated = mean(row, set, above);
+        try {
+            cell.simulated = mean(row, set, above);
+        } catch (const UserError& why) {
+            cell.simulated = std::nan("");
+            missing.add(set, why);
+        }
         if (place < row.origins.size())
             cell.origin = row.origins[place];
         if (place >= row.known.size() || !row.known[place])
@@ -69,14 +91,24 @@ private:
         const StudyOutcome outcome = outcome_of(run);
         const StudyFigures relative_to =
             row.relative_to.empty() ? StudyFigures() : outcome_of(reference(row, run)).figures;
-        for (const std::string& text : study_.figures) {
-            const StudyMeasure measure(text);
-            auto figure = measure.of(outcome.figures);
-            if (!figure)
-                throw UserError(there_is_no_measure(measure, outcome.figures));
-            figures[name_of(measure)] = figure->value / measure.of(relative_to).value_or(StudyFigure{1, ""}).value;
-        }
+        auto value = [&](const StudyMeasure& measure) {
+            return measured(measure, outcome.figures) /
+                   (row.relative_to.empty() ? 1 : measured(measure, relative_to));
+        };
+        if (!row.measure.empty())
+            return value(StudyMeasure(row.measure));
+        const std::set<std::string> names = row.figure.names();
+        for (const std::string& text : study_.figures)
+            if (const StudyMeasure measure(text); names.contains(measure.last_name()))
+                figures[measure.last_name()] = value(measure);
         return row.figure.value(run.set, figures);
+    }
+
+    static double measured(const StudyMeasure& measure, const StudyFigures& figures) {
+        auto figure = measure.of(figures);
+        if (!figure)
+            throw UserError(there_is_no_measure(measure, figures));
+        return figure->value;
     }
 
     StudyRun reference(const StudyRow& row, StudyRun run) {
@@ -87,10 +119,12 @@ private:
 
     StudyOutcome outcome_of(const StudyRun& run) {
         const std::optional<StudyOutcome> found = results_.find(run);
-        if (found && found->ended == name_of(Ending::completed))
-            return *found;
-        std::string how = !found ? "has not been made" : found->refused.empty() ? found->ended : found->refused;
-        throw UserError(fmt::format("a table needs the run with {}: {}", run.set, how));
+        if (!found)
+            throw std::invalid_argument(
+                fmt::format("a table needs the run with {}, which has not been made", shown_settings(run.set)));
+        if (found->ended != name_of(Ending::completed))
+            throw UserError(found->refused.empty() ? found->ended : found->refused);
+        return *found;
     }
 
     const Study& study_;

@@ -39,6 +39,13 @@ void visit_operands(Expression& expression, Visit visit) {
                 visit(*form.left), visit(*form.right);
             if constexpr (requires { form.otherwise; })
                 visit(*form.condition), visit(*form.then), visit(*form.otherwise);
+            if constexpr (requires { form.array; })
+                visit(*form.array);
+            if constexpr (requires { form.subscript; })
+                visit(*form.subscript);
+            if constexpr (requires { form.elements; })
+                for (const ExpressionPointer& each : form.elements)
+                    visit(*each);
         },
         expression.form);
 }
@@ -48,6 +55,12 @@ bool has_frequency(Expression& expression) {
     bool found = use && is_frequency(use->name);
     visit_operands(expression, [&](Expression& operand) { found |= has_frequency(operand); });
     return found;
+}
+
+void add_names(Expression& expression, std::set<std::string>& names) {
+    if (const auto* use = std::get_if<NameUse>(&expression.form))
+        names.insert(use->name);
+    visit_operands(expression, [&](Expression& operand) { add_names(operand, names); });
 }
 
 void read_as_frequency(Expression& expression) {
@@ -98,6 +111,13 @@ StudyExpression::StudyExpression(const std::string& text) {
     parsed_ = std::make_shared<Parsed>();
     parsed_->expression = std::move(expression);
     read_frequencies(*parsed_->expression);
+}
+
+std::set<std::string> StudyExpression::names() const {
+    std::set<std::string> names;
+    if (parsed_)
+        add_names(*parsed_->expression, names);
+    return names;
 }
 
 template <class Read>

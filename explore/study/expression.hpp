@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 namespace placedpar {
@@ -20,6 +21,8 @@ public:
     explicit StudyExpression(const std::string& text);
 
     explicit operator bool() const { return parsed_ != nullptr; }
+    /// The names in it, whether they stand for something or not.
+    std::set<std::string> names() const;
     /// None always holds. Throws RefusedInput where it names what is neither set nor a figure, or cannot be computed.
     bool holds(const Overrides& set) const;
     /// Throws RefusedInput as holds(), and where it is no number. REQUIRES: it is not none.

@@ -179,6 +179,11 @@ std::optional<StudyFigure> StudyMeasure::of(const StudyFigures& figures) const {
 
 std::string StudyMeasure::name_without_subscripts() const { return name_of_array(name_); }
 
+std::string StudyMeasure::last_name() const {
+    const std::string name = name_without_subscripts();
+    return name.substr(name.rfind('.') + 1); // from 0 without a dot
+}
+
 std::string there_is_no_measure(const StudyMeasure& measure, const StudyFigures& figures) {
     if (std::string about = not_come_to(measure, figures); !about.empty())
         return fmt::format("no run has come to a figure for \"{}\": {}", measure.text(), about);

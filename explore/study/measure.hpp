@@ -47,6 +47,8 @@ public:
 
     /// Of what it is a measure: "master.T_exe" of "max(master[0].T_exe)".
     std::string name_without_subscripts() const;
+    /// What figures of tables call it: "T_exe".
+    std::string last_name() const;
 
 private:
     bool matches(const std::string& figure) const;

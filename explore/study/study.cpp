@@ -53,6 +53,7 @@ void require_seeds(std::uint64_t first, std::uint64_t seeds) {
 Overrides StudyTable::set(const StudyRow& row, const StudyVariant& column) const {
     Overrides set = row.runs.set;
     set.insert(column.set.begin(), column.set.end());
+    set.insert(shared.begin(), shared.end());
     return set;
 }
 

@@ -1,5 +1,6 @@
 #include "explore/study/study_file.hpp"
 
+#include "explore/study/figure_names.hpp"
 #include "explore/study/measure.hpp"
 #include "explore/study/toml_reader.hpp"
 #include "explore/time_text.hpp"
@@ -10,6 +11,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace placedpar {
@@ -57,7 +59,11 @@ private:
         handlers["until"] = [&](const toml::node& node) { study_.until = time(node); };
         of_whole_study_ = names_of(handlers);
         read_table(top, handlers);
+        if (top.contains("table"))
+            require_simple(top);
         study_.figures = study_.measures; // which --measure does not change
+        if (study_.figures.empty())
+            study_.figures = {"time"};
         if (study_.netlist.empty())
             report(top.source().begin, "it names no netlist", "netlist = \"figure-e2.cfs\"");
         if (study_.search && !study_.relative_to.empty())
@@ -67,6 +73,16 @@ private:
             study_.products.push_back(std::move(product));
         for (const auto& [line, read_part] : parts_)
             read_part();
+    }
+
+    /// What does not go together with tables.
+    void require_simple(const toml::table& top) {
+        if (top.contains("where") && !top.contains("set"))
+            report(top.get("where")->source().begin, "a condition leaves out combinations of [set], and there is no [set]",
+                   "the runs of a table are all made; [[also]] has a condition of its own");
+        if (top.contains("search"))
+            report(top.get("search")->source().begin, "a search makes no tables",
+                   "leave out [search], or [[table]]: a study of its own");
     }
 
     /// The product's members.
@@ -91,20 +107,25 @@ private:
         study_.products.push_back(std::move(product));
     }
 
+    using Members = std::map<std::string, const toml::node*>;
+
     /// A table while it is read, for others to be like it.
     struct TableRead {
         StudyTable table;
-        Overrides set; ///< in all its runs
-        StudyRow row;  ///< what all its rows say
-        const toml::node* rows = nullptr;
+        Members of_rows; ///< what all its rows say
+        const toml::node *columns = nullptr, *rows = nullptr;
     };
 
     void read_figures(const toml::table& source) {
+        const toml::node* name = source.get("name");
+        if (!name)
+            report(source.source().begin, "a table has a name", "name = \"as it was measured\"");
         TableRead read = read_like(source);
         read_table(source, of_table(read), "table");
-        tables_read_.insert_or_assign(read.table.name, read);
-        for (StudyVariant& column : read.table.columns)
-            column.set.insert(read.set.begin(), read.set.end());
+        if (name && !tables_read_.emplace(read.table.name, read).second)
+            report(name->source().begin, fmt::format("another table is called \"{}\"", read.table.name));
+        if (read.columns)
+            read_columns(*read.columns, read.table);
         if (read.rows)
             read_rows(read);
         if (read.table.columns.empty() || read.table.rows.empty())
@@ -115,44 +136,120 @@ private:
 
     TableRead read_like(const toml::table& source) {
         const toml::node* like = source.get("like");
-        auto found = tables_read_.find(like ? text(*like) : "");
-        if (like && found == tables_read_.end())
-            report(like->source().begin, fmt::format("there is no table \"{}\" before it", text(*like)));
-        return found == tables_read_.end() ? TableRead() : found->second;
+        if (!like)
+            return {};
+        auto found = tables_read_.find(text(*like));
+        if (found != tables_read_.end())
+            return found->second;
+        report(like->source().begin, fmt::format("there is no table \"{}\" before it", text(*like)));
+        return {};
     }
 
-    /// The parser sorts members by their names: the columns are read before what has a value for each.
     Handlers of_table(TableRead& read) {
-        Handlers handlers = of_row(read.row, read.table.columns);
-        handlers.merge(
-            Handlers{{"name", [&](const toml::node& node) { read.table.name = text(node); }},
-                     {"like", [](const toml::node&) {}},
-                     {"against", [&](const toml::node& node) { read.table.against = text(node); }},
-                     {"notes", [&](const toml::node& node) { read.table.notes = node.value_or(std::string()); }},
-                     {"judged", [&](const toml::node& node) { read.table.judged = truth(node); }},
-                     {"fit", [&](const toml::node& node) { read.table.fit = truth(node); }},
-                     {"set", [&](const toml::node& node) { read.set = settings(node); }},
-                     {"columns", [&](const toml::node& node) { read_columns(node, read.table); }},
-                     {"rows", [&](const toml::node& node) { read.rows = &node; }}});
+        Handlers handlers = noted(read.of_rows);
+        handlers.merge(Handlers{
+            {"name", [&](const toml::node& node) { read.table.name = text(node); }},
+            {"like", [](const toml::node&) {}},
+            {"against", [&](const toml::node& node) { read.table.against = against(node); }},
+            {"notes", [&](const toml::node& node) { read.table.notes = node.value_or(std::string()); }},
+            {"judged", [&](const toml::node& node) { read.table.judged = truth(node); }},
+            {"fit", [&](const toml::node& node) { read.table.fit = truth(node); }},
+            {"set", [&](const toml::node& node) { read.table.shared = settings(node); }},
+            {"columns", [&](const toml::node& node) { read.columns = &node; }},
+            {"rows", [&](const toml::node& node) { read.rows = &node; }}});
+        return handlers;
+    }
+
+    std::string against(const toml::node& node) {
+        constexpr std::ptrdiff_t most = 7;
+        std::string word = text(node);
+        if (std::ranges::count_if(word, [](char each) { return (each & 0xC0) != 0x80; }) > most) // letters of UTF-8
+            report(node.source().begin, fmt::format("\"{}\" is too long to stand above a figure: it takes {} letters", word, most));
+        return word;
+    }
+
+    /// Reads what a row says when it is a row, whose columns are known.
+    static Handlers noted(Members& members) {
+        Handlers handlers;
+        for (const char* name : {"figure", "unit", "decimals", "relative_to", "known", "tolerance", "origin"})
+            handlers[name] = [&members, name](const toml::node& node) { members[name] = &node; };
         return handlers;
     }
 
     void read_columns(const toml::node& node, StudyTable& table) {
-        table.columns.clear();
-        for (const toml::table* each : tables_in(node, "it takes a list of tables", form_of_variants))
+        std::set<std::string> names;
+        for (const toml::table* each : tables_in(node, "it takes a list of tables", form_of_variants)) {
             read_table(*each, of_variant(table.columns.emplace_back()), "column");
+            require_name(*each, "column", table.columns.back().name, names);
+        }
+    }
+
+    void require_name(const toml::table& source, const char* what, const std::string& name,
+                      std::set<std::string>& names) {
+        if (!source.contains("name"))
+            report(source.source().begin, fmt::format("a {} has a name", what), form_of_variants);
+        else if (!names.insert(name).second)
+            report(source.get("name")->source().begin,
+                   fmt::format("another {} of the table is called \"{}\"", what, name));
     }
 
     void read_rows(TableRead& read) {
+        std::set<std::string> names;
+        FigureNames known_names;
+        known_names.add_measures(study_.figures);
         for (const toml::table* each : tables_in(*read.rows, "it takes a list of tables", form_of_variants)) {
-            StudyRow row = read.row;
-            Handlers handlers = of_row(row, read.table.columns);
+            StudyRow row;
+            Members members = read.of_rows;
+            Handlers handlers = noted(members);
             handlers.merge(of_variant(row.runs));
             read_table(*each, handlers, "row");
-            if (!row.figure)
+            require_name(*each, "row", row.runs.name, names);
+            for (const auto& [name, node] : members)
+                of_row(row, read.table.columns).at(name)(*node);
+            if (!members.contains("figure"))
                 report(each->source().begin, "a row has a figure", "figure = \"time\"");
+            for (std::size_t i = 0; i < read.table.columns.size(); ++i)
+                check_cell(members, row, read.table.set(row, read.table.columns[i]), i, known_names);
+            known_names.add(row.runs.name, "the row above");
             read.table.rows.push_back(std::move(row));
         }
+    }
+
+    /// What can be said of a cell before its run is made.
+    void check_cell(const Members& members, const StudyRow& row, const Overrides& set, std::size_t column,
+                    const FigureNames& measures_and_rows) {
+        FigureNames settings;
+        settings.add_settings(set);
+        if (row.figure)
+            attempt_at(*members.at("figure"), [&] { settings.require(row.figure, measures_and_rows); });
+        StudyExpression::Figures known;
+        if (column < row.known.size() && row.known[column])
+            attempt_at(value_at(members, "known", column), [&] {
+                settings.require(row.known[column], {});
+                known["known"] = row.known[column].value(set, {});
+            });
+        if (column < row.tolerances.size() && row.tolerances[column].amount)
+            attempt_at(value_at(members, "tolerance", column), [&] {
+                check_tolerance(row.tolerances[column].amount, settings, set, known);
+            });
+    }
+
+    static void check_tolerance(const StudyExpression& amount, const FigureNames& settings, const Overrides& set,
+                                const StudyExpression::Figures& known) {
+        FigureNames of_known;
+        of_known.add("known", "the known figure");
+        settings.require(amount, of_known);
+        if (known.empty() && amount.names().contains("known"))
+            return;
+        if (const double value = amount.value(set, known); !(value >= 0))
+            throw UserError(fmt::format("a tolerance is 0 or more: this is {}", value));
+    }
+
+    /// Where it stands, for messages.
+    static const toml::node& value_at(const Members& members, const char* name, std::size_t column) {
+        const toml::node& node = *members.at(name);
+        const toml::array* list = node.as_array();
+        return list && column < list->size() ? *list->get(column) : node;
     }
 
     Handlers of_variant(StudyVariant& variant) {
@@ -162,7 +259,7 @@ private:
 
     Handlers of_row(StudyRow& row, const std::vector<StudyVariant>& columns) {
         return {
-            {"figure", [&](const toml::node& node) { row.figure = expression(node, text(node)); }},
+            {"figure", [&](const toml::node& node) { read_figure(node, row); }},
             {"unit", [&](const toml::node& node) { row.unit = text(node); }},
             {"decimals", [&](const toml::node& node) { row.decimals = static_cast<int>(whole(node, 0, 9)); }},
             {"relative_to", [&](const toml::node& node) { row.relative_to = settings(node); }},
@@ -172,6 +269,14 @@ private:
             {"origin", [&](const toml::node& node) { row.origins = by_column(node, columns, &StudyReader::origin); }}};
     }
 
+    void read_figure(const toml::node& node, StudyRow& row) {
+        const std::string figure = text(node);
+        if (std::ranges::find(study_.figures, figure) != study_.figures.end())
+            row.measure = figure;
+        else
+            row.figure = expression(node, figure);
+    }
+
     /// One that is no list is of all columns.
     template <class Read>
     std::vector<Read> by_column(const toml::node& node, const std::vector<StudyVariant>& columns,
@@ -179,8 +284,11 @@ private:
         const toml::array* array = node.as_array();
         if (!array)
             return std::vector(columns.size(), (this->*read)(node, value_text(node)));
-        if (array->size() > columns.size())
-            report(node.source().begin, "it has more values than the table has columns");
+        if (array->size() != columns.size())
+            report(node.source().begin,
+                   fmt::format("it has {} values than the table has columns: {}, not {}",
+                               array->size() > columns.size() ? "more" : "fewer", array->size(), columns.size()),
+                   "one value that is no list is of all columns");
         std::vector<Read> all;
         for (const toml::node& each : *array)
             all.push_back((this->*read)(each, value_text(each)));
@@ -189,20 +297,22 @@ private:
 
     StudyExpression expression(const toml::node& node, const std::string& text) {
         StudyExpression read("");
+        if (text.empty())
+            report(node.source().begin, "it takes a number or an expression; nan where there is none");
         attempt_at(node, [&] { read = StudyExpression(text); });
         return read;
     }
 
     StudyExpression known(const toml::node& node, std::string text) {
-        return expression(node, text == "nan" ? "" : text);
+        return text == "nan" ? StudyExpression("") : expression(node, text);
     }
 
-    /// "3 %" is of what is known, ".05" or ".01 * known" in the figure's unit.
+    /// "3 %" is of what is known, ".05" or ".01 * known" in the figure's unit; nan: it is not judged.
     StudyTolerance tolerance(const toml::node& node, std::string text) {
         const bool in_percent = text.ends_with('%');
         if (in_percent)
             text.pop_back();
-        return {expression(node, text), in_percent};
+        return {known(node, text), in_percent};
     }
 
     Origin origin(const toml::node& node, std::string text) {

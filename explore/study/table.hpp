@@ -20,9 +20,10 @@ struct StudyTolerance {
     bool in_percent = false;    ///< of the known one; else in the unit of the figure
 };
 
-/// A row of a table. Lists have a member for each column; beyond their ends there is nothing.
+/// A row of a table. Lists have a member for each column, or none at all.
 struct StudyRow {
     StudyVariant runs;
+    std::string measure = "";   ///< the figure is this one, as the study names it; "": the next
     StudyExpression figure{""}; ///< over what is set, measures by their last names, and the rows above by their names
     std::string unit = "";
     int decimals = 2;
@@ -37,6 +38,7 @@ struct StudyTable {
     std::string name, against = "known", notes = "";
     bool judged = false; ///< even where it is not the first
     bool fit = false;    ///< whether a line below it says how far its outcomes are from what is known
+    Overrides shared = {};   ///< what is set in all its runs, unless a row or column sets it
     std::vector<StudyVariant> columns = {};
     std::vector<StudyRow> rows = {};
 

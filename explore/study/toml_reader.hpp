@@ -24,8 +24,10 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace placedpar {
@@ -180,7 +182,8 @@ protected:
     }
 
     void report(const toml::source_position& at, std::string message, std::string hint = "") {
-        reporter_.error({source_, at.line, at.column}, std::move(message), std::move(hint));
+        if (reported_.emplace(at.line, at.column, message).second)
+            reporter_.error({source_, at.line, at.column}, std::move(message), std::move(hint));
     }
 
     void refuse_if_failed() {
@@ -191,6 +194,7 @@ protected:
 private:
     std::shared_ptr<const SourceFile> source_;
     Reporter reporter_;
+    std::set<std::tuple<toml::source_index, toml::source_index, std::string>> reported_; ///< each once
 };
 
 } // namespace placedpar

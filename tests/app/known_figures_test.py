@@ -34,13 +34,13 @@ class KnownFigures(unittest.TestCase):
         self.assertIn("as it was measured\n", said)
         self.assertIn("10 packets", said)
         self.assertIn("with a stopwatch", said)
-        self.assertIn("every judged cell of the first reading is within its tolerance", said)
+        self.assertIn("every judged cell of the first table is within its tolerance", said)
 
     def test_a_table_that_misses_it_ends_with_3(self):
-        self.assertIn("a cell of the first reading misses its tolerance", self.sweep("0.11", code=3))
+        self.assertIn("a cell of the first table misses its tolerance", self.sweep("0.11", code=3))
 
     def test_another_setting_is_one_of_all_cells(self):
-        self.assertIn("a cell of the first reading misses its tolerance",
+        self.assertIn("a cell of the first table misses its tolerance",
                       self.sweep("0.095", "a.clock=10M", "--results", "slower.sqlite", code=3))
         self.assertIn('a.clock has several values, and the study\'s table "as it was measured" takes one',
                       self.sweep("0.095", "a.clock=10M,20M", code=1))

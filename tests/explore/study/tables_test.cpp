@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 
 using namespace placedpar;
 
@@ -79,7 +80,8 @@ TEST_CASE("a cell has a figure of its run, what is known, and how far both may b
         tables_of(study_in(head + "[[table]]\nname = \"x\"\nagainst = \"thesis\"\n" + columns +
                            "rows = [{name = \"rate\", figure = \"rate\", unit = \"1/s\", decimals = 1, known "
                            "= [10, nan, \"9 * (slaves + 1)\"], tolerance = [\"3 %\", \"3 %\", \".01 * "
-                           "known\"], origin = [\"workload\"]}]\n"))
+                           "known\"], origin = [\"workload\", "
+                           "\"outcome\", \"outcome\"]}]\n"))
             .at(0);
     CHECK(simulated(table) == std::vector<double>{10, 18, 24});
     CHECK(table.against == "thesis");
@@ -145,11 +147,12 @@ TEST_CASE("what is wrong in a table is refused with its place") {
 
 TEST_CASE("a figure that no run has, or a run that did not end, is told") {
     const std::string table = "[[table]]\nname = \"x\"\n" + columns + "rows = [{name = \"a\", figure = \"speed\"}]\n";
-    CHECK_THROWS_WITH_AS(tables_of(study_in("netlist = \"any.cfs\"\nmeasure = \"master.speed\"\n" + table)),
-                         doctest::Contains("there is no measure \"master.speed\""), UserError);
-    CHECK_THROWS_WITH_AS(tables_of(study_in(head + table)), doctest::Contains("the name \"speed\" is undefined"),
-                         RefusedInput);
+    const Comparison missing =
+        tables_of(study_in("netlist = \"any.cfs\"\nmeasure = \"master.speed\"\n" + table)).at(0);
+    CHECK(missing.notes.find("there is no measure \"master.speed\"") != std::string::npos);
+    CHECK_THROWS_WITH_AS(study_in(head + table), doctest::Contains("the name \"speed\" is undefined"), RefusedInput);
     StudyResults none(StudySource{});
-    CHECK_THROWS_WITH_AS(comparisons_of(study_in(head + table), none), doctest::Contains("has not been made"),
-                         UserError);
+    CHECK_THROWS_WITH_AS(
+        comparisons_of(study_in("netlist = \"any.cfs\"\nmeasure = \"master.speed\"\n" + table), none),
+        doctest::Contains("has not been made"), std::invalid_argument);
 }

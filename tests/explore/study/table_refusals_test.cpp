@@ -1,0 +1,158 @@
+// Tables of a study that do not say what they mean: each is refused with its place, or its cell left without a figure.
+
+#include "explore/study/comparisons.hpp"
+#include "explore/study/study_file.hpp"
+#include "explore/study/sweep.hpp"
+#include "text/user_error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+using namespace placedpar;
+
+namespace {
+
+Study farm_study(const std::string& text) {
+    const auto path = std::filesystem::temp_directory_path() / "placedpar_table_refusals_test.toml";
+    std::ofstream(path) << text;
+    Study study = read_study(path.string());
+    return study;
+}
+
+/// Four lines; what follows stands from the fifth on.
+const std::string farm_head = "netlist = \"any.cfs\"\nmeasure = [\"min(t.busy)\", \"max(t.busy)\", \"m.rate\"]\n"
+                              "[[table]]\nname = \"x\"\n";
+const std::string farm_columns = "columns = [{name = \"alone\", set = {slaves = 0}}, {name = \"one\", set = {slaves = "
+                                 "1}}]\n";
+
+std::string farm_rows(const std::string& more) {
+    return "rows = [{name = \"a\", figure = \"rate\"" + (more.empty() ? "" : ", " + more) + "}]\n";
+}
+
+void check_farm_refused(const std::string& text, const std::string& why) {
+    CAPTURE(text);
+    CHECK_THROWS_WITH_AS(farm_study(text), doctest::Contains(why.c_str()), RefusedInput);
+}
+
+/// With one slave there is a deadlock.
+Comparison farm_table(const Study& study) {
+    StudyResults results(StudySource{});
+    for (std::uint64_t i = 0; i < study.count(); ++i) {
+        const StudyRun run = *study.at(i);
+        const bool whole = run.set.at("slaves") != "1";
+        results.keep(run, {.ended = whole ? "completed" : "deadlock",
+                           .figures = {{"t[0].busy", {20, "%"}}, {"t[1].busy", {50, "%"}}, {"m.rate", {8, "1/s"}}}});
+    }
+    return comparisons_of(study, results).at(0);
+}
+
+} // namespace
+
+TEST_CASE("tables, columns and rows have names, each its own") {
+    const std::string nameless = "netlist = \"any.cfs\"\nmeasure = \"m.rate\"\n[[table]]\n";
+    check_farm_refused(nameless + farm_columns + farm_rows(""), ":3:1: error: a table has a name");
+    check_farm_refused(farm_head + farm_columns + farm_rows("") + "[[table]]\nname = \"x\"\nlike = \"x\"\n",
+                       ":8:8: error: another table is called \"x\"");
+    check_farm_refused(farm_head + "columns = [{set = {slaves = 1}}]\n" + farm_rows(""),
+                       ":5:12: error: a column has a name");
+    check_farm_refused(farm_head + "columns = [{name = \"a\"}, {name = \"a\"}]\n" + farm_rows(""),
+                       "another column of the table is called \"a\"");
+    check_farm_refused(farm_head + farm_columns + "rows = [{figure = \"rate\"}]\n", "a row has a name");
+    check_farm_refused(farm_head + farm_columns +
+                           "rows = [{name = \"a\", figure = \"rate\"},\n{name = \"a\", figure = \"rate\"}]\n",
+                       ":7:9: error: another row of the table is called \"a\"");
+}
+
+TEST_CASE("a table is like another only where it says so") {
+    check_farm_refused(farm_head + farm_columns + farm_rows("") + "[[table]]\nname = \"y\"\n" + farm_rows(""),
+                       ":7:1: error: a table has columns and rows");
+}
+
+TEST_CASE("a name in an expression stands for one thing, which is known when the file is read") {
+    auto rows = [](const std::string& text) { return farm_head + farm_columns + "rows = [" + text + "]\n"; };
+    check_farm_refused(rows("{name = \"a\", figure = \"rat\"}"),
+                       ":6:31: error: the name \"rat\" is undefined; did you mean \"rate\"?");
+    check_farm_refused(rows("{name = \"a\", figure = \"2 * busy\"}"),
+                       "\"busy\" stands for the measure max(t.busy) and for the measure min(t.busy)");
+    check_farm_refused(rows("{name = \"rate\", figure = \"2 * rate\"}, {name = \"b\", figure = \"rate + 1\"}"),
+                       "\"rate\" stands for the measure m.rate and for the row above");
+    check_farm_refused(rows("{name = \"slaves\", figure = \"rate\"}, {name = \"b\", figure = \"slaves\"}"),
+                       "\"slaves\" stands for the row above and for the setting slaves");
+    check_farm_refused(rows("{name = \"b\", figure = \"a\"}, {name = \"a\", figure = \"rate\"}"),
+                       "the name \"a\" is undefined");
+    check_farm_refused(farm_head + farm_columns + farm_rows("known = \"rate\""), "the name \"rate\" is undefined");
+    check_farm_refused(farm_head + farm_columns + farm_rows("known = \"1 / slaves\""), "division by zero");
+    check_farm_refused(farm_head + farm_columns + farm_rows("known = 1, tolerance = \"knwon\""),
+                       "did you mean \"known\"?");
+    check_farm_refused(farm_head + "set = {\"a.clock\" = 1, \"b.clock\" = 2}\n" + farm_columns +
+                           farm_rows("known = \"clock\""),
+                       "\"clock\" stands for the setting a.clock and for the setting b.clock");
+}
+
+TEST_CASE("without a measure figures are made of the time") {
+    Study study = farm_study("netlist = \"any.cfs\"\n[[table]]\nname = \"x\"\n" + farm_columns +
+                             "rows = [{name = \"a\", figure = \"time / 1000\"}]\n");
+    CHECK(study.figures == std::vector<std::string>{"time"});
+}
+
+TEST_CASE("lists have a value for each column, also those of a table that is like another") {
+    for (const char* name : {"known", "tolerance", "origin"}) {
+        check_farm_refused(farm_head + farm_columns + farm_rows(std::string(name) + " = [\"1\"]"),
+                           "it has fewer values than the table has columns: 1, not 2");
+        check_farm_refused(farm_head + farm_columns + farm_rows(std::string(name) + " = []"), "0, not 2");
+    }
+    const std::string first = farm_head + farm_columns + farm_rows("known = 8, tolerance = 1");
+    Study study = farm_study(first + "[[table]]\nname = \"y\"\nlike = \"x\"\ncolumns = [{name = \"1\"}, {name = "
+                                     "\"2\"}, {name = \"3\"}]\n" +
+                             "known = 8\n" + farm_rows("tolerance = 2"));
+    CHECK(study.tables.at(1).columns.size() == 3);
+    CHECK(study.tables.at(1).rows.at(0).known.size() == 3);
+    CHECK(study.tables.at(1).rows.at(0).tolerances.size() == 3);
+}
+
+TEST_CASE("a tolerance is a number that is not negative") {
+    for (const char* tolerance : {"-1", "\"-3 %\"", "\"2 - known\""})
+        check_farm_refused(farm_head + farm_columns + farm_rows(std::string("known = 8, tolerance = ") + tolerance),
+                           "a tolerance is 0 or more: this is -");
+    for (const char* tolerance : {"\"\"", "\"%\""})
+        check_farm_refused(farm_head + farm_columns + farm_rows(std::string("known = 8, tolerance = ") + tolerance),
+                           "it takes a number or an expression");
+    CHECK_FALSE(farm_study(farm_head + farm_columns + farm_rows("known = 8, tolerance = [1, nan]"))
+                    .tables.at(0)
+                    .rows.at(0)
+                    .tolerances.at(1)
+                    .amount);
+}
+
+TEST_CASE("what does not go together with tables is refused") {
+    const std::string table = farm_columns + farm_rows("");
+    check_farm_refused("where = \"slaves > 0\"\n" + farm_head + table, ":1:9: error: a condition leaves out");
+    check_farm_refused(farm_head + table + "[search]\nminimise = \"time\"\n", ":7:1: error: a search makes no tables");
+    check_farm_refused(farm_head + "against = \"databook\"\n" + table, ":5:11: error: \"databook\" is too long");
+    CHECK(farm_study(farm_head + "against = \"(4.9) ä\"\n" + table).tables.at(0).against == "(4.9) ä");
+}
+
+TEST_CASE("a figure may be a measure as the study names it, and a row above") {
+    const Comparison table = farm_table(
+        farm_study(farm_head + "columns = [{name = \"two\", set = {slaves = 2}}]\n" +
+                   "rows = [{name = \"least\", figure = \"min(t.busy)\"}, {name = \"most\", figure = \"max(t.busy)\"}, "
+                   "{name = \"apart\", figure = \"most - least\"}]\n"));
+    CHECK(table.cells.at(0).simulated == 20);
+    CHECK(table.cells.at(1).simulated == 50);
+    CHECK(table.cells.at(2).simulated == 30);
+}
+
+TEST_CASE("a run that did not come to its end leaves its cell without a figure") {
+    const Comparison table =
+        farm_table(farm_study(farm_head + farm_columns + farm_rows("known = 8, tolerance = 1")));
+    CHECK(table.cells.at(0).simulated == 8);
+    CHECK(table.cells.at(0).within_tolerance());
+    CHECK(std::isnan(table.cells.at(1).simulated));
+    CHECK_FALSE(table.cells.at(1).within_tolerance());
+    CHECK(table.notes == "-: no figure of the run with slaves = 1: deadlock\n");
+    CHECK(print_comparison(table).find("-       8        !") != std::string::npos);
+}
