@@ -18,8 +18,8 @@ const char* name_of(Origin);
 /// A simulated figure beside a known one, and how far apart the two may be.
 struct Cell {
     std::string row, column, unit = {};
-    std::optional<double> reference = {}; ///< the known figure: Comparison::against names its source
-    double simulated = 0; ///< not a number: there is none, which meets no tolerance
+    std::optional<double> reference = {};         ///< the known figure: Comparison::against names its source
+    double simulated = 0;                         ///< not a number: there is none, which meets no tolerance
     std::optional<double> tolerance_percent = {}; ///< of the reference; none: printed, not judged
     Origin origin = Origin::outcome;
     std::optional<double> tolerance = {}; ///< in the cell's unit; replaces tolerance_percent

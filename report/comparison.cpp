@@ -238,9 +238,8 @@ std::string print_comparison(const Comparison& comparison) {
 }
 
 bool are_within_tolerance(const std::vector<Comparison>& comparisons) {
-    return std::ranges::all_of(comparisons, [&](const Comparison& each) {
-        return !counts(each, comparisons) || each.within_tolerance();
-    });
+    return std::ranges::all_of(
+        comparisons, [&](const Comparison& each) { return !counts(each, comparisons) || each.within_tolerance(); });
 }
 
 bool is_any_judged(const std::vector<Comparison>& comparisons) {

@@ -74,8 +74,9 @@ NamedPlot farm_plot(const StudyReplay& study, Replay& replay) {
     Panel panel = farm_panel(study, communication, "C_time2", "communication of a generation");
     panel.series.push_back({.name = "Table E.1", .points = {{1, 0.6}, {2, 1.28}, {3, 1.89}}, .stroke = Stroke::points});
     panel.marks.push_back({.name = "appendix E: a link each", .y = 0.4});
-    return {"farms",
-            {"Forms of a farm over the number of slaves", {panel, farm_panel(study, generation, "T_exe", "a generation")}}};
+    return {
+        "farms",
+        {"Forms of a farm over the number of slaves", {panel, farm_panel(study, generation, "T_exe", "a generation")}}};
 }
 
 Replay replay_farms(const ReplayContext& context) {

@@ -87,7 +87,8 @@ Comparison& StudyReplay::table(Replay& replay, const std::string& name) const {
 double StudyReplay::number_in(const std::string& name) const {
     const std::size_t first = name.find_first_of("0123456789");
     const std::size_t behind = std::min(name.find_first_not_of("0123456789.", first), name.size());
-    auto number = first == name.npos ? std::nullopt : parse_number<double>(std::string_view(name).substr(first, behind - first));
+    auto number =
+        first == name.npos ? std::nullopt : parse_number<double>(std::string_view(name).substr(first, behind - first));
     if (!number)
         refuse(fmt::format("the replay needs a number in \"{}\", as in \"12 slaves\"", name));
     return *number;

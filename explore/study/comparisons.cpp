@@ -92,8 +92,7 @@ private:
         const StudyFigures relative_to =
             row.relative_to.empty() ? StudyFigures() : outcome_of(reference(row, run)).figures;
         auto value = [&](const StudyMeasure& measure) {
-            return measured(measure, outcome.figures) /
-                   (row.relative_to.empty() ? 1 : measured(measure, relative_to));
+            return measured(measure, outcome.figures) / (row.relative_to.empty() ? 1 : measured(measure, relative_to));
         };
         if (!row.measure.empty())
             return value(StudyMeasure(row.measure));

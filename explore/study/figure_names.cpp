@@ -20,9 +20,9 @@ using MeaningsByName = std::map<std::string, std::set<std::string>>;
             names.push_back(each.first);
     const std::string meant = did_you_mean(name, names);
     throw UserError(fmt::format("the name \"{}\" is undefined; {}", name,
-                                !meant.empty()    ? meant
+                                !meant.empty()  ? meant
                                 : names.empty() ? "nothing has a name here"
-                                                  : fmt::format("there are {}", fmt::join(names, ", "))));
+                                                : fmt::format("there are {}", fmt::join(names, ", "))));
 }
 
 } // namespace

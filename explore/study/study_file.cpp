@@ -78,7 +78,8 @@ private:
     /// What does not go together with tables.
     void require_simple(const toml::table& top) {
         if (top.contains("where") && !top.contains("set"))
-            report(top.get("where")->source().begin, "a condition leaves out combinations of [set], and there is no [set]",
+            report(top.get("where")->source().begin,
+                   "a condition leaves out combinations of [set], and there is no [set]",
                    "the runs of a table are all made; [[also]] has a condition of its own");
         if (top.contains("search"))
             report(top.get("search")->source().begin, "a search makes no tables",
@@ -147,16 +148,16 @@ private:
 
     Handlers of_table(TableRead& read) {
         Handlers handlers = noted(read.of_rows);
-        handlers.merge(Handlers{
-            {"name", [&](const toml::node& node) { read.table.name = text(node); }},
-            {"like", [](const toml::node&) {}},
-            {"against", [&](const toml::node& node) { read.table.against = against(node); }},
-            {"notes", [&](const toml::node& node) { read.table.notes = node.value_or(std::string()); }},
-            {"judged", [&](const toml::node& node) { read.table.judged = truth(node); }},
-            {"fit", [&](const toml::node& node) { read.table.fit = truth(node); }},
-            {"set", [&](const toml::node& node) { read.table.shared = settings(node); }},
-            {"columns", [&](const toml::node& node) { read.columns = &node; }},
-            {"rows", [&](const toml::node& node) { read.rows = &node; }}});
+        handlers.merge(
+            Handlers{{"name", [&](const toml::node& node) { read.table.name = text(node); }},
+                     {"like", [](const toml::node&) {}},
+                     {"against", [&](const toml::node& node) { read.table.against = against(node); }},
+                     {"notes", [&](const toml::node& node) { read.table.notes = node.value_or(std::string()); }},
+                     {"judged", [&](const toml::node& node) { read.table.judged = truth(node); }},
+                     {"fit", [&](const toml::node& node) { read.table.fit = truth(node); }},
+                     {"set", [&](const toml::node& node) { read.table.shared = settings(node); }},
+                     {"columns", [&](const toml::node& node) { read.columns = &node; }},
+                     {"rows", [&](const toml::node& node) { read.rows = &node; }}});
         return handlers;
     }
 
@@ -164,7 +165,8 @@ private:
         constexpr std::ptrdiff_t most = 7;
         std::string word = text(node);
         if (std::ranges::count_if(word, [](char each) { return (each & 0xC0) != 0x80; }) > most) // letters of UTF-8
-            report(node.source().begin, fmt::format("\"{}\" is too long to stand above a figure: it takes {} letters", word, most));
+            report(node.source().begin,
+                   fmt::format("\"{}\" is too long to stand above a figure: it takes {} letters", word, most));
         return word;
     }
 
@@ -229,9 +231,8 @@ private:
                 known["known"] = row.known[column].value(set, {});
             });
         if (column < row.tolerances.size() && row.tolerances[column].amount)
-            attempt_at(value_at(members, "tolerance", column), [&] {
-                check_tolerance(row.tolerances[column].amount, settings, set, known);
-            });
+            attempt_at(value_at(members, "tolerance", column),
+                       [&] { check_tolerance(row.tolerances[column].amount, settings, set, known); });
     }
 
     static void check_tolerance(const StudyExpression& amount, const FigureNames& settings, const Overrides& set,

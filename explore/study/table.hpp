@@ -36,9 +36,9 @@ struct StudyRow {
 /// Figures of a study beside known ones: a cell for each row and column.
 struct StudyTable {
     std::string name, against = "known", notes = "";
-    bool judged = false; ///< even where it is not the first
-    bool fit = false;    ///< whether a line below it says how far its outcomes are from what is known
-    Overrides shared = {};   ///< what is set in all its runs, unless a row or column sets it
+    bool judged = false;   ///< even where it is not the first
+    bool fit = false;      ///< whether a line below it says how far its outcomes are from what is known
+    Overrides shared = {}; ///< what is set in all its runs, unless a row or column sets it
     std::vector<StudyVariant> columns = {};
     std::vector<StudyRow> rows = {};
 

@@ -106,8 +106,9 @@ TEST_CASE("lists have a value for each column, also those of a table that is lik
         check_farm_refused(farm_head + farm_columns + farm_rows(std::string(name) + " = []"), "0, not 2");
     }
     const std::string first = farm_head + farm_columns + farm_rows("known = 8, tolerance = 1");
-    Study study = farm_study(first + "[[table]]\nname = \"y\"\nlike = \"x\"\ncolumns = [{name = \"1\"}, {name = "
-                                     "\"2\"}, {name = \"3\"}]\n" +
+    Study study = farm_study(first +
+                             "[[table]]\nname = \"y\"\nlike = \"x\"\ncolumns = [{name = \"1\"}, {name = "
+                             "\"2\"}, {name = \"3\"}]\n" +
                              "known = 8\n" + farm_rows("tolerance = 2"));
     CHECK(study.tables.at(1).columns.size() == 3);
     CHECK(study.tables.at(1).rows.at(0).known.size() == 3);
@@ -147,8 +148,7 @@ TEST_CASE("a figure may be a measure as the study names it, and a row above") {
 }
 
 TEST_CASE("a run that did not come to its end leaves its cell without a figure") {
-    const Comparison table =
-        farm_table(farm_study(farm_head + farm_columns + farm_rows("known = 8, tolerance = 1")));
+    const Comparison table = farm_table(farm_study(farm_head + farm_columns + farm_rows("known = 8, tolerance = 1")));
     CHECK(table.cells.at(0).simulated == 8);
     CHECK(table.cells.at(0).within_tolerance());
     CHECK(std::isnan(table.cells.at(1).simulated));
