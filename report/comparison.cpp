@@ -28,7 +28,7 @@ struct ShownColumn {
 };
 
 /// Adjacent rows that share their columns.
-struct Table {
+struct ShownTable {
     std::vector<ShownColumn> columns;
     std::vector<Cells> rows;
 
@@ -48,8 +48,8 @@ std::vector<Cells> rows_of(const Cells& cells) {
     return rows;
 }
 
-std::vector<Table> tables_of(const Cells& cells) {
-    std::vector<Table> tables;
+std::vector<ShownTable> tables_of(const Cells& cells) {
+    std::vector<ShownTable> tables;
     for (const Cells& row : rows_of(cells)) {
         auto fits = [&](const Cell& cell) { return tables.back().has(cell.column); };
         if (tables.empty() || !std::ranges::all_of(row, fits)) {
@@ -145,11 +145,11 @@ std::string print_tolerances(const Cells& row) {
     return fmt::format("{}", fmt::join(each, ", "));
 }
 
-bool has_tolerances(const Table& table) {
+bool has_tolerances(const ShownTable& table) {
     return std::ranges::any_of(table.rows, [](const Cells& row) { return !print_tolerances(row).empty(); });
 }
 
-bool has_sources(const Table& table) {
+bool has_sources(const ShownTable& table) {
     return std::ranges::any_of(table.rows, [](const Cells& row) { return !row.front().source.empty(); });
 }
 
@@ -160,7 +160,7 @@ void widen(std::size_t& width, const std::string& figure) {
 }
 
 /// Finds what its columns have to show.
-Table with_what_is_shown(Table table, const std::string& against) {
+ShownTable with_what_is_shown(ShownTable table, const std::string& against) {
     for (ShownColumn& column : table.columns)
         for (const Cells& row : table.rows)
             if (auto cell = std::ranges::find(row, column.name, &Cell::column); cell != row.end()) {
@@ -181,7 +181,7 @@ std::string print_cell(const Cell& cell, const ShownColumn& column, const std::s
            in_width(print_error(cell, against), column.error) + mark(cell);
 }
 
-std::string print_row(const Cells& row, const Table& table, const std::string& against, std::size_t width) {
+std::string print_row(const Cells& row, const ShownTable& table, const std::string& against, std::size_t width) {
     std::string out = fmt::format("\n{:<{}}", label(row.front()), width);
     for (const ShownColumn& column : table.columns) {
         auto cell = std::ranges::find(row, column.name, &Cell::column);
@@ -195,7 +195,7 @@ std::string print_row(const Cells& row, const Table& table, const std::string& a
 }
 
 /// The numbers end a place before the words above them: behind them there is room for a mark.
-std::string print_head(const Table& table, const std::string& against, std::size_t width) {
+std::string print_head(const ShownTable& table, const std::string& against, std::size_t width) {
     std::string names, figures;
     for (const ShownColumn& column : table.columns) {
         names += fmt::format("  {:>{}}", column.name, column.width());
@@ -207,7 +207,7 @@ std::string print_head(const Table& table, const std::string& against, std::size
                        has_tolerances(table) ? "  tolerance" : "", has_sources(table) ? "  source" : "");
 }
 
-std::string print_table(const Table& table, const std::string& against, std::size_t width) {
+std::string print_table(const ShownTable& table, const std::string& against, std::size_t width) {
     std::string out = print_head(table, against, width);
     for (const Cells& row : table.rows)
         out += print_row(row, table, against, width);
@@ -231,7 +231,7 @@ bool Comparison::within_tolerance() const { return std::ranges::all_of(cells, &C
 
 std::string print_comparison(const Comparison& comparison) {
     std::string out = comparison.name;
-    for (const Table& table : tables_of(comparison.cells))
+    for (const ShownTable& table : tables_of(comparison.cells))
         out += print_table(with_what_is_shown(table, comparison.against), comparison.against,
                            label_width(comparison.cells));
     return out + "\n" + comparison.notes;

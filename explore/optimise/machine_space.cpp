@@ -10,7 +10,7 @@ namespace {
 
 const StudyProduct& only_product(const Study& study) {
     if (study.products.size() > 1)
-        throw UserError("a search chooses from one product, but the study has further ones below [[also]]");
+        throw UserError("a search chooses from one product: leave out [[also]] and [[table]], which have further ones");
     return study.products.front();
 }
 
