@@ -252,8 +252,6 @@ std::string print_verdict(const std::vector<Comparison>& comparisons, const std:
     const bool others = std::ranges::any_of(comparisons, &Comparison::judged),
                within = are_within_tolerance(comparisons);
     const std::string of_first = others ? "" : " of the first " + called;
-    if (!is_any_judged(comparisons))
-        return fmt::format("no cell{} has a tolerance: none is judged\n", of_first);
     auto text = fmt::format("{} cell{} {}\n", within ? "every judged" : "a", of_first,
                             within ? "is within its tolerance" : "misses its tolerance");
     return painted(within ? Paint::success : Paint::failure, text);

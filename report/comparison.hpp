@@ -30,8 +30,8 @@ std::string print_comparison(const Comparison&);
 bool are_within_tolerance(const std::vector<Comparison>&);
 /// Whether these have a cell with a tolerance or bound.
 bool is_any_judged(const std::vector<Comparison>&);
-/// For people: that every judged cell of them is within its tolerance, that one is not, or that there is none. The
-/// first of several is `called` the first reading, or table.
+/// For people: that every judged cell of them is within its tolerance, or that one is not. The first of several is
+/// `called` the first reading, or table.
 std::string print_verdict(const std::vector<Comparison>&, const std::string& called = "reading");
 /// For people: how far the outcomes are from what is known, of those in the first cell's unit.
 std::string print_fit(const std::vector<Cell>&);

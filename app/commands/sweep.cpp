@@ -195,7 +195,8 @@ ExitCode print_tables(const Study& study, StudyResults& results) {
     for (const Comparison& table : tables)
         out += "\n" + print_comparison(table);
     out += study.notes.empty() ? "" : "\n" + study.notes;
-    print_out(out + "\n" + print_verdict(tables, "table"));
+    print_out(out + "\n" +
+              (is_any_judged(tables) ? print_verdict(tables, "table") : "no cell has a tolerance: none is judged\n"));
     return are_within_tolerance(tables) ? ExitCode::success : ExitCode::missed_tolerance;
 }
 

@@ -3,6 +3,7 @@
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
 #include "identification/compliance_fit.hpp"
+#include "text/statistics.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -59,10 +59,6 @@ Rise rise_of(const ExcavatorScenario& scenario) {
                                        (2 * scenario.integration_step_s));
     }
     return rise;
-}
-
-double mean(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 double steepest_psi_per_s(const ExcavatorScenario& scenario) {
