@@ -17,7 +17,7 @@ Explanation half_busy() {
     Explanation explanation;
     explanation.report.result.ending = Ending::completed;
     explanation.report.result.time = 10ms;
-    explanation.report.processors = {{.name = "t[0]", .type = "T800", .busy = 5ms}};
+    explanation.report.processors = {{"t[0]", "T800", 5ms, 0ms}};
     explanation.report.links = {{"t[0].link[1]", "t[1].link[0]", 1000, 2ms}, {"t[1].link[0]", "t[0].link[1]", 0, 0ms}};
     Account account;
     account.computing = 5ms;
@@ -63,7 +63,7 @@ TEST_CASE("shares are parts of a process's life and of the run") {
 
 TEST_CASE("a run that took no time has no shares") {
     Explanation nothing;
-    nothing.report.processors = {{.name = "t", .type = "T800"}};
+    nothing.report.processors = {{"t", "T800", 0ms, 0ms}};
     nothing.accounts["p"];
     const std::string text = printed(nothing);
     CHECK(text.find("nan") == text.npos);
