@@ -1,5 +1,6 @@
 // Input that is no netlist at all, or a monstrous one: one clear diagnostic, in little time.
 
+#include "netlist/language/parser.hpp"
 #include "netlist/read.hpp"
 #include "tests/netlist/small_catalogue.hpp"
 #include "tests/sanitized.hpp"
@@ -211,4 +212,11 @@ TEST_CASE("a caret finds its column over tabs, other alphabets and long lines") 
     REQUIRE(excerpt != std::string::npos);
     auto caret = lines.find('^'), at = lines.find('@', excerpt);
     CHECK(caret - (lines.rfind('\n', caret) + 1) == at - (lines.rfind('\n', at) + 1));
+}
+
+TEST_CASE("a name is one word that begins with a letter and is none of the language's") {
+    for (const char* name : {"RING", "t800", "_x", "ring_2"})
+        CHECK(can_be_a_name(name));
+    for (const char* name : {"", "place", "for", "my ring", "3ring", "ring-2", "a.b"})
+        CHECK_FALSE(can_be_a_name(name));
 }

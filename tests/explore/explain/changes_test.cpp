@@ -31,7 +31,7 @@ const Catalogue& all_kinds() {
 }
 
 Network network_with(const std::string& text) {
-    ReadResult result = read_netlist_text(text, all_kinds());
+    ReadResult result = read_netlist_text(text, all_kinds(), {}, "no-such-file.cfs");
     CAPTURE(render(result));
     REQUIRE(result.network);
     return std::move(*result.network);

@@ -23,7 +23,7 @@ SearchCourse course_of(const std::string& way, const std::vector<std::vector<dou
 
 Optimum optimum_of(std::vector<std::string> measures, std::vector<SearchCourse> courses) {
     Optimum optimum{.measures = std::move(measures), .start = {}, .courses = std::move(courses)};
-    optimum.start.merit = {true, {10}};
+    optimum.start.merit = {true, std::vector<double>(optimum.measures.size(), 10)};
     return optimum;
 }
 
