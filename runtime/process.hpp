@@ -35,10 +35,10 @@ struct Grain {
 /// The two priorities of occam's processes.
 enum class Priority { high, low };
 
-/// What a process or a place does for a while. A process says of itself that it is ready, which of its waits it is in
-/// (`stopped` waits for nothing), or that it has ended. The others are told to a trace, or are what a trace makes of
-/// that: a link carries; on a critical path, a bus is waited for. `halted` is for reports: its executive has stopped
-/// for ever.
+/// What a process or a place does for a while. Process::activity() is `ready`, one of the waits (`stopped` waits for
+/// nothing), or `ended`. A trace is also told that a process is `starting`, `executing`, `computing` or `moving` words
+/// over a bus. A trace itself adds that a link is `carrying` a message and that a process waits while a bus is
+/// `arbitrating`. Only reports use `halted`: the process's executive has stopped for ever.
 /// The numbers of those up to `stopped` stand in the files of traces, and must not change.
 enum class Activity {
     executing,

@@ -22,7 +22,7 @@ struct PlaceLeft {
     Time until;                         ///< may be to come
     std::uint64_t bytes = 0;            ///< of a link: it carried so many, one behind the other without a break
     const Process* moves_for = nullptr; ///< of a bus that was one process's own
-    Time since{};                       ///< then: from when on
+    Time since{};                       ///< of moves_for: when the bus began to be its own
 };
 
 /// The log of a run: each process and each place does one thing from one notice on until the next. A sink is told
@@ -34,13 +34,15 @@ struct PlaceLeft {
 class TraceSink {
 public:
     /// From a moment on a process does something else:
-    ///   starting          its first notice, but that it may have been ready: its program goes on when it has its turn;
+    ///   starting          the process exists from now on; its program begins when it has its turn. Only `ready` may
+    ///                     have been told of it before;
     ///   delayed, ...      it waits, as its activity and awaited_channels() say;
     ///   ready             what it waits for has come, or it has computed as long as it wanted to, or has lost its
     ///                     executive. Not said at the end of a PAR, nor when a delay takes no wait;
     ///   executing         a wait is over and its program runs again; activity and awaited_channels() are still those
     ///                     of the wait;
-    ///   computing         also before its wait is over, where a processor works for a process that is ready;
+    ///   computing         its executive works for it. That may begin while its wait is not over yet, when the
+    ///                     process is ready and its processor already spends time on it;
     ///   moving            it computes by moving words over a bus, the waiting for it included;
     ///   ended             its last notice.
     virtual void turns(const Process&, Activity, Time) = 0;

@@ -29,7 +29,7 @@ Overrides overrides_of(const FarmOnDemand& farm, int under_way) {
             {"master.rehearsals", "0"}};
 }
 
-/// Of what no measure says, since the master's processor is one of the array, too.
+/// This figure is computed here, since no measure leaves the master's processor out of the array.
 void add_under_way(Comparison& comparison, const StudyReplay& study, const FarmOnDemand& farm, int under_way) {
     const Overrides set = overrides_of(farm, under_way);
     double least = 100, mean = 0;

@@ -76,7 +76,8 @@ Panel architecture_panel(const std::string& title, const StudyReplay& study, con
     return panel;
 }
 
-/// Of the runs by alpha: the reference, the hypercube, the hybrid, and that with alpha processors an island.
+/// Mixes the fingerprints of the runs by alpha: the reference, the hypercube, the hybrid, and the hybrid with alpha
+/// processors an island. The order is part of the printed fingerprint.
 std::uint64_t fingerprint_of(const StudyReplay& study) {
     Fingerprint fingerprint;
     for (int alpha : machine_alphas)

@@ -75,7 +75,7 @@ private:
             read_part();
     }
 
-    /// What does not go together with tables.
+    /// Refuses what does not go together with tables.
     void require_simple(const toml::table& top) {
         if (top.contains("where") && !top.contains("set"))
             report(top.get("where")->source().begin,
@@ -278,7 +278,7 @@ private:
             row.figure = expression(node, figure);
     }
 
-    /// One that is no list is of all columns.
+    /// A value that is not a list holds for all columns.
     template <class Read>
     std::vector<Read> by_column(const toml::node& node, const std::vector<StudyVariant>& columns,
                                 Read (StudyReader::*read)(const toml::node&, std::string)) {
@@ -325,7 +325,7 @@ private:
         return Origin::outcome;
     }
 
-    /// Those that it has not yet.
+    /// Adds the runs that the study does not have yet.
     void add_runs_of(const StudyTable& table) {
         for (const StudyRow& row : table.rows)
             for (const StudyVariant& column : table.columns) {
@@ -374,7 +374,7 @@ private:
         study_.relative_to = settings(node);
     }
 
-    /// One value of each.
+    /// Returns settings, each of one value, which are read as those of axes are.
     Overrides settings(const toml::node& node) {
         std::vector<StudyAxis> axes;
         read_axes(node, "", axes);

@@ -19,7 +19,7 @@ struct Awaited {
 };
 
 /// An interval in which the same goes on on a track: a processor executes, a link carries, a process does the rest.
-/// Those of one track do not overlap and come in order.
+/// The intervals of one track do not overlap and come in order.
 struct Slice {
     std::size_t track;
     Activity activity;

@@ -48,8 +48,8 @@ public:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
     /// The track of a process; made when it is new. `none` for one that serves a machine where no node executes it.
     std::size_t of(const Process&);
-    /// Of what the processor of a node executes, a direction of a link carries, or a bus does; `none` where there is no
-    /// such place.
+    /// Returns the track of a place: of a node's processor, a direction of a link, or a bus. `none` if there is no such
+    /// place.
     std::size_t of_place(const std::string& name) const;
 
 private:
