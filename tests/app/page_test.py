@@ -6,20 +6,18 @@ import json
 import pathlib
 import re
 import resource
-import shutil
-import subprocess
 import tempfile
 import unittest
 import urllib.parse
 
 import firefox
+from chromium import CHROMIUM, Chromium
 from page_reader import Page, data_of
 from program import EXAMPLES, FIGURE_E2, fingerprint, placedpar
 
 COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
 PHILOSOPHERS = EXAMPLES / "30-philosophers" / "philosophers.cfs"
 ISLANDS = EXAMPLES / "39-through-routing" / "islands.cfs"
-CHROMIUM = shutil.which("chromium")
 
 # What is in sight after loading and after each change of the width; the zoom has to agree, or its next step leads elsewhere.
 WIDTHS = """
@@ -94,6 +92,12 @@ def without_the_middle(page):
 
 
 class Pages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        if CHROMIUM:
+            cls.chromium = Chromium()
+            cls.addClassCleanup(cls.chromium.close)
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -110,15 +114,11 @@ class Pages(unittest.TestCase):
         path = self.folder / "browsed.html"
         page = (self.folder / "run.html").read_text(encoding="utf-8")
         path.write_text(page.replace("</body>", f"<script>{then}</script></body>"), encoding="utf-8")
-        browser = subprocess.run(
-            [CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={self.folder / 'profile'}",
-             "--window-size=1300,900", "--virtual-time-budget=3000", "--enable-logging=stderr", "--dump-dom",
-             path.as_uri() + ("#" + urllib.parse.quote(address, safe="=&") if address else "")],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=100, check=False)
-        self.assertNotIn("CONSOLE", browser.stderr)
-        self.assertIn('data-errors="0"', browser.stdout[:5000])
-        self.assertIn('data-loaded="yes"', browser.stdout[:5000])
-        return browser.stdout
+        page, said = self.chromium.visit(path.as_uri() + ("#" + urllib.parse.quote(address, safe="=&") if address else ""))
+        self.assertEqual(said, [])
+        self.assertIn('data-errors="0"', page[:5000])
+        self.assertIn('data-loaded="yes"', page[:5000])
+        return page
 
     def test_it_needs_nothing_from_elsewhere(self):
         _, page = self.page(FIGURE_E2)
@@ -316,12 +316,8 @@ class Pages(unittest.TestCase):
         (self.folder / "run.html").write_text("<html style='color-scheme: light dark'><body data-loaded='yes'><iframe style='width: 420px; height: 900px' srcdoc='"
                                               f"{html.escape(inner)}'></iframe></body></html>", encoding="utf-8")
         for dark in (False, True):
-            path = self.folder / "run.html"
-            browser = subprocess.run(
-                [CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={self.folder / 'profile'}",
-                 f"--blink-settings=preferredColorScheme={0 if dark else 1}", "--virtual-time-budget=3000", "--dump-dom", path.as_uri()],
-                stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, timeout=100, check=False)
-            width, needed, paper, contrast, drawn, turned = json.loads(html.unescape(re.search(r'data-seen="([^"]*)"', browser.stdout).group(1)))
+            page, _ = self.chromium.visit((self.folder / "run.html").as_uri(), dark)
+            width, needed, paper, contrast, drawn, turned = json.loads(html.unescape(re.search(r'data-seen="([^"]*)"', page).group(1)))
             self.assertEqual(width, 420)
             self.assertLessEqual(needed, width)
             self.assertEqual(paper < 0.2, dark)
