@@ -76,7 +76,7 @@ TEST_CASE("processes of both priorities, timeslices, timers and links just befor
     Channel<int> c("c"), d("d");
     Link& link = simulation.add<Link>();
     c.put_on(link.from_a_to_b()), d.put_on(link.from_b_to_a());
-    constexpr Time late = Time::max() - std::chrono::microseconds{1};
+    static constexpr Time late = Time::max() - std::chrono::microseconds{1};
     simulation.process(
         "low", [] { compute(very_many); }, &slow);
     simulation.process(

@@ -34,9 +34,9 @@ void check_even(const std::map<std::string, int>& seen, std::size_t kinds) {
     for (const auto& [text, count] : seen)
         all += count;
     double share = 1 / static_cast<double>(kinds), deviation = std::sqrt(all * share * (1 - share));
-    for (const auto& [text, count] : seen) {
-        CAPTURE(text);
-        CHECK(std::abs(count - all * share) < 5 * deviation);
+    for (const auto& each : seen) {
+        CAPTURE(each.first);
+        CHECK(std::abs(each.second - all * share) < 5 * deviation);
     }
 }
 

@@ -30,8 +30,8 @@ TEST_CASE("the catalogue lists device kinds, and each says all that the stages a
     Catalogue catalogue;
     std::vector<std::string> names;
     for (const auto& [name, kind] : catalogue.devices()) {
-        CAPTURE(name);
         names.push_back(name);
+        CAPTURE(names.back());
         CHECK_FALSE(kind->noun.empty());
         CHECK_FALSE(kind->about.empty());
         CHECK_FALSE(kind->models.empty());
