@@ -63,8 +63,7 @@ public:
     explicit Options(CLI::App& command) : command_(&command) {}
 
     /// `name` is "--seed", "-o,--out", or that of an argument, "FILE". `value` stays as it is where nothing is typed,
-    /// outlives the command's action, and has one of the types that options.cpp lists; a Time is as parse_time() has
-    /// it.
+    /// outlives the command's action, and has one of the types that options.cpp lists.
     template <class Value>
     Option add(const std::string& name, Value& value, const std::string& about);
     /// Takes one value each time that it is typed; of a list add() would take all words that follow.
