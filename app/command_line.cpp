@@ -1,6 +1,6 @@
 #include "app/command.hpp"
 
-#include "app/options/options.hpp"
+#include "app/options.hpp"
 #include "report/manifest.hpp"
 #include "runtime/kernel.hpp"
 #include "runtime/process.hpp"

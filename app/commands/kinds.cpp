@@ -1,5 +1,5 @@
 #include "app/command.hpp"
-#include "app/options/options.hpp"
+#include "app/options.hpp"
 #include "explore/problems.hpp"
 #include "report/kinds_choice.hpp"
 #include "report/kinds_report.hpp"

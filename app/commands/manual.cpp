@@ -1,5 +1,5 @@
 #include "app/command.hpp"
-#include "app/options/options.hpp"
+#include "app/options.hpp"
 #include "report/manifest.hpp"
 #include "text/output_file.hpp"
 

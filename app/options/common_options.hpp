@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/options/options.hpp"
+#include "app/options.hpp"
 
 #include <cstddef>
 #include <cstdint>

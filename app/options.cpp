@@ -1,4 +1,4 @@
-#include "app/options/options.hpp"
+#include "app/options.hpp"
 
 #include "explore/time_text.hpp"
 #include "text/user_error.hpp"

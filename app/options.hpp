@@ -12,7 +12,7 @@ class Option;
 namespace placedpar {
 
 // What commands say of their options, and what can be read of it. CLI11, the library behind it, takes seconds to
-// compile: only options.cpp and app/command_line.cpp include it.
+// compile: only options.cpp and command_line.cpp include it.
 
 /// An option of a command, or an argument. Refers to it: a copy is the same option.
 class Option {
