@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/options.hpp"
 #include "hydraulics/circuit/circuit.hpp"
 #include "hydraulics/data/link.hpp"
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/options.hpp"
 #include "netlist/read.hpp"
 
 #include <span>
