@@ -1,5 +1,6 @@
 #include "app/command.hpp"
 
+#include "app/options.hpp"
 #include "report/manifest.hpp"
 #include "runtime/kernel.hpp"
 #include "runtime/process.hpp"
@@ -54,7 +55,8 @@ std::string typed(int argc, char** argv) {
 
 void declare(CLI::App& app, const Command& command, const std::string& command_line, Action& chosen) {
     CLI::App* subcommand = app.add_subcommand(command.name, command.about);
-    Action action = command.declare(*subcommand, command_line);
+    Options options(*subcommand);
+    Action action = command.declare(options, command_line);
     subcommand->callback([&chosen, action] { chosen = action; });
 }
 
@@ -64,24 +66,24 @@ bool is_file(const std::string& name) {
 }
 
 /// What is meant by words that are a command of other programs, or a netlist: what would be typed; "" for others.
-std::string meant_by(const CLI::App& app, std::span<char*> words) {
+std::string meant_by(const DeclaredCommand& program, std::span<char*> words) {
     std::string first = words.front();
     if (first == "help")
-        return words.size() > 1 && command_called(app, words[1]) ? fmt::format("{} --help", words[1]) : "--help";
+        return words.size() > 1 && program.command(words[1]) ? fmt::format("{} --help", words[1]) : "--help";
     if (first == "version")
         return "--version";
-    return is_file(first) && command_called(app, "run") ? "run " + first : "";
+    return is_file(first) && program.command("run") ? "run " + first : "";
 }
 
 /// CLI11 would miss a command before it looked at what is there instead.
-void require_command(const CLI::App& app, std::span<char*> words) {
+void require_command(const DeclaredCommand& program, std::span<char*> words) {
     std::string first = words.front();
     bool option = first.starts_with('-');
     std::string name = option ? first.substr(0, first.find('=')) : first;
-    std::vector<std::string> known = option ? names_of_options(app) : names_of_commands(app);
+    std::vector<std::string> known = option ? program.names_of_options() : program.names_of_commands();
     if (std::ranges::find(known, name) != known.end())
         return;
-    if (std::string meant = meant_by(app, words); !meant.empty())
+    if (std::string meant = meant_by(program, words); !meant.empty())
         throw UserError(fmt::format("there is no command \"{}\"; did you mean {} {}?", name, program_name(), meant));
     throw UserError(there_is_no(option ? "option" : "command", name, known,
                                 fmt::format("say {} --help for those there are", program_name())));
@@ -96,7 +98,8 @@ void require_command(const CLI::App& app, std::span<char*> words) {
     auto option =
         std::ranges::find_if(extras, [](const std::string& each) { return each.size() > 1 && each[0] == '-'; });
     if (option != extras.end())
-        throw UserError(there_is_no("option", option->substr(0, option->find('=')), names_of_options(command),
+        throw UserError(there_is_no("option", option->substr(0, option->find('=')),
+                                    declared(command).names_of_options(),
                                     fmt::format("say {} --help for those there are", name)));
     throw UserError(fmt::format("{} takes no further argument: \"{}\"", name, extras.empty() ? "" : extras.front()));
 }
@@ -138,7 +141,7 @@ void declare_all(CLI::App& app, const std::vector<Command>& commands, const std:
 /// Does as parse(), and throws UserError where the command is none.
 ExitCode read(CLI::App& app, int argc, char** argv) {
     if (argc > 1)
-        require_command(app, std::span(argv, static_cast<std::size_t>(argc)).subspan(1));
+        require_command(declared(app), std::span(argv, static_cast<std::size_t>(argc)).subspan(1));
     return parse(app, argc, argv);
 }
 
@@ -207,51 +210,27 @@ void choose_paint() {
 
 } // namespace
 
-std::vector<std::string> names_of_commands(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::App* each : app.get_subcommands({}))
-        names.push_back(each->get_name());
-    return names;
-}
-
-const CLI::App* command_called(const CLI::App& app, const std::string& name) {
-    auto all = app.get_subcommands({});
-    auto found = std::ranges::find(all, name, [](const CLI::App* each) { return each->get_name(); });
-    return found == all.end() ? nullptr : *found;
-}
-
-std::vector<std::string> names_of_options(const CLI::App& command) {
-    std::vector<std::string> names;
-    for (const CLI::Option* option : command.get_options()) {
-        for (const std::string& name : option->get_lnames())
-            names.push_back("--" + name);
-        for (const std::string& name : option->get_snames())
-            names.push_back("-" + name);
-    }
-    return names;
-}
-
 const std::vector<Command>& commands() { return commands_of_program(); }
 
-Action read_command_line(CLI::App& app, const std::vector<Command>& commands, int argc, char** argv) {
+void read_command_line(const std::vector<Command>& commands, int argc, char** argv) {
+    CLI::App app("", program_name());
     Action chosen;
     declare_all(app, commands, typed(argc, argv), chosen);
     read(app, argc, argv);
-    return chosen;
 }
 
-int carry_out(CLI::App& app, std::vector<Command> commands, int argc, char** argv, const std::function<void()>& begin) {
+int carry_out(Program program, int argc, char** argv, const std::function<void()>& begin) {
     hold_closed_streams();
     choose_paint();
     std::set_terminate(report_termination);
-    Action chosen;
     std::signal(SIGPIPE, SIG_IGN);
-    if (!app.get_name().empty())
-        set_program_name(app.get_name());
-    std::ranges::sort(commands, {}, &Command::place);
-    commands_of_program() = commands;
-    declare_all(app, commands, typed(argc, argv), chosen);
-    app.name(program_name());
+    if (!program.name.empty())
+        set_program_name(program.name);
+    std::ranges::sort(program.commands, {}, &Command::place);
+    commands_of_program() = program.commands;
+    CLI::App app(program.about, program_name());
+    Action chosen;
+    declare_all(app, program.commands, typed(argc, argv), chosen);
     app.set_version_flag("-v,-V,--version", version_of_program());
     app.footer( // last: a subcommand takes over the footer that its parent has when it is added
         "The name of a file can be -: standard input or output.\n"

@@ -1,15 +1,15 @@
 #include "app/command.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <iterator>
 #include <utility>
 #include <vector>
 
 int main(int argc, char** argv) {
-    CLI::App app{"PlacedPar simulates transputer networks and the CSP processes placed on them.", "placedpar"};
     std::vector<placedpar::Command> commands = placedpar::program_commands();
     std::ranges::move(placedpar::further_commands(), std::back_inserter(commands));
-    return placedpar::carry_out(app, std::move(commands), argc, argv);
+    return placedpar::carry_out({"placedpar",
+                                 "PlacedPar simulates transputer networks and the CSP processes placed on them.",
+                                 std::move(commands)},
+                                argc, argv);
 }

@@ -3,8 +3,6 @@
 #include "app/command.hpp"
 #include "explore/problems.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <filesystem>
 #include <utility>
 
@@ -19,8 +17,9 @@ int run_program(int argc, char** argv, std::vector<ProcessKind> own_kinds, std::
         for (AddPolicy add : own_policies)
             add();
     };
-    CLI::App app{"Runs, checks, shows and studies netlists.", std::filesystem::path(argv[0]).filename().string()};
-    return carry_out(app, program_commands(), argc, argv, begin);
+    return carry_out({std::filesystem::path(argv[0]).filename().string(), "Runs, checks, shows and studies netlists.",
+                      program_commands()},
+                     argc, argv, begin);
 }
 
 } // namespace placedpar

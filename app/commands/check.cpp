@@ -4,7 +4,6 @@
 #include "text/counted.hpp"
 #include "text/output_file.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
@@ -22,7 +21,7 @@ ExitCode check(const NetlistOptions& options) {
     return ExitCode::success;
 }
 
-Action declare_check(CLI::App& command, const std::string&) {
+Action declare_check(Options& command, const std::string&) {
     auto options = std::make_shared<NetlistOptions>();
     add_netlist(command, *options);
     return [options] { return check(*options); };

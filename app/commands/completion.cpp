@@ -1,7 +1,7 @@
 #include "app/command.hpp"
+#include "app/options.hpp"
 #include "text/output_file.hpp"
 
-#include <CLI/CLI.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 
@@ -54,14 +54,9 @@ Words choices_in(const std::string& type) {
     return choices;
 }
 
-/// The option that this word is, null if it is none.
-const CLI::Option* option_called(const CLI::App& command, const std::string& word) {
-    return word.starts_with('-') ? command.get_option_no_throw(word) : nullptr;
-}
-
-Words first_words(const CLI::App& app) {
-    Words names = names_of_options(app);
-    std::ranges::move(names_of_commands(app), std::back_inserter(names));
+Words first_words(const DeclaredCommand& program) {
+    Words names = program.names_of_options();
+    std::ranges::move(program.names_of_commands(), std::back_inserter(names));
     return names;
 }
 
@@ -85,16 +80,16 @@ Words without_equals(const Words& typed) {
 }
 
 /// What the last of the words could be, before it is compared with what it is so far.
-Words candidates(const CLI::App& app, const Words& words) {
+Words candidates(const DeclaredCommand& program, const Words& words) {
     if (words.size() < 2)
-        return first_words(app);
-    const CLI::App* command = command_called(app, words.front());
+        return first_words(program);
+    const DeclaredCommand* command = program.command(words.front());
     if (!command)
         return {};
-    const CLI::Option* option = option_called(*command, words[words.size() - 2]);
-    if (option && option->get_items_expected_max() > 0)
-        return choices_in(option->get_type_name());
-    return words.back().starts_with('-') ? names_of_options(*command) : values_of(words.front());
+    const DeclaredOption* option = command->option(words[words.size() - 2]);
+    if (option && option->takes_value)
+        return choices_in(option->type);
+    return words.back().starts_with('-') ? command->names_of_options() : values_of(words.front());
 }
 
 /// Zsh leaves --format=s in one: what it takes is then to be completed as one, too. Else "".
@@ -107,11 +102,11 @@ std::string cut_option_off(Words& words) {
     return option + "=";
 }
 
-std::string list_words(const CLI::App& app, const Words& typed) {
+std::string list_words(const DeclaredCommand& program, const Words& typed) {
     Words words = without_equals(typed);
     std::string option = cut_option_off(words), begun = words.empty() ? "" : words.back(), out;
     auto is_short_option = [](const std::string& word) { return word.size() == 2 && word[0] == '-'; };
-    for (const std::string& each : candidates(app, words))
+    for (const std::string& each : candidates(program, words))
         if (each.starts_with(begun) && (begun == "-" || begun == each || !is_short_option(each)))
             out += option + each + "\n";
     return out;
@@ -132,19 +127,17 @@ struct CompletionOptions {
     Words words;
 };
 
-Action declare_completion(CLI::App& command, const std::string&) {
+Action declare_completion(Options& command, const std::string&) {
     auto options = std::make_shared<CompletionOptions>();
-    command
-        .add_option("SHELL", options->shell,
-                    fmt::format("prints a script: source <({} completion bash)", program_name()))
-        ->required()
-        ->check(refuse_shell)
-        ->type_name("bash|zsh");
-    command.add_option("WORDS", options->words, "asked by the scripts: what can the last of these words be?");
-    return [options, &command] {
+    command.add("SHELL", options->shell, fmt::format("prints a script: source <({} completion bash)", program_name()))
+        .required()
+        .check(refuse_shell)
+        .type("bash|zsh");
+    command.add("WORDS", options->words, "asked by the scripts: what can the last of these words be?");
+    return [options, command] {
         print_out(options->shell == "bash"  ? script(bash_script)
                   : options->shell == "zsh" ? script(zsh_script)
-                                            : list_words(*command.get_parent(), options->words));
+                                            : list_words(command.program(), options->words));
         return ExitCode::success;
     };
 }

@@ -1,7 +1,6 @@
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
 #include "app/options/netlist_options.hpp"
-#include "app/options/time_option.hpp"
 #include "app/recorders.hpp"
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
@@ -15,7 +14,6 @@
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 
-#include <CLI/CLI.hpp>
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
@@ -161,11 +159,11 @@ ExitCode explain(const ExplainOptions& options, const std::string& typed) {
     return exit_code_of(explanation);
 }
 
-Action declare_explain(CLI::App& command, const std::string& typed) {
+Action declare_explain(Options& command, const std::string& typed) {
     auto options = std::make_shared<ExplainOptions>();
     add_netlist(command, options->netlist);
     add_seed(command, options->seed);
-    add_time(command, "--until", options->until, "stops the run at this moment of the machine's time");
+    command.add("--until", options->until, "stops the run at this moment of the machine's time");
     add_file(command, "--json", options->json, "writes the explanation for machines");
     add_file(command, "--trace", options->recorded.trace,
              "writes a timeline with the critical path in it, for ui.perfetto.dev (.json)");

@@ -5,7 +5,6 @@
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -69,21 +68,22 @@ ExitCode walk_generations(const GenerationOptions& options) {
     return ExitCode::success;
 }
 
-Action declare_generation(CLI::App& command, const std::string&) {
+Action declare_generation(Options& command, const std::string&) {
     auto options = std::make_shared<GenerationOptions>();
     add_seed(command, options->walk.seed);
-    add_count(command, "--population", options->walk.population, "strings of four bits");
+    add_count(command, "--population", options->walk.population, "strings of four bits").show_default();
     add_count(command, "--generations", options->generations, "how many are walked through")
-        ->check(CLI::Validator([](const std::string& text) { return text == "0" ? "at least 1" : ""; }, ""));
-    command.add_option("--function", options->walk.function, "fitness of x, the string as a number")
-        ->type_name("square|ones|impulse")
-        ->capture_default_str();
-    command.add_option("--crossover", options->walk.crossover_probability, "probability of crossover")
-        ->type_name("P")
-        ->capture_default_str();
-    command.add_option("--mutation", options->walk.mutation_probability, "probability of mutation of a bit")
-        ->type_name("P")
-        ->capture_default_str();
+        .check(not_at_least_one)
+        .show_default();
+    command.add("--function", options->walk.function, "fitness of x, the string as a number")
+        .type("square|ones|impulse")
+        .show_default();
+    command.add("--crossover", options->walk.crossover_probability, "probability of crossover")
+        .type("P")
+        .show_default();
+    command.add("--mutation", options->walk.mutation_probability, "probability of mutation of a bit")
+        .type("P")
+        .show_default();
     add_file(command, "--frames", options->frames, "draws the steps on the four-dimensional hypercube, SVG", "FOLDER");
     return [options] { return walk_generations(*options); };
 }

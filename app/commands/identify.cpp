@@ -7,7 +7,6 @@
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 
-#include <CLI/CLI.hpp>
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
@@ -62,7 +61,7 @@ ExitCode identify_record(const IdentifyOptions& options, const std::string& comm
     throw RefusedInput(fmt::format("{}: error: {}\n", shown_input(options.record), unfit.what()));
 }
 
-Action declare_identify(CLI::App& command, const std::string& typed) {
+Action declare_identify(Options& command, const std::string& typed) {
     auto options = std::make_shared<IdentifyOptions>();
     declare_identify_options(command, *options);
     return [options, typed] { return identify_record(*options, typed); };

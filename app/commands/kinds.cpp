@@ -1,4 +1,5 @@
 #include "app/command.hpp"
+#include "app/options.hpp"
 #include "explore/problems.hpp"
 #include "report/kinds_choice.hpp"
 #include "report/kinds_report.hpp"
@@ -8,7 +9,6 @@
 #include "text/nearest.hpp"
 #include "text/output_file.hpp"
 
-#include <CLI/CLI.hpp>
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
@@ -104,11 +104,11 @@ std::vector<std::string> names_of_kinds() {
     return names;
 }
 
-Action declare_kinds(CLI::App& command, const std::string&) {
+Action declare_kinds(Options& command, const std::string&) {
     auto options = std::make_shared<KindsOptions>();
-    command.add_option("NAME", options->name,
-                       "a kind, a problem, what there is to decide (selection) or a policy (tournament), for all about "
-                       "it. A group such as csp, or problems, or policies, for a list");
+    command.add("NAME", options->name,
+                "a kind, a problem, what there is to decide (selection) or a policy (tournament), for all about "
+                "it. A group such as csp, or problems, or policies, for a list");
     command.add_flag("--json", options->json, "prints everything about them for machines");
     return [options] { return kinds(*options); };
 }

@@ -6,7 +6,6 @@
 #include "text/number.hpp"
 #include "text/output_file.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <unistd.h>
@@ -35,7 +34,7 @@ constexpr Bounds timeouts{0.01, 86400};
 /// An option that takes a number within bounds, and nothing else. CLI11 itself takes nan, -1 for the greatest number
 /// there is, and 010 for eight.
 template <typename Number>
-void add_number(CLI::App& command, const std::string& group, const char* name, Number& value, const char* type,
+void add_number(Options& command, const std::string& group, const char* name, Number& value, const char* type,
                 Bounds bounds, const char* about) {
     constexpr bool whole = std::is_integral_v<Number>;
     auto refuse = [bounds](const std::string& text) {
@@ -47,14 +46,14 @@ void add_number(CLI::App& command, const std::string& group, const char* name, N
                     : fmt::format("\"{}\" is no {} from {} to {}", text, whole ? "whole number" : "number",
                                   bounds.least, bounds.greatest);
     };
-    command.add_option(name, value, fmt::format("{}, {} to {}", about, bounds.least, bounds.greatest))
-        ->type_name(type)
-        ->check(refuse)
-        ->capture_default_str()
-        ->group(group);
+    command.add(name, value, fmt::format("{}, {} to {}", about, bounds.least, bounds.greatest))
+        .type(type)
+        .check(refuse)
+        .show_default()
+        .group(group);
 }
 
-void add_limits(CLI::App& command, ServiceLimits& limits) {
+void add_limits(Options& command, ServiceLimits& limits) {
     auto add = [&](const char* name, auto& value, const char* type, Bounds bounds, const char* about) {
         add_number(command, "Limits", name, value, type, bounds, about);
     };
@@ -76,7 +75,7 @@ void add_limits(CLI::App& command, ServiceLimits& limits) {
     add("--closing-timeout", limits.closing_s, "S", timeouts, "for a client to read the last message");
 }
 
-void add_diagnosis(CLI::App& command, DiagnosisSettings& diagnosis) {
+void add_diagnosis(Options& command, DiagnosisSettings& diagnosis) {
     auto add = [&](const char* name, auto& value, const char* type, Bounds bounds, const char* about) {
         add_number(command, "Diagnosis", name, value, type, bounds, about);
     };
@@ -97,19 +96,19 @@ struct MonitorOptions {
     std::uint16_t port = 0, http = 0;
 };
 
-void add_options(CLI::App& command, MonitorOptions& options) {
+void add_options(Options& command, MonitorOptions& options) {
     ServiceSettings& settings = options.settings;
     auto add = [&](const char* name, auto& value, const char* type, Bounds bounds, const char* about) {
         add_number(command, "Options", name, value, type, bounds, about);
     };
-    command.add_option("--address", settings.address, "where to listen")->capture_default_str();
+    command.add("--address", settings.address, "where to listen").show_default();
     add("--port", options.port, "N", {0, 65535}, "0: any free one, which is printed");
     add("--http", options.http, "N", {0, 65535}, "a page for browsers, /metrics and /healthz there; none unless said");
     add_file(command, "--unix", settings.unix_path, "listen on a socket there, and on a port only if that is given",
              "PATH");
     add_file(command, "--token-file", settings.token_file, "the word that clients have to say to be served");
-    command.add_option("--host-name", settings.host_names,
-                       "a name by which browsers come, such as a proxy's; more than once for more");
+    command.add("--host-name", settings.host_names,
+                "a name by which browsers come, such as a proxy's; more than once for more");
     add_file(command, "--state", settings.state, "keeps what is known over a restart: a database of SQLite");
     add_seed(command, settings.seed);
     add_limits(command, settings.limits);
@@ -138,15 +137,15 @@ ExitCode serve(const ServiceSettings& settings) {
     return ExitCode::success;
 }
 
-Action declare(CLI::App& command, const std::string&) {
+Action declare(Options& command, const std::string&) {
     auto options = std::make_shared<MonitorOptions>();
     add_options(command, *options);
-    return [options, &command] {
+    return [options, command] {
         ServiceSettings& settings = options->settings;
         settings.port = options->port;
-        if (!settings.unix_path.empty() && command.count("--port") == 0)
+        if (!settings.unix_path.empty() && !command.is_given("--port"))
             settings.port.reset();
-        if (command.count("--http") > 0)
+        if (command.is_given("--http"))
             settings.http_port = options->http;
         return serve(settings);
     };

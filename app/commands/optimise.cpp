@@ -1,7 +1,6 @@
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
 #include "app/options/many_runs.hpp"
-#include "app/options/time_option.hpp"
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
 #include "explore/load.hpp"
@@ -19,7 +18,6 @@
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -251,20 +249,18 @@ ExitCode optimise(const OptimiseOptions& typed) {
     return end_of(session);
 }
 
-void add_search_size(CLI::App& command, OptimiseOptions& options) {
-    command.add_option("--seed", options.seed, "of the search's random numbers, in the place of the study's")
-        ->type_name("N")
-        ->check(not_a_whole_number);
+void add_search_size(Options& command, OptimiseOptions& options) {
+    add_count(command, "--seed", options.seed, "of the search's random numbers, in the place of the study's");
     add_number(command, "--population", options.population, 4, StudySearch::most_population,
                "machines of a generation");
     add_number(command, "--generations", options.generations, 1, StudySearch::most_generations, "how many are bred");
-    add_time(command, "--until", options.until, "stops a run at this moment of the machine's time");
+    command.add("--until", options.until, "stops a run at this moment of the machine's time");
     add_jobs(command, options.jobs, "so many runs at once; as many as there are cores if nothing is said");
 }
 
-Action declare_optimise(CLI::App& command, const std::string&) {
+Action declare_optimise(Options& command, const std::string&) {
     auto options = std::make_shared<OptimiseOptions>();
-    command.add_option("STUDY", options->study, "a study (.toml) with a table [search]")->required()->check(not_a_name);
+    command.add("STUDY", options->study, "a study (.toml) with a table [search]").required().check(not_a_name);
     add_search_size(command, *options);
     command.add_flag("--random", options->random, "draws as many machines at random, to compare");
     command.add_flag("--exhaustive", options->exhaustive, "tries all machines out, to compare");

@@ -17,7 +17,7 @@ extern const Command parameters_command{
     .name = "parameters",
     .about = "Prints the constants of the excavator, as a file for --machine",
     .place = 90,
-    .declare = [](CLI::App&, const std::string&) -> Action { return print_parameters; },
+    .declare = [](Options&, const std::string&) -> Action { return print_parameters; },
 };
 
 } // namespace placedpar

@@ -9,7 +9,6 @@
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -68,21 +67,21 @@ ExitCode record(const RecordOptions& options) {
     return ExitCode::success;
 }
 
-void declare_options(CLI::App& command, RecordOptions& options) {
-    command.add_option("SCENARIO", options.scenario, "one of those below")->required();
+void declare_options(Options& command, RecordOptions& options) {
+    command.add("SCENARIO", options.scenario, "one of those below").required();
     add_links(command, options.links, "that move in the scenario links: bucket,boom if not given");
     add_configuration(command, options.configuration, "of the main valve in the scenario links: a if not given");
     add_set(command, options.set, "gives a parameter another value, perhaps with its unit");
-    command.add_option("--noise", options.noise, "of the sensors: none, low, mid or high")->type_name("LEVEL");
+    command.add("--noise", options.noise, "of the sensors: none, low, mid or high").type("LEVEL");
     add_file(command, "--machine", options.machine, "constants that differ from those of placedpar parameters");
     add_seed(command, options.seed, "of the sensors' noise");
     add_file(command, "--out", options.out, "writes the record there, not to standard output");
     command.add_flag("--list", options.list,
                      "lists the scenario's parameters instead: name, value, unit, mark, source");
-    command.footer("scenarios:\n" + list_record_scenarios());
+    command.add_footer("scenarios:\n" + list_record_scenarios());
 }
 
-Action declare_record(CLI::App& command, const std::string&) {
+Action declare_record(Options& command, const std::string&) {
     auto options = std::make_shared<RecordOptions>();
     declare_options(command, *options);
     return [options] { return record(*options); };

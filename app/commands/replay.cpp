@@ -13,7 +13,6 @@
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 
-#include <CLI/CLI.hpp>
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
@@ -160,16 +159,16 @@ ExitCode replay(const ReplayOptions& options, const std::string& typed) try {
     return exit_code_of(unfinished.ending);
 }
 
-Action declare_replay(CLI::App& command, const std::string& typed) {
+Action declare_replay(Options& command, const std::string& typed) {
     auto options = std::make_shared<ReplayOptions>();
-    command.add_option("EXPERIMENT", options->experiment, "one of those below")->required();
+    command.add("EXPERIMENT", options->experiment, "one of those below").required();
     add_seed(command, options->seed);
     add_file(command, "--json", options->json, "writes the cells for machines");
     add_file(command, "--plots", options->plots, "writes the experiment's plots, SVG, and their curves, CSV", "FOLDER");
     add_number(command, "--seeds", options->seeds, 1, most_seeds, "of a study, instead of its own number");
     add_file(command, "--resume", options->resume, "keeps each run of a study there, and goes on from those it has");
     command.add_flag("--yes", options->yes, "begins even very many runs without a question");
-    command.footer("experiments:\n" + list_experiments());
+    command.add_footer("experiments:\n" + list_experiments());
     return [options, typed] { return replay(*options, typed); };
 }
 

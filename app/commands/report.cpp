@@ -11,8 +11,6 @@
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -101,22 +99,16 @@ ExitCode report(const ReportOptions& options) {
     return ExitCode::success;
 }
 
-Action declare_report(CLI::App& command, const std::string&) {
+Action declare_report(Options& command, const std::string&) {
     auto options = std::make_shared<ReportOptions>();
-    command
-        .add_option("STUDY", options->study, "a study, a netlist, or the file with the results of one that was swept")
-        ->required()
-        ->check(not_a_name);
-    command
-        .add_option("--measure", options->measures,
-                    "another measure than those of the sweep; as often as wanted: nothing is run again")
-        ->type_name("MEASURE")
-        ->allow_extra_args(false);
-    command
-        .add_option("--relative-to", options->relative_to,
-                    "divides each figure by that of the run which is the same but for this setting; as often as wanted")
-        ->type_name("NAME=VALUE")
-        ->allow_extra_args(false);
+    command.add("STUDY", options->study, "a study, a netlist, or the file with the results of one that was swept")
+        .required()
+        .check(not_a_name);
+    command.add_list("--measure", options->measures, "MEASURE",
+                     "another measure than those of the sweep; as often as wanted: nothing is run again");
+    command.add_list(
+        "--relative-to", options->relative_to, "NAME=VALUE",
+        "divides each figure by that of the run which is the same but for this setting; as often as wanted");
     add_file(command, "--over", options->over, "what the plot is drawn over", "NAME");
     add_file(command, "--csv", options->csv, "writes the table as comma-separated values");
     add_file(command, "--svg", options->svg, "draws the measures");

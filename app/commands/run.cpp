@@ -2,7 +2,6 @@
 #include "app/options/common_options.hpp"
 #include "app/options/many_runs.hpp"
 #include "app/options/netlist_options.hpp"
-#include "app/options/time_option.hpp"
 #include "app/recorders.hpp"
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
@@ -19,7 +18,6 @@
 #include "text/paint.hpp"
 #include "text/user_error.hpp"
 
-#include <CLI/CLI.hpp>
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
@@ -211,12 +209,10 @@ ExitCode run(const RunOptions& options, const std::string& typed) {
     return exit_code_of(runs, options.seeds);
 }
 
-void add_searches(CLI::App& command, RunOptions& options) {
-    command.add_option("--seeds", options.seeds, "runs with so many seeds, from --seed on, and compares the searches")
-        ->type_name("N")
-        ->check(not_a_whole_number)
-        ->check(CLI::Validator([](const std::string& text) { return text == "0" ? "at least 1" : ""; }, ""))
-        ->capture_default_str();
+void add_searches(Options& command, RunOptions& options) {
+    add_count(command, "--seeds", options.seeds, "runs with so many seeds, from --seed on, and compares the searches")
+        .check(not_at_least_one)
+        .show_default();
     add_file(command, "--log", options.log, "writes every generation of every search: comma-separated, in long form");
     add_file(command, "--convergence", options.convergence,
              "draws best, mean and diversity over the generations, SVG; with --seeds medians and quartiles");
@@ -225,27 +221,26 @@ void add_searches(CLI::App& command, RunOptions& options) {
                      "shows the same while it runs, on a terminal; lines where there is none");
 }
 
-void add_trace(CLI::App& command, RunOptions& options) {
-    CLI::Option* trace = add_file(command, "--trace", options.recorded.trace,
-                                  "writes a timeline, by its ending for ui.perfetto.dev (.json) or GTKWave (.vcd)");
-    add_time(command, "--trace-from", options.recorded.window.from,
-             "begins the timeline, or the page, at this moment of the machine's time");
-    add_time(command, "--trace-until", options.recorded.window.until, "ends the timeline, or the page, at this moment");
+void add_trace(Options& command, RunOptions& options) {
+    Option trace = add_file(command, "--trace", options.recorded.trace,
+                            "writes a timeline, by its ending for ui.perfetto.dev (.json) or GTKWave (.vcd)");
+    command.add("--trace-from", options.recorded.window.from,
+                "begins the timeline, or the page, at this moment of the machine's time");
+    command.add("--trace-until", options.recorded.window.until, "ends the timeline, or the page, at this moment");
     add_count(command, "--trace-limit", options.recorded.window.most_entries,
               "ends the timeline when it has so many slices and messages")
-        ->needs(trace);
+        .show_default()
+        .needs(trace);
 }
 
-Action declare_run(CLI::App& command, const std::string& typed) {
+Action declare_run(Options& command, const std::string& typed) {
     auto options = std::make_shared<RunOptions>();
     add_netlist(command, options->netlist);
     add_seed(command, options->seed);
-    command
-        .add_option("--shuffle", options->shuffle,
-                    "runs what is ready in an order drawn from this seed: another course")
-        ->type_name("SEED")
-        ->check(not_a_whole_number);
-    add_time(command, "--until", options->until, "stops the run at this moment of the machine's time");
+    command.add("--shuffle", options->shuffle, "runs what is ready in an order drawn from this seed: another course")
+        .type("SEED")
+        .check(not_a_whole_number);
+    command.add("--until", options->until, "stops the run at this moment of the machine's time");
     add_file(command, "--json", options->json, "writes the report for machines");
     add_searches(command, *options);
     add_file(command, "--page", options->recorded.page,

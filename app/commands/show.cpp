@@ -8,8 +8,6 @@
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -58,15 +56,14 @@ ExitCode show(const ShowOptions& options) {
     return ExitCode::success;
 }
 
-Action declare_show(CLI::App& command, const std::string&) {
+Action declare_show(Options& command, const std::string&) {
     auto options = std::make_shared<ShowOptions>();
     add_netlist(command, options->netlist);
     command
-        .add_option("--format", options->format,
-                    "the netlist language, a drawing, a drawing for Graphviz, JSON, or a model for Spin")
-        ->check(CLI::IsMember({"cfs", "svg", "dot", "json", "promela"}).description(""))
-        ->type_name("cfs|svg|dot|json|promela")
-        ->capture_default_str();
+        .add("--format", options->format,
+             "the netlist language, a drawing, a drawing for Graphviz, JSON, or a model for Spin")
+        .one_of({"cfs", "svg", "dot", "json", "promela"})
+        .show_default();
     command.add_flag("--software", options->software,
                      "with --format svg: draws processes and channels, not processors and wires");
     add_file(command, "-o,--out", options->out, "writes it there, not to standard output");

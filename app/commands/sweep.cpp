@@ -3,7 +3,6 @@
 #include "app/options/common_options.hpp"
 #include "app/options/many_runs.hpp"
 #include "app/options/netlist_options.hpp"
-#include "app/options/time_option.hpp"
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
 #include "explore/study/comparisons.hpp"
@@ -20,7 +19,6 @@
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -246,33 +244,26 @@ ExitCode sweep(const SweepOptions& typed) {
     return sweep(options, &others);
 }
 
-void add_size(CLI::App& command, SweepOptions& options) {
-    command.add_option("--seed", options.seed, "the first seed, 1 if nothing is said")
-        ->type_name("N")
-        ->check(not_a_whole_number);
-    command.add_option("--seeds", options.seeds, "runs each combination with so many seeds, from the first on")
-        ->type_name("N")
-        ->check(not_a_whole_number)
-        ->check(CLI::Validator([](const std::string& text) { return text == "0" ? "at least 1" : ""; }, ""));
-    add_time(command, "--until", options.until, "stops a run at this moment of the machine's time");
+void add_size(Options& command, SweepOptions& options) {
+    add_count(command, "--seed", options.seed, "the first seed, 1 if nothing is said");
+    add_count(command, "--seeds", options.seeds, "runs each combination with so many seeds, from the first on")
+        .check(not_at_least_one);
+    command.add("--until", options.until, "stops a run at this moment of the machine's time");
     add_jobs(command, options.jobs,
              "so many runs at once; as many as there are cores if nothing is said, one in each rank of mpirun");
 }
 
-Action declare_sweep(CLI::App& command, const std::string&) {
+Action declare_sweep(Options& command, const std::string&) {
     auto options = std::make_shared<SweepOptions>();
-    command.add_option("STUDY", options->study, "a netlist (.cfs), or a study that names one (.toml)")
-        ->required()
-        ->check(not_a_name);
+    command.add("STUDY", options->study, "a netlist (.cfs), or a study that names one (.toml)")
+        .required()
+        .check(not_a_name);
     command
-        .add_option("SETTING", options->settings,
-                    "NAME=VALUES: what is tried out, all combinations of it: slaves=0..7, linkspeed=5M,10M")
-        ->type_name("");
-    command
-        .add_option("--measure", options->measures,
-                    "what is to be known of the runs: time, master.T_exe, max(slave.T_c); as often as wanted")
-        ->type_name("MEASURE")
-        ->allow_extra_args(false);
+        .add("SETTING", options->settings,
+             "NAME=VALUES: what is tried out, all combinations of it: slaves=0..7, linkspeed=5M,10M")
+        .type("");
+    command.add_list("--measure", options->measures, "MEASURE",
+                     "what is to be known of the runs: time, master.T_exe, max(slave.T_c); as often as wanted");
     add_size(command, *options);
     add_read_options(command, options->read);
     add_file(

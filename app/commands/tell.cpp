@@ -4,7 +4,6 @@
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 
-#include <CLI/CLI.hpp>
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
@@ -75,13 +74,11 @@ ExitCode tell(const TellOptions& options) {
     return ExitCode::success;
 }
 
-Action declare_tell(CLI::App& command, const std::string&) {
+Action declare_tell(Options& command, const std::string&) {
     auto options = std::make_shared<TellOptions>();
-    command
-        .add_option("WORDS", options->words,
-                    "alarms; load; forget MACHINE; acknowledge or shelve MACHINE ALARM LINK...")
-        ->required();
-    command.add_option("--address", options->place.address, "where it listens")->capture_default_str();
+    command.add("WORDS", options->words, "alarms; load; forget MACHINE; acknowledge or shelve MACHINE ALARM LINK...")
+        .required();
+    command.add("--address", options->place.address, "where it listens").show_default();
     add_number(command, "--port", options->place.port, 1, 65535, "the port there");
     add_file(command, "--unix", options->place.unix_path, "a socket in the file system, in place of a port", "PATH");
     add_file(command, "--token-file", options->place.token_file, "the word that it wants to hear");

@@ -20,25 +20,22 @@ std::string not_a_number_within(const std::string& text, std::uint64_t least, st
     return right ? "" : fmt::format("\"{}\" is no whole number from {} to {}", text, least, most);
 }
 
+std::string not_at_least_one(const std::string& text) { return text == "0" ? "at least 1" : ""; }
+
 std::string not_a_name(const std::string& text) { return text.empty() ? "it takes a name" : ""; }
 
-void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& about) {
-    command.add_option("--seed", seed, about)->type_name("N")->check(not_a_whole_number)->capture_default_str();
+void add_seed(Options& command, std::uint64_t& seed, const std::string& about) {
+    add_count(command, "--seed", seed, about).show_default();
 }
 
-CLI::Option* add_count(CLI::App& command, const std::string& option, std::size_t& count, const std::string& about,
-                       const std::string& unit) {
-    return command.add_option(option, count, about)->type_name(unit)->check(not_a_whole_number)->capture_default_str();
-}
-
-void add_jobs(CLI::App& command, std::size_t& jobs, const std::string& about) {
+void add_jobs(Options& command, std::size_t& jobs, const std::string& about) {
     constexpr std::uint64_t most = 1000; // few enough for their threads to be started
     add_number(command, "--jobs", jobs, 1, most, about);
 }
 
-CLI::Option* add_file(CLI::App& command, const std::string& option, std::string& path, const std::string& about,
-                      const std::string& type) {
-    return command.add_option(option, path, about)->type_name(type)->check(not_a_name);
+Option add_file(Options& command, const std::string& option, std::string& path, const std::string& about,
+                const std::string& type) {
+    return command.add(option, path, about).type(type).check(not_a_name);
 }
 
 } // namespace placedpar

@@ -3,108 +3,89 @@
 #include "app/options/common_options.hpp"
 #include "app/options/link_options.hpp"
 
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
 namespace placedpar {
 
 using namespace hydraulics;
 
 namespace {
 
-/// An option that takes one of a few words.
-CLI::Option* add_choice(CLI::App& command, const char* name, std::string& value, const char* about,
-                        const std::vector<std::string>& words) {
-    return command.add_option(name, value, about)
-        ->check(CLI::IsMember(words).description(""))
-        ->type_name(fmt::format("{}", fmt::join(words, "|")));
-}
-
 constexpr std::uint64_t a_million = 1'000'000;
 
-void declare_question(CLI::App& command, IdentifyOptions& options) {
-    command.add_option("RECORD", options.record, "measurements: comma-separated values, units in the header")
-        ->type_name("FILE")
-        ->required();
+void declare_question(Options& command, IdentifyOptions& options) {
+    command.add("RECORD", options.record, "measurements: comma-separated values, units in the header")
+        .type("FILE")
+        .required();
     add_links(command, options.links,
               "whose compliance: bucket, boom, stick, swing, or several with commas; all that the record has readings "
               "of if not given, and with --way thesis boom");
-    add_configuration(command, options.configuration, "of the main valve as the record was taken")
-        ->capture_default_str();
+    add_configuration(command, options.configuration, "of the main valve as the record was taken").show_default();
     add_file(command, "--machine", options.machine, "constants that differ from those of placedpar parameters");
-    add_choice(
-        command, "--areas-from", options.areas,
-        "the orifices' areas as they were read, by the spool, or by the servo-valve's voltage; the first of them "
-        "that the record has if not given",
-        {"areas", "spool", "servo"});
     command
-        .add_option("--offset", options.offset,
-                    "by which the boom's spool reads too high, in; none if not given. With --way thesis also auto, "
-                    "which finds it in the record's steady motion, as it does there if not given")
-        ->type_name("auto|none|INCHES");
-    add_choice(command, "--missing", options.missing,
-               "what to do with a row that lacks a reading: refuse the record, or leave the row out",
-               {"refuse", "skip"})
-        ->capture_default_str();
+        .add("--areas-from", options.areas,
+             "the orifices' areas as they were read, by the spool, or by the servo-valve's voltage; the first of them "
+             "that the record has if not given")
+        .one_of({"areas", "spool", "servo"});
+    command
+        .add("--offset", options.offset,
+             "by which the boom's spool reads too high, in; none if not given. With --way thesis also auto, "
+             "which finds it in the record's steady motion, as it does there if not given")
+        .type("auto|none|INCHES");
+    command
+        .add("--missing", options.missing,
+             "what to do with a row that lacks a reading: refuse the record, or leave the row out")
+        .one_of({"refuse", "skip"})
+        .show_default();
 }
 
-void declare_way(CLI::App& command, IdentifyOptions& options) {
-    add_choice(command, "--way", options.way,
-               "service: all movements of the record, as placedpar monitor identifies and judges them; thesis: one "
-               "search over the first transient, as chapter 3 describes it",
-               {"service", "thesis"})
-        ->capture_default_str();
+void declare_way(Options& command, IdentifyOptions& options) {
+    command
+        .add("--way", options.way,
+             "service: all movements of the record, as placedpar monitor identifies and judges them; thesis: one "
+             "search over the first transient, as chapter 3 describes it")
+        .one_of({"service", "thesis"})
+        .show_default();
     // With fewer bits the compliance of a sound machine is within a step or so of the lower bound.
-    add_number(command, "--bits", options.bits, 6, 52, "of a compliance")->capture_default_str();
+    add_number(command, "--bits", options.bits, 6, 52, "of a compliance").show_default();
     add_number(command, "--elite", options.elite, 0, a_million,
                "best individuals that go over unchanged; the way's own if not given");
-    add_number(command, "--population", options.population, 2, a_million, "individuals")->capture_default_str();
-    add_number(command, "--trials", options.trials, 1, a_million, "generations for each new sample")
-        ->capture_default_str();
-    add_number(command, "--window", options.window, 1, 1024, "samples that a fitness is summed over")
-        ->capture_default_str();
-    command.add_option("--bias", options.bias, "B of equation 3.9, (in^3/s)^2")
-        ->type_name("NUMBER")
-        ->capture_default_str();
+    add_number(command, "--population", options.population, 2, a_million, "individuals").show_default();
+    add_number(command, "--trials", options.trials, 1, a_million, "generations for each new sample").show_default();
+    add_number(command, "--window", options.window, 1, 1024, "samples that a fitness is summed over").show_default();
+    command.add("--bias", options.bias, "B of equation 3.9, (in^3/s)^2").type("NUMBER").show_default();
     add_seed(command, options.seed);
 }
 
 /// The samples are given by the thesis's way alone, as are the simulated processes that search as it does.
-void declare_thesis_way(CLI::App& command, IdentifyOptions& options) {
+void declare_thesis_way(Options& command, IdentifyOptions& options) {
     const char* group = "With --way thesis";
-    auto check = [](const std::string& text) { return not_a_number_within(text, 1, a_million); };
-    command
-        .add_option("--samples", options.samples,
-                    "that are used, from the valve's opening on; 20 if not given, the thesis's 0.4 s")
-        ->check(CLI::Validator(check, ""))
-        ->type_name(fmt::format("1..{}", a_million))
-        ->group(group);
-    command.add_flag("--rising", options.rising, "uses nothing from the first falling pressure on")->group(group);
-    add_choice(command, "--coding", options.coding, "of the bits; natural if not given", {"natural", "gray"})
-        ->group(group);
-    auto* netlist =
+    add_number(command, "--samples", options.samples, 1, a_million,
+               "that are used, from the valve's opening on; 20 if not given, the thesis's 0.4 s")
+        .group(group);
+    command.add_flag("--rising", options.rising, "uses nothing from the first falling pressure on").group(group);
+    command.add("--coding", options.coding, "of the bits; natural if not given")
+        .one_of({"natural", "gray"})
+        .group(group);
+    Option netlist =
         add_file(command, "--on", options.netlist,
                  "searches as the processes of this netlist, too; exit code 3 if they do not find the same", "NETLIST");
-    netlist->group(group);
-    command.add_option("--set", options.set, "sets a val, an attribute or a parameter of that netlist")
-        ->type_name("NAME=VALUE")
-        ->allow_extra_args(false)
-        ->needs(netlist)
-        ->group(group);
-    for (auto* option : add_read_options(command, options.read))
-        option->needs(netlist)->group(group);
+    netlist.group(group);
+    command.add_list("--set", options.set, "NAME=VALUE", "sets a val, an attribute or a parameter of that netlist")
+        .needs(netlist)
+        .group(group);
+    for (Option option : add_read_options(command, options.read))
+        option.needs(netlist).group(group);
 }
 
 } // namespace
 
-void declare_identify_options(CLI::App& command, IdentifyOptions& options) {
+void declare_identify_options(Options& command, IdentifyOptions& options) {
     declare_question(command, options);
     declare_way(command, options);
     declare_thesis_way(command, options);
     add_file(command, "--json", options.json, "writes the result for machines");
     command.add_flag("--strict", options.strict,
                      "exit code 3 where an answer should not be believed as it stands, or an alarm holds");
-    command.footer(
+    command.add_footer(
         "It prints, for each movement, the compliance of each link and the standard error that the record's own noise\n"
         "leaves, in both systems of units, and at the end what is said of each link: sound, or what is off by how "
         "much.\n"

@@ -8,10 +8,6 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace placedpar {
 
 /// What the command line of `placedpar identify` may say. What stands for one way only is empty where it was not typed.
@@ -31,6 +27,6 @@ struct IdentifyOptions {
     bool rising = false;
 };
 
-void declare_identify_options(CLI::App& command, IdentifyOptions& options);
+void declare_identify_options(Options& command, IdentifyOptions& options);
 
 } // namespace placedpar

@@ -2,7 +2,6 @@
 
 #include "text/user_error.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <string>
@@ -11,14 +10,12 @@ namespace placedpar {
 
 using namespace hydraulics;
 
-CLI::Option* add_links(CLI::App& command, std::string& links, const std::string& about) {
-    return command.add_option("--link", links, about)->type_name("LINK[,LINK]");
+Option add_links(Options& command, std::string& links, const std::string& about) {
+    return command.add("--link", links, about).type("LINK[,LINK]");
 }
 
-CLI::Option* add_configuration(CLI::App& command, std::string& configuration, const std::string& about) {
-    return command.add_option("--configuration", configuration, about)
-        ->check(CLI::IsMember({"a", "b", "c", "d", "e"}).description(""))
-        ->type_name("a|b|c|d|e");
+Option add_configuration(Options& command, std::string& configuration, const std::string& about) {
+    return command.add("--configuration", configuration, about).one_of({"a", "b", "c", "d", "e"});
 }
 
 LinkSet links_of(const std::string& text) {

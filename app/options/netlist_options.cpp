@@ -6,7 +6,6 @@
 #include "explore/problems.hpp"
 #include "text/user_error.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -14,10 +13,8 @@
 
 namespace placedpar {
 
-CLI::Option* add_set(CLI::App& command, std::vector<std::string>& settings, const std::string& about) {
-    return command.add_option("--set", settings, "NAME=VALUE: " + about)
-        ->type_name("NAME=VALUE")
-        ->allow_extra_args(false);
+Option add_set(Options& command, std::vector<std::string>& settings, const std::string& about) {
+    return command.add_list("--set", settings, "NAME=VALUE", "NAME=VALUE: " + about);
 }
 
 namespace {
@@ -43,24 +40,15 @@ Overrides overrides_of(std::span<const std::string> settings, const std::string&
     return overrides;
 }
 
-std::vector<CLI::Option*> add_read_options(CLI::App& command, ReadOptionsTyped& options) {
-    auto* include = command
-                        .add_option("-I", options.include,
-                                    "where files that the netlist includes are, if not beside it; as often as wanted")
-                        ->type_name("FOLDER");
-    auto* use = command
-                    .add_option("--use", options.use,
-                                "puts a process kind in the place of a program that the netlist uses, such as --use "
-                                "sim.lku=ga.master")
-                    ->type_name("PROGRAM=KIND");
-    auto* fault = command
-                      .add_option("--fault", options.fault,
-                                  "something that fails, in the words of the netlist's statement, such as --fault "
-                                  "'t[0].link[1] silent (from = 20ms)'; as often as wanted")
-                      ->type_name("FAULT");
-    for (auto* option : {include, use, fault})
-        option->allow_extra_args(false);
-    return {include, use, fault};
+std::vector<Option> add_read_options(Options& command, ReadOptionsTyped& options) {
+    return {command.add_list("-I", options.include, "FOLDER",
+                             "where files that the netlist includes are, if not beside it; as often as wanted"),
+            command.add_list("--use", options.use, "PROGRAM=KIND",
+                             "puts a process kind in the place of a program that the netlist uses, such as --use "
+                             "sim.lku=ga.master"),
+            command.add_list("--fault", options.fault, "FAULT",
+                             "something that fails, in the words of the netlist's statement, such as --fault "
+                             "'t[0].link[1] silent (from = 20ms)'; as often as wanted")};
 }
 
 ReadOptions read_options_of(const ReadOptionsTyped& typed) {
@@ -79,8 +67,8 @@ ReadOptions read_options_of(const ReadOptionsTyped& typed) {
     return options;
 }
 
-void add_netlist(CLI::App& command, NetlistOptions& options) {
-    command.add_option("FILE", options.file, "the netlist")->required()->check(not_a_name);
+void add_netlist(Options& command, NetlistOptions& options) {
+    command.add("FILE", options.file, "the netlist").required().check(not_a_name);
     add_set(command, options.set,
             "sets a val, an attribute or a parameter: slaves=3, linkspeed=10M, slave[2].elite=1; as often as wanted");
     add_read_options(command, options.read);

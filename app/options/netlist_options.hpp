@@ -1,20 +1,16 @@
 #pragma once
 
+#include "app/options.hpp"
 #include "netlist/read.hpp"
 
 #include <span>
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-class Option;
-} // namespace CLI
-
 namespace placedpar {
 
 /// --set NAME=VALUE, as often as wanted.
-CLI::Option* add_set(CLI::App&, std::vector<std::string>& settings, const std::string& about);
+Option add_set(Options&, std::vector<std::string>& settings, const std::string& about);
 
 /// What --set, or another option like it, asked for. Throws UserError when one is not of that form or a name is set
 /// twice.
@@ -25,7 +21,7 @@ struct ReadOptionsTyped {
     std::vector<std::string> include, use, fault;
 };
 /// -I FOLDER, --use PROGRAM=KIND and --fault FAULT, as often as wanted.
-std::vector<CLI::Option*> add_read_options(CLI::App&, ReadOptionsTyped&);
+std::vector<Option> add_read_options(Options&, ReadOptionsTyped&);
 /// Throws UserError when a folder is none, a --use is not of its form or a program is given two kinds.
 ReadOptions read_options_of(const ReadOptionsTyped&);
 
@@ -35,7 +31,7 @@ struct NetlistOptions {
     std::vector<std::string> set;
     ReadOptionsTyped read;
 };
-void add_netlist(CLI::App&, NetlistOptions&);
+void add_netlist(Options&, NetlistOptions&);
 
 /// Reads the netlist. Warnings go to standard error. Throws RefusedInput.
 Network load_network(const NetlistOptions&);

@@ -5,7 +5,6 @@
 #include "netlist/kinds/process_kind.hpp"
 #include "text/user_error.hpp"
 
-#include <CLI/CLI.hpp>
 #include <doctest/doctest.h>
 
 #include <unistd.h>
@@ -25,7 +24,7 @@ namespace {
 
 std::function<void()> to_do;
 
-Action declare_failing(CLI::App&, const std::string&) {
+Action declare_failing(Options&, const std::string&) {
     return [] {
         to_do();
         return ExitCode::success;
@@ -64,9 +63,9 @@ Outcome outcome_of(std::function<void()> what) {
     to_do = std::move(what);
     std::string program = "placedpar", command = "fail";
     char* arguments[] = {program.data(), command.data()};
-    CLI::App app;
     Listener listener;
-    int code = carry_out(app, {{.name = "fail", .about = "", .place = 1, .declare = declare_failing}}, 2, arguments);
+    int code =
+        carry_out({"", "", {{.name = "fail", .about = "", .place = 1, .declare = declare_failing}}}, 2, arguments);
     return {code, listener.said()};
 }
 

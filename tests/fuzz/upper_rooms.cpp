@@ -29,7 +29,6 @@
 #include "text/number.hpp"
 #include "text/user_error.hpp"
 
-#include <CLI/CLI.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/json.hpp>
 #include <fcntl.h>
@@ -251,9 +250,8 @@ void read_words(const std::string& text) {
     pointers.push_back(nullptr);
     std::vector<Command> commands = program_commands();
     std::ranges::move(further_commands(), std::back_inserter(commands));
-    CLI::App app("", "placedpar");
     Quiet quiet;
-    read_command_line(app, commands, static_cast<int>(words.size()), pointers.data());
+    read_command_line(commands, static_cast<int>(words.size()), pointers.data());
 }
 
 /// A netlist of searches is checked by their processes, too.
