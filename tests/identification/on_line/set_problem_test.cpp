@@ -1,5 +1,6 @@
 #include "gaprocs/fitness.hpp"
 #include "gaprocs/representation/genome.hpp"
+#include "hydraulics/data/parameters.hpp"
 #include "identification/on_line/population_sets.hpp"
 #include "identification/on_line/set_problem.hpp"
 #include "transient.hpp"
