@@ -1,5 +1,6 @@
 #include "monitor/memory/diagnosis_json.hpp"
 
+#include "identification/verdict/way_matrices.hpp"
 #include "monitor/memory/kept_json.hpp"
 
 #include <algorithm>
@@ -89,7 +90,8 @@ void require_whole(std::size_t links, const Movement::State& movement, const Sam
 
 /// What is inverted later must have an inverse.
 void require_invertible(const OfTwoWays& two, const char* what) {
-    if (!two.allFinite() || two.llt().info() != Eigen::Success)
+    const WayMatrix matrix = matrix_of(two);
+    if (!matrix.allFinite() || matrix.llt().info() != Eigen::Success)
         throw std::runtime_error(fmt::format("{} has no inverse", what));
 }
 

@@ -40,8 +40,6 @@ constexpr std::size_t doubles_in() {
         return only ? count : 0;
     } else if constexpr (requires { std::tuple_size<T>::value; })
         return std::tuple_size_v<T> * doubles_in<typename T::value_type>();
-    else if constexpr (requires { T::SizeAtCompileTime; }) // a matrix
-        return T::SizeAtCompileTime;
     else
         return 0;
 }
