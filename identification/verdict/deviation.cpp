@@ -6,6 +6,11 @@
 
 namespace placedpar::identification {
 
+bool has_inverse(const OfTwoWays& two_ways) {
+    const WayMatrix matrix = matrix_of(two_ways);
+    return matrix.allFinite() && matrix.llt().info() == Eigen::Success;
+}
+
 double Deviation::standard_error(Way way) const {
     return std::sqrt(matrix_of(covariance)(index_of(way), index_of(way)));
 }

@@ -300,7 +300,8 @@ void add_rest(Equations& equations, const NoisyRows& rest, Eigen::Index leak) {
 std::vector<Deviation> parts(const VectorXd& by, const MatrixXd& covariance) {
     std::vector<Deviation> deviations;
     for (Eigen::Index first = 0; first < by.size(); first += ways)
-        deviations.push_back({ways_of(by.segment<ways>(first)), two_ways_of(covariance.block<ways, ways>(first, first))});
+        deviations.push_back(
+            {ways_of(by.segment<ways>(first)), two_ways_of(covariance.block<ways, ways>(first, first))});
     return deviations;
 }
 

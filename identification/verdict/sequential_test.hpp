@@ -49,8 +49,8 @@ public:
         std::array<double, suspicions.size()> sums{};
         std::array<double, suspicions.size()> informations{}; ///< of the movements since the sum was 0
         bool raised = false;
-        OfWays pull{}; ///< information times deviation, of the movements since all sums were 0
-        OfTwoWays information{}; ///< of them
+        OfWays pull{};             ///< information times deviation, of the movements since all sums were 0
+        OfTwoWays information{};   ///< of them
         std::size_t movements = 0; ///< so many
 
         friend bool operator==(const State&, const State&) = default;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "identification/verdict/deviation.hpp"
+#include "identification/verdict/ways.hpp"
 
 #include <Eigen/Dense>
 

@@ -1,7 +1,8 @@
 #include "monitor/memory/diagnosis_json.hpp"
 
-#include "identification/verdict/way_matrices.hpp"
 #include "monitor/memory/kept_json.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -90,8 +91,7 @@ void require_whole(std::size_t links, const Movement::State& movement, const Sam
 
 /// What is inverted later must have an inverse.
 void require_invertible(const OfTwoWays& two, const char* what) {
-    const WayMatrix matrix = matrix_of(two);
-    if (!matrix.allFinite() || matrix.llt().info() != Eigen::Success)
+    if (!has_inverse(two))
         throw std::runtime_error(fmt::format("{} has no inverse", what));
 }
 

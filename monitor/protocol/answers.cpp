@@ -95,9 +95,7 @@ json::object set_json(const Diagnosis& diagnosis, const PopulationSet& set, cons
 
 json::object verdict_json(const LinkVerdict& link) {
     const Verdict& verdict = link.verdict;
-    auto by = [&](Way way, double unit) {
-        return rounded(unit * verdict.deviation.by[index_of(way)]);
-    };
+    auto by = [&](Way way, double unit) { return rounded(unit * verdict.deviation.by[index_of(way)]); };
     auto error = [&](Way way, double unit) { return rounded(unit * verdict.deviation.standard_error(way)); };
     const WayUnits& units = link.units;
     // Areas that are read themselves have none.

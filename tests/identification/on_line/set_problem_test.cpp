@@ -3,6 +3,7 @@
 #include "hydraulics/data/parameters.hpp"
 #include "identification/on_line/population_sets.hpp"
 #include "identification/on_line/set_problem.hpp"
+#include "runtime/random.hpp"
 #include "transient.hpp"
 
 #include <doctest/doctest.h>

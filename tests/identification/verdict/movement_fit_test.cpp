@@ -181,8 +181,8 @@ TEST_CASE("the compliance at rest may be a quarter of a unit off: so uncertain i
         deviations(boom_circuit(), flow_constants(), std::array{LinkInHealth{compliance}}, movement).value().front();
     const WayUnits unit = WayUnits::of(compliance);
     const double leak_by_compliance = -unit.compliance_in3_per_psi * slope_psi_per_s / (unit.leak_in3_per_s_psi * psi);
-    const double left =
-        std::sqrt(matrix_of(found.covariance)(3, 3) - std::pow(leak_by_compliance * found.standard_error(Way::compliance), 2));
+    const double left = std::sqrt(matrix_of(found.covariance)(3, 3) -
+                                  std::pow(leak_by_compliance * found.standard_error(Way::compliance), 2));
     CAPTURE(left / leak_by_compliance);
     CHECK(left == doctest::Approx(0.25 * leak_by_compliance).epsilon(0.15));
 }
