@@ -225,7 +225,7 @@ NoisyRows rows_at_rest(const Balance& balance, const std::vector<JunctionSamples
     for (Eigen::Index i = 0; i < count; ++i) {
         const LinkSample& link = samples[static_cast<std::size_t>(i)][junction];
         rows.slopes(i, column) = -link.inlet_slope_psi_per_s * unit.compliance_in3_per_psi;
-        rows.slopes(i, column + index_of(leak)) = -link.inlet_psi * unit.leak_in3_per_s_psi;
+        rows.slopes(i, column + row_of(leak)) = -link.inlet_psi * unit.leak_in3_per_s_psi;
         rows.missed[i] = -cylinder_flow(link.piston_flow_in3_per_s, link.inlet_slope_psi_per_s, compliance);
     }
     rows.add_noise(MatrixXd(compliance_at_rest_within * rows.slopes.col(column)).sparseView());
@@ -321,7 +321,7 @@ std::optional<std::vector<Deviation>> solve(const Equations& equations) {
 /// A leak that is known from the rest after the movement is not known better than leak_after_within; with it all that
 /// depends on it.
 void add_unread_pressure(Deviation& deviation) {
-    const Eigen::Index leak = index_of(Way::leak);
+    const Eigen::Index leak = row_of(Way::leak);
     WayMatrix covariance = matrix_of(deviation.covariance);
     const WayVector with_leak = covariance.col(leak) / covariance(leak, leak);
     const double error = leak_after_within * deviation.by[index_of(Way::leak)];
@@ -343,10 +343,10 @@ std::optional<std::vector<Deviation>> deviations(const Circuit& circuit, const F
     add_moving(equations, moving_rows(balance, movement, noises));
     for (std::size_t j = 0; j < circuit.size(); ++j)
         if (!balance.reads_areas(j))
-            limit_leak(equations, row_of(j) + index_of(Way::leak));
+            limit_leak(equations, row_of(j) + row_of(Way::leak));
     auto add_rests = [&](const std::vector<JunctionSamples>& samples, Way leak) {
         for (std::size_t j = 0; j < circuit.size(); ++j)
-            add_rest(equations, rows_at_rest(balance, samples, j, leak, noises[j]), row_of(j) + index_of(leak));
+            add_rest(equations, rows_at_rest(balance, samples, j, leak, noises[j]), row_of(j) + row_of(leak));
     };
     const bool rest_before = movement.at_rest.size() >= fewest_at_rest,
                rest_after = rest_before && movement.rest_after.size() >= fewest_at_rest;

@@ -28,7 +28,7 @@ constexpr double kind_within = 0.3;
 Deviation kind_in_health() {
     constexpr double leak_in_common = 0.9;
     WayMatrix covariance = WayMatrix::Identity() * kind_within * kind_within;
-    const std::size_t before = index_of(Way::leak_before), during = index_of(Way::leak);
+    const Eigen::Index before = row_of(Way::leak_before), during = row_of(Way::leak);
     covariance(before, during) = covariance(during, before) = leak_in_common * kind_within * kind_within;
     return {{}, two_ways_of(covariance)};
 }

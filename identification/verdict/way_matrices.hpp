@@ -11,6 +11,8 @@ namespace placedpar::identification {
 using WayVector = Eigen::Matrix<double, all_ways.size(), 1, Eigen::DontAlign>;
 using WayMatrix = Eigen::Matrix<double, all_ways.size(), all_ways.size(), Eigen::DontAlign>;
 
+inline constexpr Eigen::Index row_of(Way way) { return static_cast<Eigen::Index>(way); }
+
 inline WayVector vector_of(const OfWays& ways) { return WayVector(ways.data()); }
 inline WayMatrix matrix_of(const OfTwoWays& two_ways) { return WayMatrix(two_ways.data()); }
 
