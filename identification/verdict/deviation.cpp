@@ -11,9 +11,7 @@ bool has_inverse(const OfTwoWays& two_ways) {
     return matrix.allFinite() && matrix.llt().info() == Eigen::Success;
 }
 
-double Deviation::standard_error(Way way) const {
-    return std::sqrt(matrix_of(covariance)(row_of(way), row_of(way)));
-}
+double Deviation::standard_error(Way way) const { return std::sqrt(matrix_of(covariance)(row_of(way), row_of(way))); }
 
 OfTwoWays Deviation::information() const {
     WayMatrix with_scatter = matrix_of(covariance);
