@@ -1,5 +1,5 @@
 # A room is a folder at the top and a static library placedpar_NAME, known to consumers as PlacedPar::NAME, built from
-# all sources below the folder. In the tree, includes read "room/folder/header.hpp"; outside of it,
+# all sources below the folder. In the tree, includes read "room/folder/header.hpp"; outside of it, those of doors read
 # "placedpar/room/folder/header.hpp" (PublicHeaders.cmake).
 
 # For all that is compiled here, and nobody else.
@@ -28,8 +28,9 @@ if(PLACEDPAR_WARNINGS_AS_ERRORS)
     target_compile_options(placedpar_options INTERFACE -Werror)
 endif()
 
-# placedpar_room(name [SOURCES generated.cpp] DOORS header.hpp ... LINKS ...)
-# The doors are the headers that a program outside of the house begins with; what they include is public too.
+# placedpar_room(name [SOURCES generated.cpp] [DOORS header.hpp ...] LINKS ...)
+# The doors are the headers that a program outside of the house begins with, 30 in all rooms at most (tests/consumer). A
+# header that another door includes anyway, and that nobody would look for by its name, is no door.
 function(placedpar_room name)
     cmake_parse_arguments(ROOM "" "" "SOURCES;DOORS;LINKS" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)

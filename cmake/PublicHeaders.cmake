@@ -1,8 +1,9 @@
 # The public headers of the rooms, as programs outside of the tree include them: under placedpar/, so that they clash
-# with nobody's runtime/. Each room names its doors (placedpar_room's DOORS); the headers that these include are public
-# with them. They are staged in the build tree, where "room/header.hpp" is rewritten to "placedpar/room/header.hpp",
-# again after each edit. The staged folder is what is installed, and what a project includes that uses PlacedPar by
-# add_subdirectory. Rejected: installing every header, which makes all of the house a promise.
+# with nobody's runtime/. Each room names its doors (placedpar_room's DOORS), which a program may include by name; all other
+# headers that these include lie in placedpar/detail/, and are no promise. They are staged in the build tree, where
+# "room/header.hpp" is rewritten to "placedpar/room/header.hpp" or "placedpar/detail/room/header.hpp", again after each
+# edit. The staged folder is what is installed, and what a project includes that uses PlacedPar by add_subdirectory.
+# Rejected: installing every header, which makes all of the house a promise.
 
 get_property(doors GLOBAL PROPERTY PLACEDPAR_DOORS)
 get_property(rooms GLOBAL PROPERTY PLACEDPAR_ROOMS)

@@ -1,6 +1,8 @@
 #include "explore/load.hpp"
 
 #include "explore/problems.hpp"
+#include "hydraulics/data/parameters.hpp"
+#include "hydraulics/data/record_table.hpp"
 #include "text/diagnostic.hpp"
 #include "text/load_source.hpp"
 #include "text/user_error.hpp"

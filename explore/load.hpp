@@ -1,8 +1,6 @@
 #pragma once
 
-#include "gaprocs/problem_registry.hpp"
-#include "hydraulics/data/parameters.hpp"
-#include "hydraulics/data/record_table.hpp"
+#include "hydraulics/data/record.hpp"
 #include "netlist/read.hpp"
 #include "text/diagnostic.hpp"
 
@@ -13,6 +11,12 @@
 #include <vector>
 
 namespace placedpar {
+
+class ProblemRegistry; // gaprocs/problem_registry.hpp
+namespace hydraulics {
+class Parameters;   // hydraulics/data/parameters.hpp
+struct RecordNeeds; // hydraulics/data/record_table.hpp
+} // namespace hydraulics
 
 // Files of the user's. A file with errors is refused: RefusedInput shows each with file, line, column and a caret.
 // "-" is standard input.

@@ -1,6 +1,8 @@
 #include "explore/netlist_run.hpp"
 
 #include "explore/problems.hpp"
+#include "netlist/machine.hpp"
+#include "netlist/repeated_run.hpp"
 
 namespace placedpar {
 

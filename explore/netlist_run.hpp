@@ -1,14 +1,18 @@
 #pragma once
 
-#include "gaprocs/problem_registry.hpp"
-#include "gaprocs/search_observer.hpp"
-#include "netlist/machine.hpp"
+#include "netlist/run_report.hpp"
 
 #include <atomic>
 #include <cstdint>
 #include <optional>
 
 namespace placedpar {
+
+class Catalogue;       // netlist/kinds/catalogue.hpp
+class ProblemRegistry; // gaprocs/problem_registry.hpp
+class SearchObserver;  // gaprocs/search_observer.hpp
+struct Network;        // netlist/network/network.hpp
+struct RecordedRun;    // netlist/repeated_run.hpp
 
 /// Asks runs to end early.
 class Interruption {

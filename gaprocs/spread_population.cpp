@@ -1,5 +1,6 @@
 #include "gaprocs/spread_population.hpp"
 
+#include "gaprocs/recoding.hpp"
 #include "gaprocs/representation/coding.hpp"
 #include "text/user_error.hpp"
 

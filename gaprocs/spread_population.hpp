@@ -1,6 +1,5 @@
 #pragma once
 
-#include "gaprocs/recoding.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "runtime/random.hpp"
 
@@ -8,6 +7,8 @@
 #include <vector>
 
 namespace placedpar {
+
+struct Recoding; // gaprocs/recoding.hpp
 
 /// A first population that covers the space better than a random one (thesis 6.3, "predefined populations"): of each
 /// field the codes are evenly spread over its range, in an order drawn for each field by itself (Latin hypercube

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "gaprocs/initial_population.hpp" // for SearchSettings::initial
 #include "gaprocs/search_problem.hpp"
 #include "gaprocs/settings.hpp"
+#include "gaprocs/spread_population.hpp" // for SearchSettings::initial
 
 #include <cstddef>
 #include <span>

@@ -2,6 +2,7 @@
 
 #include "netlist/complete/complete.hpp"
 #include "netlist/elaborate/elaborator.hpp"
+#include "netlist/elaborate/option_statements.hpp"
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/language/characters.hpp"
 #include "netlist/language/occam.hpp"

@@ -3,6 +3,8 @@
 #include "text/paint.hpp"
 #include "text/utf8.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace placedpar {

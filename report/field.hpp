@@ -3,8 +3,8 @@
 #include "runtime/time.hpp"
 
 #include <boost/json.hpp>
-#include <fmt/format.h>
 
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -29,8 +29,8 @@ struct Field {
         return {std::move(heading), std::move(text), width, Column::right};
     }
     /// Returns a number that has the same name in a table and in a document.
-    static Field count(std::size_t width, const std::string& name, auto number) {
-        return right(width, name, fmt::format("{}", number)).as(name, number);
+    static Field count(std::size_t width, const std::string& name, std::integral auto number) {
+        return right(width, name, std::to_string(number)).as(name, number);
     }
     /// Returns a fact that only documents have.
     static Field member(std::string key, const auto& value) { return Field().as(std::move(key), value); }

@@ -1,5 +1,6 @@
 #include "report/run_report.hpp"
 
+#include "netlist/run_report.hpp"
 #include "report/field.hpp"
 #include "report/search_report.hpp"
 #include "text/counted.hpp"

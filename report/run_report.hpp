@@ -1,7 +1,6 @@
 #pragma once
 
 #include "gaprocs/generation_log.hpp"
-#include "netlist/machine.hpp"
 #include "report/manifest.hpp"
 
 #include <boost/json/fwd.hpp>
@@ -9,6 +8,8 @@
 #include <string>
 
 namespace placedpar {
+
+struct RunReport; // netlist/run_report.hpp
 
 /// For people: how the run ended, what the processes measured, what the generations of those that search were like, how
 /// busy everything was.

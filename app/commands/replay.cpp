@@ -6,6 +6,7 @@
 #include "experiments/kit/examples_folder.hpp"
 #include "experiments/kit/experiment_runs.hpp"
 #include "experiments/kit/replay_report.hpp"
+#include "explore/study/results.hpp"
 #include "picture/gnuplot.hpp"
 #include "report/manifest.hpp"
 #include "text/nearest.hpp"

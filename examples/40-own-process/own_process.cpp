@@ -1,10 +1,8 @@
 // A process kind of our own, and with it the whole command line for netlists.
 
 #include <placedpar/app/program.hpp>
-#include <placedpar/netlist/kinds/catalogue.hpp>
 #include <placedpar/netlist/kinds/environment.hpp>
 #include <placedpar/netlist/kinds/packet.hpp>
-#include <placedpar/runtime/executive.hpp>
 
 using namespace placedpar;
 

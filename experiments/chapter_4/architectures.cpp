@@ -1,5 +1,6 @@
 #include "experiments/chapter_4/kit/speedup_formulas.hpp"
 #include "experiments/kit/study_replay.hpp"
+#include "runtime/fingerprint.hpp"
 
 #include <fmt/format.h>
 

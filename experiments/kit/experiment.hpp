@@ -1,8 +1,6 @@
 #pragma once
 
 #include "explore/load.hpp"
-#include "explore/netlist_run.hpp"
-#include "explore/study/results.hpp"
 #include "picture/plot.hpp"
 #include "report/comparison.hpp"
 #include "runtime/hardware/constants.hpp"
@@ -15,6 +13,9 @@
 #include <vector>
 
 namespace placedpar {
+
+class Interruption; // explore/netlist_run.hpp
+class StudyResults; // explore/study/results.hpp
 
 /// A picture that is no plot, and the name of its file, without .svg.
 struct NamedDrawing {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "experiments/kit/experiment.hpp"
+#include "explore/netlist_run.hpp"
 
 #include <stdexcept>
 #include <string>

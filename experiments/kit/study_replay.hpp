@@ -1,6 +1,7 @@
 #pragma once
 
 #include "experiments/kit/experiment.hpp"
+#include "explore/study/results.hpp"
 #include "explore/study/study.hpp"
 
 #include <cstdint>

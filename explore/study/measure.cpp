@@ -1,6 +1,10 @@
 #include "explore/study/measure.hpp"
 
 #include "explore/problems.hpp"
+#include "gaprocs/problem_registry.hpp"
+#include "netlist/kinds/catalogue.hpp"
+#include "netlist/network/network.hpp"
+#include "netlist/run_report.hpp"
 #include "text/nearest.hpp"
 #include "text/user_error.hpp"
 

@@ -1,10 +1,5 @@
 #pragma once
 
-#include "gaprocs/problem_registry.hpp"
-#include "netlist/kinds/catalogue.hpp"
-#include "netlist/network/network.hpp"
-#include "netlist/run_report.hpp"
-
 #include <boost/json/fwd.hpp>
 
 #include <map>
@@ -14,6 +9,12 @@
 #include <vector>
 
 namespace placedpar {
+
+class Catalogue;        // netlist/kinds/catalogue.hpp
+class ProblemRegistry;  // gaprocs/problem_registry.hpp
+struct Network;         // netlist/network/network.hpp
+struct ProcessInstance; // netlist/network/network.hpp
+struct RunReport;       // netlist/run_report.hpp
 
 /// A number with its unit.
 struct StudyFigure {

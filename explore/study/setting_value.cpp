@@ -1,7 +1,7 @@
 #include "explore/study/setting_value.hpp"
 
 #include "netlist/elaborate/evaluator.hpp"
-#include "netlist/elaborate/overrides.hpp"
+#include "netlist/elaborate/option_statements.hpp"
 #include "netlist/language/parser.hpp"
 
 #include <fmt/format.h>

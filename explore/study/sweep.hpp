@@ -5,6 +5,7 @@
 #include "explore/study/remembered_problem.hpp"
 #include "explore/study/results.hpp"
 #include "explore/study/study.hpp"
+#include "netlist/repeated_run.hpp"
 
 #include <atomic>
 #include <cstdint>

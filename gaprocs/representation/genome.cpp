@@ -1,5 +1,7 @@
 #include "gaprocs/representation/genome.hpp"
 
+#include "runtime/random.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

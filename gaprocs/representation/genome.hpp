@@ -1,7 +1,5 @@
 #pragma once
 
-#include "runtime/random.hpp"
-
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
@@ -14,6 +12,8 @@
 #include <vector>
 
 namespace placedpar {
+
+class RandomStream; // runtime/random.hpp
 
 /// A binary string of any length: the parameters of a search, coded and concatenated (thesis 1.1, eq. 1.6).
 ///

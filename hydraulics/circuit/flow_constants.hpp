@@ -1,8 +1,8 @@
 #pragma once
 
-#include "hydraulics/data/parameters.hpp"
-
 namespace placedpar::hydraulics {
+
+class Parameters; // hydraulics/data/parameters.hpp
 
 /// What every orifice of the excavator shares: flow = k a sqrt(pressure drop), a pump of constant flow, a tank.
 /// Units throughout this room: inch, psi (gauge), lbf, s; the unit is in the name.
@@ -20,7 +20,9 @@ struct FlowConstants {
 };
 
 /// By the rows flow.orifice, flow.pump, flow.tank and flow.relief.
-FlowConstants flow_constants(const Parameters& parameters = Parameters::excavator());
+FlowConstants flow_constants(const Parameters& parameters);
+/// Returns those of Parameters::excavator().
+FlowConstants flow_constants();
 
 /// The excavator's own, the best fit of Table 2.6: rms residual 0.61e-4 in of spool, the table's rounding.
 const FlowConstants& fitted_flow_constants();

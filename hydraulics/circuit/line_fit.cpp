@@ -7,6 +7,13 @@
 
 namespace placedpar::hydraulics {
 
+namespace {
+
+// Of fixed size: sums of a dynamic one could depend on where the memory is aligned.
+using Points = Eigen::Matrix<double, line_fit_points, 1>;
+
+} // namespace
+
 CentredLineFit::CentredLineFit(double period_s) {
     if (!(period_s > 0))
         throw std::invalid_argument("a line fit needs a sampling period above 0");
@@ -17,12 +24,13 @@ CentredLineFit::CentredLineFit(double period_s) {
     Eigen::Matrix<double, line_fit_points, line_fit_points> unit;
     unit.setIdentity();
     Eigen::Matrix<double, 2, line_fit_points> inverse = design.householderQr().solve(unit);
-    slope_weights_ = inverse.row(1).transpose();
+    Eigen::Map<Points>(slope_weights_.data()) = inverse.row(1).transpose();
 }
 
 double CentredLineFit::slope_per_s(std::span<const double> values, std::size_t centre) const {
     assert(has_slope(values.size(), centre));
-    return slope_weights_.dot(Eigen::Map<const Points>(values.data() + centre - line_fit_points / 2));
+    const Points weights(slope_weights_.data());
+    return weights.dot(Eigen::Map<const Points>(values.data() + centre - line_fit_points / 2));
 }
 
 } // namespace placedpar::hydraulics

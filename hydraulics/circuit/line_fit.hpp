@@ -1,7 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
-
+#include <array>
 #include <cstddef>
 #include <span>
 
@@ -28,9 +27,7 @@ public:
     }
 
 private:
-    // Of fixed size: sums of a dynamic one could depend on where the memory is aligned.
-    using Points = Eigen::Matrix<double, line_fit_points, 1>;
-    Points slope_weights_;
+    std::array<double, line_fit_points> slope_weights_;
 };
 
 } // namespace placedpar::hydraulics

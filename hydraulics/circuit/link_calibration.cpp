@@ -1,5 +1,7 @@
 #include "hydraulics/circuit/link_calibration.hpp"
 
+#include "hydraulics/data/parameters.hpp"
+
 #include <fmt/format.h>
 
 #include <string_view>

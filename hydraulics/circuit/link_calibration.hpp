@@ -1,13 +1,14 @@
 #pragma once
 
 #include "hydraulics/data/link.hpp"
-#include "hydraulics/data/parameters.hpp"
 #include "hydraulics/data/record.hpp"
 
 #include <numbers>
 #include <optional>
 
 namespace placedpar::hydraulics {
+
+class Parameters; // hydraulics/data/parameters.hpp
 
 /// How sensors' readings become flows and areas.
 

@@ -2,6 +2,7 @@
 
 #include "hydraulics/data/parameter_range.hpp"
 #include "hydraulics/data/units.hpp"
+#include "text/table.hpp"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,14 @@
 #pragma once
 
-#include "text/table.hpp"
-
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+namespace placedpar {
+struct Diagnostic; // text/diagnostic.hpp
+struct TextRow;    // text/table.hpp
+} // namespace placedpar
 
 namespace placedpar::hydraulics {
 

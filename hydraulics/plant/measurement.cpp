@@ -1,5 +1,7 @@
 #include "hydraulics/plant/measurement.hpp"
 
+#include "hydraulics/data/parameters.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>

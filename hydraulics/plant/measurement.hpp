@@ -1,6 +1,5 @@
 #pragma once
 
-#include "hydraulics/data/parameters.hpp"
 #include "hydraulics/plant/requirement.hpp"
 
 #include <cstddef>
@@ -8,6 +7,8 @@
 #include <span>
 
 namespace placedpar::hydraulics {
+
+class Parameters; // hydraulics/data/parameters.hpp
 
 /// Standard deviations of white Gaussian noise on each sensor.
 struct MeasurementNoise {

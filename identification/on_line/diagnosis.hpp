@@ -36,6 +36,28 @@ struct OpenSample {
     friend bool operator==(const OpenSample&, const OpenSample&) = default;
 };
 
+/// All that a restart of a Diagnosis needs.
+struct DiagnosisState {
+    std::string name; ///< the excavator's
+    ExcavatorParameters parameters;
+    std::optional<hydraulics::Configuration> configuration;
+    hydraulics::LinkSet active;
+    std::optional<double> time_s;  ///< of the last reading
+    bool time_may_restart = false; ///< a control system has connected since the last sample
+    std::uint64_t samples = 0;     ///< read
+    OpenSample open;
+    std::optional<double> sample_s; ///< the middle of the last whole sample since the windows began
+    hydraulics::PerLink<LinkTrack> tracks;
+    std::map<hydraulics::LinkSet, PopulationSet::State> sets; ///< those ever used
+    hydraulics::PerLink<double> health_in3_per_psi{}; ///< compliances, of its kind unless the control system told
+    hydraulics::PerLink<FrozenWatch> pressures, angles;
+    std::map<hydraulics::LinkSet, SetWatch::State> watches; ///< of the sets ever used
+    bool judged = false;                                    ///< something, since the alarms were found last
+    std::vector<Alarm> alarms;                              ///< that hold
+
+    friend bool operator==(const DiagnosisState&, const DiagnosisState&) = default;
+};
+
 /// What a reading led to.
 struct SampleOutcome {
     std::size_t generations = 0;
@@ -52,27 +74,7 @@ struct SampleOutcome {
 /// 2. An input that is refused changes nothing.
 class Diagnosis {
 public:
-    /// All that a restart needs.
-    struct State {
-        std::string name; ///< the excavator's
-        ExcavatorParameters parameters;
-        std::optional<hydraulics::Configuration> configuration;
-        hydraulics::LinkSet active;
-        std::optional<double> time_s;  ///< of the last reading
-        bool time_may_restart = false; ///< a control system has connected since the last sample
-        std::uint64_t samples = 0;     ///< read
-        OpenSample open;
-        std::optional<double> sample_s; ///< the middle of the last whole sample since the windows began
-        hydraulics::PerLink<LinkTrack> tracks;
-        std::map<hydraulics::LinkSet, PopulationSet::State> sets; ///< those ever used
-        hydraulics::PerLink<double> health_in3_per_psi{}; ///< compliances, of its kind unless the control system told
-        hydraulics::PerLink<FrozenWatch> pressures, angles;
-        std::map<hydraulics::LinkSet, SetWatch::State> watches; ///< of the sets ever used
-        bool judged = false;                                    ///< something, since the alarms were found last
-        std::vector<Alarm> alarms;                              ///< that hold
-
-        friend bool operator==(const State&, const State&) = default;
-    };
+    using State = DiagnosisState;
 
     Diagnosis(std::string name, const ExcavatorParameters& parameters, const DiagnosisSettings& settings,
               std::uint64_t seed);

@@ -1,5 +1,6 @@
 #include "identification/on_line/link_estimate.hpp"
 
+#include "identification/on_line/settings.hpp"
 #include "text/statistics.hpp"
 
 #include <fmt/format.h>

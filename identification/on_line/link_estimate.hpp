@@ -1,7 +1,6 @@
 #pragma once
 
 #include "identification/flag.hpp"
-#include "identification/on_line/settings.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -9,6 +8,8 @@
 #include <vector>
 
 namespace placedpar::identification {
+
+struct DiagnosisSettings; // identification/on_line/settings.hpp
 
 /// What a population set knows of the compliance of one of its links.
 ///

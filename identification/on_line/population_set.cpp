@@ -1,6 +1,6 @@
 #include "identification/on_line/population_set.hpp"
 
-#include "gaprocs/representation/genome.hpp"
+#include "gaprocs/search.hpp"
 #include "identification/on_line/window_fitness.hpp"
 
 #include <fmt/format.h>

@@ -1,14 +1,19 @@
 #pragma once
 
-#include "gaprocs/search.hpp"
+#include "gaprocs/representation/genome.hpp"
 #include "identification/on_line/link_estimate.hpp"
 #include "identification/on_line/set_problem.hpp"
+#include "identification/on_line/settings.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace placedpar {
+struct Individual; // gaprocs/policies/individual.hpp
+}
 
 namespace placedpar::identification {
 

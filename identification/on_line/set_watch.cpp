@@ -1,5 +1,7 @@
 #include "identification/on_line/set_watch.hpp"
 
+#include "identification/verdict/movement_fit.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,8 +26,8 @@ bool tells(const Deviation& deviation, Way way) { return deviation.standard_erro
 bool impossible(const Deviation& found, AreasFrom valve) {
     const Deviation deviation = found.with_steady_leak();
     constexpr double no_compliance = -1 / WayUnits::compliance_share, furthest_offset = 10, errors = 2;
-    const double compliance = deviation.by[static_cast<Eigen::Index>(Way::compliance)];
-    const double offset = std::abs(deviation.by[static_cast<Eigen::Index>(Way::offset)]);
+    const double compliance = deviation.by[index_of(Way::compliance)];
+    const double offset = std::abs(deviation.by[index_of(Way::offset)]);
     const bool tells_offset = valve == AreasFrom::areas || tells(deviation, Way::offset);
     return (tells_offset && tells(deviation, Way::compliance) &&
             compliance + errors * deviation.standard_error(Way::compliance) < no_compliance) ||

@@ -27,7 +27,7 @@ std::string print_finding(const LinkFinding& link) {
 }
 
 /// Areas that are read themselves have none.
-bool knows_offset(const Deviation& deviation) { return deviation.by[static_cast<Eigen::Index>(Way::offset)] != 0; }
+bool knows_offset(const Deviation& deviation) { return deviation.by[index_of(Way::offset)] != 0; }
 
 std::string with_error(const Deviation& deviation, Way way, double unit) {
     if (!std::isfinite(deviation.standard_error(way)))
@@ -52,7 +52,7 @@ std::string print_whole(const WholeMovement& whole) {
                        with_error(whole.deviation, Way::leak, whole.units.leak_in3_per_s_psi), print_offset(whole));
 }
 
-double by(const Verdict& verdict, Way way) { return verdict.deviation.by[static_cast<Eigen::Index>(way)]; }
+double by(const Verdict& verdict, Way way) { return verdict.deviation.by[index_of(way)]; }
 
 /// By how much a link is off in each way.
 std::string print_deviation(const LinkVerdict& link) {
@@ -86,7 +86,7 @@ std::string print_verdict(Link link, const LinkVerdict& said) {
 }
 
 boost::json::object off_json(const Deviation& deviation, Way way, double unit) {
-    return {{"by", or_null(unit * deviation.by[static_cast<Eigen::Index>(way)])},
+    return {{"by", or_null(unit * deviation.by[index_of(way)])},
             {"standard_error", or_null(unit * deviation.standard_error(way))}};
 }
 

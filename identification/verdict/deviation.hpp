@@ -1,34 +1,11 @@
 #pragma once
 
-#include "hydraulics/circuit/circuit.hpp"
-#include "hydraulics/circuit/flow_constants.hpp"
-#include "hydraulics/circuit/link_calibration.hpp"
-#include "identification/verdict/movement.hpp"
-
-#include <Eigen/Dense>
-
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <vector>
+#include "identification/verdict/ways.hpp"
 
 namespace placedpar::identification {
 
-/// In what way a link can be off. A compliance that is too great or small misses flow in step with the slope of the
-/// pressure, up while it rises and down while it falls; a leak in step with the pressure, also at rest after the valve
-/// has shut; an offset of the spool, or a drift of voltage against spool, only while oil flows through the valve. A
-/// leak before the movement is a size of its own, since a leak can begin when the valve opens.
-enum class Way : unsigned char { compliance, leak, offset, leak_before };
-
-inline constexpr std::array<Way, 4> all_ways{Way::compliance, Way::leak, Way::offset, Way::leak_before};
-
-/// A size of each way, in the order of all_ways; and what two of them have in common. Not aligned, since the alignment
-/// of Eigen's own would depend on the flags that this header is compiled with.
-using OfWays = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
-using OfTwoWays = Eigen::Matrix<double, 4, 4, Eigen::DontAlign>;
-
-inline constexpr Eigen::Index index_of(Way way) { return static_cast<Eigen::Index>(way); }
+/// Whether it can be inverted, as what is symmetric, finite and positive definite can.
+bool has_inverse(const OfTwoWays&);
 
 /// How much of each way is called one unit: what a verdict is asked to find (ours).
 struct WayUnits {
@@ -48,8 +25,8 @@ inline constexpr double repeats_within = 0.15, offset_repeats_within = 0.1375;
 
 /// By how much a link is off in each way, in units of WayUnits, by one movement or by several.
 struct Deviation {
-    OfWays by = OfWays::Zero();
-    OfTwoWays covariance = OfTwoWays::Zero();
+    OfWays by{};
+    OfTwoWays covariance{};
 
     double standard_error(Way) const;
     /// The inverse of the covariance, what does not repeat from movement to movement (repeats_within) added to it.
@@ -59,30 +36,5 @@ struct Deviation {
     Deviation with_steady_leak() const;
     friend bool operator==(const Deviation&, const Deviation&) = default;
 };
-
-/// What is known of a link before a movement.
-struct LinkInHealth {
-    double compliance_in3_per_psi;
-    /// Areas that are read themselves have no offset.
-    hydraulics::AreasFrom areas = hydraulics::AreasFrom::spool;
-};
-
-/// Fewer samples of a movement say nothing (ours).
-inline constexpr std::size_t fewest_moving = 12;
-
-/// What a movement says of the links of a circuit, in the order of its junctions: generalised least squares of the flow
-/// that the equations miss (3.5 to 3.7, 3.10, 3.11; signed) on compliance, leak and offset of every link, and of
-/// A v + C dP/dt + k_l P = 0 at rest, whatever the spool reads, which tells the leak there: that before the movement,
-/// or that during it when the rest follows. A rest after counts only with one before: without it, as at the end of a
-/// long movement, nothing but the closing of the valve would tell the compliance.
-///
-/// The errors' covariance is what the noise of the readings makes of the missed flows, of all junctions together: of
-/// pressures, angles and valves, each as its own fourth differences show it, through the equations and through the
-/// 5-point slopes; scaled by what is left. The noise of the slopes would make compliances too small; it is taken out of
-/// the normal equations (W. Fuller, Measurement Error Models, 1987). None with fewer than fewest_moving moving samples,
-/// or where the slopes are hardly more than noise.
-std::optional<std::vector<Deviation>> deviations(const hydraulics::Circuit& circuit,
-                                                 const hydraulics::FlowConstants& flow,
-                                                 std::span<const LinkInHealth> links, const MovementSamples& movement);
 
 } // namespace placedpar::identification

@@ -1,29 +1,31 @@
 #include "identification/verdict/sequential_test.hpp"
 
+#include "identification/verdict/way_matrices.hpp"
+
 #include <algorithm>
 
 namespace placedpar::identification {
 
 namespace {
 
-OfWays suspected(const Suspicion& suspicion, const OfWays& scale) {
-    return suspicion.units * unit_of(suspicion.fault).cwiseProduct(scale);
+WayVector suspected(const Suspicion& suspicion, const OfWays& scale) {
+    return suspicion.units * vector_of(unit_of(suspicion.fault)).cwiseProduct(vector_of(scale));
 }
 
 /// The logarithm of the likelihood of `suspected` over that of none.
-double likelihood_ratio(const OfWays& seen, const OfTwoWays& information, const OfWays& suspected) {
+double likelihood_ratio(const WayVector& seen, const WayMatrix& information, const WayVector& suspected) {
     return suspected.dot(information * (seen - suspected / 2));
 }
 
 /// The variance of the share of `by`, were it all; none of what is known exactly.
-double unknown_of(const OfTwoWays& covariance, const OfWays& by) {
+double unknown_of(const WayMatrix& covariance, const WayVector& by) {
     return covariance.isZero(0) ? 0 : 1 / by.dot(covariance.inverse() * by);
 }
 
 } // namespace
 
 OfWays unit_of(LinkFault fault) {
-    OfWays unit = OfWays::Zero();
+    OfWays unit{};
     auto set = [&](Way way) { unit[index_of(way)] = 1; };
     switch (fault) {
     case LinkFault::compliance: set(Way::compliance); break;
@@ -40,25 +42,27 @@ double SequentialTest::add(std::size_t suspicion, const OfWays& seen, const OfTw
     double& known = state_.informations[suspicion];
     if (sum == 0)
         known = 0;
-    const OfWays by = suspected(suspicions[suspicion], scale);
-    const double full = likelihood_ratio(seen, information, by);
+    const WayVector by = suspected(suspicions[suspicion], scale);
+    const WayMatrix informed = matrix_of(information);
+    const double full = likelihood_ratio(vector_of(seen), informed, by);
     const double ratio = std::clamp(full, -most_of_one, most_of_one);
-    known += by.dot(information * by) * (full == ratio ? 1 : ratio / full);
-    const double worth = 1 + known * unknown_of(from_covariance, by);
+    known += by.dot(informed * by) * (full == ratio ? 1 : ratio / full);
+    const double worth = 1 + known * unknown_of(matrix_of(from_covariance), by);
     sum = std::clamp(sum + ratio, 0.0, most * worth);
     return sum / worth;
 }
 
 void SequentialTest::take(const Deviation& movement, const Deviation& from, const OfWays& scale) {
     const OfTwoWays information = movement.information();
-    const OfWays seen = movement.by - from.by;
+    const OfWays seen = ways_of(vector_of(movement.by) - vector_of(from.by));
     if (std::ranges::all_of(state_.sums, [](double sum) { return sum == 0; }))
-        state_.pull.setZero(), state_.information.setZero(), state_.movements = 0;
+        state_.pull = {}, state_.information = {}, state_.movements = 0;
     double greatest = 0;
     for (std::size_t i = 0; i < suspicions.size(); ++i)
         greatest = std::max(greatest, add(i, seen, information, from.covariance, scale));
-    state_.pull += information * seen;
-    state_.information += information;
+    const WayMatrix informed = matrix_of(information);
+    state_.pull = ways_of(vector_of(state_.pull) + informed * vector_of(seen));
+    state_.information = two_ways_of(matrix_of(state_.information) + informed);
     ++state_.movements;
     state_.raised = greatest >= raised_at || (state_.raised && greatest > 0);
 }
@@ -66,8 +70,8 @@ void SequentialTest::take(const Deviation& movement, const Deviation& from, cons
 std::optional<Deviation> SequentialTest::mean() const {
     if (state_.movements == 0)
         return std::nullopt;
-    const OfTwoWays covariance = state_.information.inverse();
-    return Deviation{covariance * state_.pull, covariance};
+    const WayMatrix covariance = matrix_of(state_.information).inverse();
+    return Deviation{ways_of(covariance * vector_of(state_.pull)), two_ways_of(covariance)};
 }
 
 } // namespace placedpar::identification

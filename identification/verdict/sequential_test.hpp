@@ -49,9 +49,9 @@ public:
         std::array<double, suspicions.size()> sums{};
         std::array<double, suspicions.size()> informations{}; ///< of the movements since the sum was 0
         bool raised = false;
-        OfWays pull = OfWays::Zero(); ///< information times deviation, of the movements since all sums were 0
-        OfTwoWays information = OfTwoWays::Zero(); ///< of them
-        std::size_t movements = 0;                 ///< so many
+        OfWays pull{};             ///< information times deviation, of the movements since all sums were 0
+        OfTwoWays information{};   ///< of them
+        std::size_t movements = 0; ///< so many
 
         friend bool operator==(const State&, const State&) = default;
     };
@@ -62,7 +62,7 @@ public:
     friend bool operator==(const SequentialTest&, const SequentialTest&) = default;
 
     /// One more movement: how far off the link was, beyond `from`, in units; `scale` of them are suspected of each way.
-    void take(const Deviation& movement, const Deviation& from, const OfWays& scale = OfWays::Ones());
+    void take(const Deviation& movement, const Deviation& from, const OfWays& scale = {1, 1, 1, 1});
     bool raised() const { return state_.raised; }
     /// The mean of the movements that count, each weighted by its information; none before one does.
     std::optional<Deviation> mean() const;

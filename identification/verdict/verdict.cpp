@@ -1,5 +1,7 @@
 #include "identification/verdict/verdict.hpp"
 
+#include "identification/verdict/way_matrices.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,15 +27,15 @@ constexpr double kind_within = 0.3;
 /// The leak of a healthy link, small as it is, hardly changes when the valve opens.
 Deviation kind_in_health() {
     constexpr double leak_in_common = 0.9;
-    Deviation kind{OfWays::Zero(), OfTwoWays::Identity() * kind_within * kind_within};
-    const Eigen::Index before = index_of(Way::leak_before), during = index_of(Way::leak);
-    kind.covariance(before, during) = kind.covariance(during, before) = leak_in_common * kind_within * kind_within;
-    return kind;
+    WayMatrix covariance = WayMatrix::Identity() * kind_within * kind_within;
+    const Eigen::Index before = row_of(Way::leak_before), during = row_of(Way::leak);
+    covariance(before, during) = covariance(during, before) = leak_in_common * kind_within * kind_within;
+    return {{}, two_ways_of(covariance)};
 }
 
 /// What the information of a mean is worth, which does not grow with the number of movements for ever.
-OfTwoWays information_of_mean(const Deviation& mean) {
-    OfTwoWays covariance = mean.covariance;
+WayMatrix information_of_mean(const Deviation& mean) {
+    WayMatrix covariance = matrix_of(mean.covariance);
     covariance.diagonal().array() += mean_repeats_within * mean_repeats_within;
     return covariance.inverse();
 }
@@ -44,9 +46,9 @@ struct Explanation {
     double likelihood; ///< its logarithm above that of sound
 };
 
-Explanation explanation_by(LinkFault fault, const Deviation& mean, const OfTwoWays& information) {
-    const OfWays unit = unit_of(fault), weights = information * unit;
-    const double known = weights.dot(unit), pull = weights.dot(mean.by);
+Explanation explanation_by(LinkFault fault, const Deviation& mean, const WayMatrix& information) {
+    const WayVector unit = vector_of(unit_of(fault)), weights = information * unit;
+    const double known = weights.dot(unit), pull = weights.dot(vector_of(mean.by));
     const bool takes_only = fault == LinkFault::leak || fault == LinkFault::new_leak;
     return {{pull / known, 1 / std::sqrt(known)}, takes_only && pull < 0 ? 0 : pull * pull / (2 * known)};
 }
@@ -56,7 +58,7 @@ struct Shares {
     double sound, compliance, leak, offset;
 };
 
-Shares shares_of(const Deviation& mean, const OfTwoWays& information) {
+Shares shares_of(const Deviation& mean, const WayMatrix& information) {
     auto of = [&](LinkFault fault) { return explanation_by(fault, mean, information).likelihood; };
     const double compliance = of(LinkFault::compliance), leak = std::max(of(LinkFault::leak), of(LinkFault::new_leak)),
                  offset = of(LinkFault::offset), reach = std::max({compliance, leak, offset});
@@ -67,13 +69,13 @@ Shares shares_of(const Deviation& mean, const OfTwoWays& information) {
 
 /// Of sound and a link that is off by what is suspected, all equally likely before, the share of sound. Nobody suspects
 /// an offset of areas that are read themselves.
-double probability_sound(const Deviation& mean, const OfTwoWays& information, AreasFrom valve) {
+double probability_sound(const Deviation& mean, const WayMatrix& information, AreasFrom valve) {
     double all = 1;
     for (const Suspicion& suspicion : SequentialTest::suspicions) {
         if (suspicion.fault == LinkFault::offset && valve == AreasFrom::areas)
             continue;
-        const OfWays suspected = suspicion.units * unit_of(suspicion.fault);
-        all += std::exp(suspected.dot(information * (mean.by - suspected / 2)));
+        const WayVector suspected = suspicion.units * vector_of(unit_of(suspicion.fault));
+        all += std::exp(suspected.dot(information * (vector_of(mean.by) - suspected / 2)));
     }
     return 1 / all;
 }
@@ -109,7 +111,7 @@ std::optional<VerdictKind> verdict_named(std::string_view name) {
 }
 
 FaultSize size_alone(Way way, const Deviation& mean) {
-    const OfTwoWays information = information_of_mean(mean);
+    const WayMatrix information = information_of_mean(mean);
     if (way == Way::offset)
         return explanation_by(LinkFault::offset, mean, information).size;
     const Explanation steady = explanation_by(LinkFault::leak, mean, information),
@@ -129,7 +131,7 @@ std::string print_leak_or_offset(const Deviation& mean, const WayUnits& units) {
 
 Verdict verdict_of(const Deviation& mean, bool raised, AreasFrom valve) {
     constexpr double told_apart = 0.9;
-    const OfTwoWays information = information_of_mean(mean);
+    const WayMatrix information = information_of_mean(mean);
     if (!raised)
         return {VerdictKind::sound, probability_sound(mean, information, valve), mean, 0};
     const Shares shares = shares_of(mean, information);
@@ -146,15 +148,15 @@ Verdict verdict_of(const Deviation& mean, bool raised, AreasFrom valve) {
 std::optional<Deviation> LinkJudge::baseline() const {
     if (state_.first.size() < movements_of_baseline)
         return std::nullopt;
-    OfTwoWays information = OfTwoWays::Zero();
-    OfWays pull = OfWays::Zero();
+    WayMatrix information = WayMatrix::Zero();
+    WayVector pull = WayVector::Zero();
     for (const Deviation& each : state_.first) {
-        const OfTwoWays of_each = each.information();
+        const WayMatrix of_each = matrix_of(each.information());
         information += of_each;
-        pull += of_each * each.by;
+        pull += of_each * vector_of(each.by);
     }
-    const OfTwoWays covariance = information.inverse();
-    return Deviation{covariance * pull, covariance};
+    const WayMatrix covariance = information.inverse();
+    return Deviation{ways_of(covariance * pull), two_ways_of(covariance)};
 }
 
 bool LinkJudge::is_evidence(const Deviation& movement, AreasFrom valve) {
@@ -197,7 +199,7 @@ Verdict LinkJudge::verdict() const {
     if (!mean)
         return {};
     if (by_itself)
-        mean->covariance += baseline()->covariance;
+        mean->covariance = two_ways_of(matrix_of(mean->covariance) + matrix_of(baseline()->covariance));
     Verdict verdict = verdict_of(*mean, test.raised(), state_.valve);
     if (test.raised() && !beyond_error(verdict.kind, *mean))
         verdict = {VerdictKind::cannot_tell, verdict_of(*mean, false, state_.valve).probability, *mean};

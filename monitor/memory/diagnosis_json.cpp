@@ -2,6 +2,8 @@
 
 #include "monitor/memory/kept_json.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace placedpar::hydraulics {
@@ -89,7 +91,7 @@ void require_whole(std::size_t links, const Movement::State& movement, const Sam
 
 /// What is inverted later must have an inverse.
 void require_invertible(const OfTwoWays& two, const char* what) {
-    if (!two.allFinite() || two.llt().info() != Eigen::Success)
+    if (!has_inverse(two))
         throw std::runtime_error(fmt::format("{} has no inverse", what));
 }
 

@@ -2,7 +2,7 @@
 
 #include "identification/on_line/diagnosis.hpp"
 
-#include <boost/json.hpp>
+#include <boost/json/fwd.hpp>
 
 namespace placedpar::monitor {
 

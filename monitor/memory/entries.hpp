@@ -1,7 +1,5 @@
 #pragma once
 
-#include "identification/on_line/diagnosis.hpp"
-
 #include <boost/describe.hpp>
 
 #include <cstdint>
@@ -10,6 +8,10 @@
 #include <string>
 #include <variant>
 #include <vector>
+
+namespace placedpar::identification {
+struct DiagnosisState; // identification/on_line/diagnosis.hpp
+}
 
 namespace placedpar::monitor {
 
@@ -38,7 +40,7 @@ struct KeptState {
 struct UnwrittenState {
     std::string machine;
     std::uint64_t taken;
-    std::shared_ptr<const identification::Diagnosis::State> state;
+    std::shared_ptr<const identification::DiagnosisState> state;
 };
 
 /// Nothing is known of the machine any more, nor is its history. Its messages are still there: one with the text

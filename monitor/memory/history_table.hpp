@@ -4,25 +4,35 @@
 #include "store/database.hpp"
 #include "text/checksum.hpp"
 
-#include <fmt/format.h>
-
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace placedpar::monitor {
 
+/// What every such table says, whatever its rows are.
+class HistoryText {
+protected:
+    /// The statement of the table with this name, in place of its {}.
+    static std::string of(const std::string& name, const char* statement);
+    /// "?1, ?2" for two.
+    static std::string places(int columns);
+    [[noreturn]] static void throw_damaged(std::uint64_t number, const std::string& machine, const std::string& name);
+
+    static const std::string& exact(const std::string& text) { return text; }
+    static std::string exact(const std::optional<double>& number);
+};
+
 /// A table of described rows, their machine first. Its columns are the machine, the row's number among those of the
 /// machine, the other members and a checksum over all that. Of each machine the newest `most` rows are kept.
 template <typename Row>
-class HistoryTable {
+class HistoryTable : HistoryText {
 public:
     HistoryTable(store::Database& database, const std::string& name, std::uint64_t most)
         : name_(name), most_(most),
           next_(database, of("SELECT coalesce(max(number), 0) + 1 FROM {} WHERE machine = ?1")),
-          insert_(database, of("INSERT INTO {} VALUES(") + places() + ")"),
+          insert_(database, of("INSERT INTO {} VALUES(") + places(columns) + ")"),
           erase_(database, of("DELETE FROM {} WHERE machine = ?1 AND number = ?2")),
           trim_(database, of("DELETE FROM {} WHERE machine = ?1 AND number <= ?2")),
           forget_(database, of("DELETE FROM {} WHERE machine = ?1")), all_(database, of("SELECT * FROM {}")),
@@ -51,8 +61,7 @@ public:
         for (all_.bind(); all_.step();) {
             const std::int64_t checksum = checksum_of_row(number(all_), row(all_));
             if (checksum != all_.integer(columns - 1))
-                throw std::runtime_error(
-                    fmt::format("row {} of \"{}\" in its table of {} is damaged", number(all_), all_.text(0), name_));
+                throw_damaged(number(all_), all_.text(0), name_);
             sum += static_cast<std::uint64_t>(checksum);
         }
         return sum;
@@ -75,13 +84,7 @@ public:
 private:
     static constexpr int columns = static_cast<int>(boost::mp11::mp_size<MembersOf<Row>>::value) + 2;
 
-    std::string of(const char* statement) const { return fmt::format(fmt::runtime(statement), name_); }
-    static std::string places() {
-        std::string text = "?1";
-        for (int i = 2; i <= columns; ++i)
-            text += fmt::format(", ?{}", i);
-        return text;
-    }
+    std::string of(const char* statement) const { return HistoryText::of(name_, statement); }
     void insert(std::uint64_t number, const Row& row) {
         [&]<typename Machine, typename... Others>(boost::mp11::mp_list<Machine, Others...>) {
             insert_.run(row.machine, number, row.*Others::pointer..., checksum_of_row(number, row));
@@ -89,13 +92,8 @@ private:
     }
     static std::int64_t checksum_of_row(std::uint64_t number, const Row& row) {
         return [&]<typename... Each>(boost::mp11::mp_list<Each...>) {
-            return checksum_of(fmt::format("{}", number), exact(row.*Each::pointer)...);
+            return checksum_of(std::to_string(number), exact(row.*Each::pointer)...);
         }(boost::mp11::mp_rename<MembersOf<Row>, boost::mp11::mp_list>());
-    }
-    static const std::string& exact(const std::string& text) { return text; }
-    /// SQLite keeps no negative zero.
-    static std::string exact(const std::optional<double>& number) {
-        return number ? fmt::format("{}", *number + 0.0) : "none";
     }
     static void read(const store::Statement& row, int column, std::string& text) { text = row.text(column); }
     static void read(const store::Statement& row, int column, double& number) { number = row.number(column); }

@@ -6,7 +6,6 @@
 #include "monitor/protocol/link_words.hpp"
 
 #include <boost/json.hpp>
-#include <fmt/format.h>
 
 #include <concepts>
 #include <map>
@@ -40,8 +39,6 @@ constexpr std::size_t doubles_in() {
         return only ? count : 0;
     } else if constexpr (requires { std::tuple_size<T>::value; })
         return std::tuple_size_v<T> * doubles_in<typename T::value_type>();
-    else if constexpr (requires { T::SizeAtCompileTime; }) // a matrix
-        return T::SizeAtCompileTime;
     else
         return 0;
 }
@@ -108,7 +105,7 @@ struct KeptJson {
             value = links_in(text_in(json));
         else if constexpr (boost::describe::has_describe_enumerators<T>::value) {
             if (!boost::describe::enum_from_string(text_in(json).c_str(), value))
-                throw std::runtime_error(fmt::format("\"{}\" is none of its names", text_in(json).c_str()));
+                throw_no_name(text_in(json));
         } else if constexpr (requires { T(value.state()); }) {
             auto state = value.state();
             read(state, json);
@@ -160,8 +157,7 @@ private:
     }
     template <typename T>
     static void read_doubles(T& value, const std::vector<double>& numbers, std::size_t expected) {
-        if (numbers.size() != expected)
-            throw std::runtime_error(fmt::format("{} numbers, expected {}", numbers.size(), expected));
+        require_count(numbers.size(), "numbers", expected);
         auto take = [next = numbers.begin()](double& each) mutable { each = *next++; };
         for_each_double(value, take);
     }
@@ -184,8 +180,7 @@ private:
             const boost::json::array& array = json.as_array();
             if constexpr (requires { values.resize(1); })
                 values.resize(array.size());
-            if (array.size() != values.size())
-                throw std::runtime_error(fmt::format("{} values, expected {}", array.size(), values.size()));
+            require_count(array.size(), "values", values.size());
             for (std::size_t i = 0; i < values.size(); ++i)
                 at_member(std::to_string(i), [&] { read(values[i], array[i]); });
         }
@@ -208,18 +203,12 @@ private:
                 read(member, *field);
             });
         });
-        if (json.size() != count)
-            throw std::runtime_error(fmt::format("{} members, expected {}", json.size(), count));
+        require_count(json.size(), "members", count);
     }
-    static hydraulics::LinkSet links_in(std::string_view words) {
-        hydraulics::LinkSet links;
-        for (hydraulics::Link link : hydraulics::all_links)
-            if (words.find(symbol_of(link)) != words.npos)
-                links.insert(link);
-        if (words_of(links) != words)
-            throw std::runtime_error(fmt::format("\"{}\" is not a list of links such as \"BU BO\"", words));
-        return links;
-    }
+    static hydraulics::LinkSet links_in(std::string_view words);
+    /// Throws where it is another number than is expected of this.
+    static void require_count(std::size_t found, const char* what, std::size_t expected);
+    [[noreturn]] static void throw_no_name(const std::string& text);
 };
 
 } // namespace placedpar::monitor

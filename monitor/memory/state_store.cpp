@@ -1,5 +1,6 @@
 #include "monitor/memory/state_store.hpp"
 
+#include "monitor/memory/diagnoses.hpp"
 #include "monitor/memory/diagnosis_json.hpp"
 #include "text/user_error.hpp"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "monitor/memory/backlog.hpp"
-#include "monitor/memory/diagnoses.hpp"
 #include "monitor/memory/writer.hpp"
 
 #include <cstdint>
@@ -13,7 +12,13 @@
 #include <string_view>
 #include <vector>
 
+namespace placedpar::identification {
+class Diagnosis; // identification/on_line/diagnosis.hpp
+}
+
 namespace placedpar::monitor {
+
+class Diagnoses; // monitor/memory/diagnoses.hpp
 
 /// Keeps what is known of all machines over a restart: in a state file, of each machine a state and the messages that
 /// it has taken since. A diagnosis is a function of its messages: taking them again gives the same one to the bit.

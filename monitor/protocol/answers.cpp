@@ -95,13 +95,11 @@ json::object set_json(const Diagnosis& diagnosis, const PopulationSet& set, cons
 
 json::object verdict_json(const LinkVerdict& link) {
     const Verdict& verdict = link.verdict;
-    auto by = [&](Way way, double unit) {
-        return rounded(unit * verdict.deviation.by[static_cast<Eigen::Index>(way)]);
-    };
+    auto by = [&](Way way, double unit) { return rounded(unit * verdict.deviation.by[index_of(way)]); };
     auto error = [&](Way way, double unit) { return rounded(unit * verdict.deviation.standard_error(way)); };
     const WayUnits& units = link.units;
     // Areas that are read themselves have none.
-    const bool knows_offset = verdict.deviation.by[static_cast<Eigen::Index>(Way::offset)] != 0;
+    const bool knows_offset = verdict.deviation.by[index_of(Way::offset)] != 0;
     return {{"verdict", name_of(verdict.kind)},
             {"probability", rounded(verdict.probability)},
             {"movements", verdict.movements},

@@ -3,6 +3,7 @@
 #include "monitor/protocol/bad_message.hpp"
 #include "text/nearest.hpp"
 
+#include <boost/json.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,5 +1,6 @@
 #include "monitor/protocol/json_text.hpp"
 
+#include <boost/json.hpp>
 #include <fmt/format.h>
 
 #include <utility>

@@ -4,6 +4,7 @@
 #include "monitor/protocol/link_words.hpp"
 #include "monitor/protocol/message_json.hpp"
 
+#include <boost/json.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

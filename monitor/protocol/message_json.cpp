@@ -2,6 +2,7 @@
 
 #include "monitor/protocol/bad_message.hpp"
 
+#include <boost/json.hpp>
 #include <boost/json/basic_parser_impl.hpp>
 #include <fmt/format.h>
 

@@ -2,6 +2,8 @@
 
 #include "monitor/protocol/json_text.hpp"
 
+#include <boost/json.hpp>
+
 #include <optional>
 #include <sstream>
 

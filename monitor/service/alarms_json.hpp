@@ -2,7 +2,7 @@
 
 #include "monitor/memory/entries.hpp"
 
-#include <boost/json.hpp>
+#include <boost/json/fwd.hpp>
 
 #include <string>
 #include <vector>

@@ -5,6 +5,7 @@
 #include "monitor/service/alarms_json.hpp"
 #include "monitor/service/clock.hpp"
 
+#include <boost/json.hpp>
 #include <fmt/format.h>
 
 #include <functional>

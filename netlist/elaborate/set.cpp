@@ -1,4 +1,5 @@
 #include "netlist/elaborate/elaborator.hpp"
+#include "netlist/elaborate/option_statements.hpp"
 #include "netlist/language/lexer.hpp"
 #include "text/nearest.hpp"
 

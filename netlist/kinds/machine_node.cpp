@@ -1,6 +1,7 @@
 #include "netlist/kinds/machine_node.hpp"
 
 #include "netlist/kinds/device_kind.hpp"
+#include "runtime/hardware/router.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,6 @@
 #include "netlist/kinds/machine_use.hpp"
 #include "netlist/network/network.hpp"
 #include "runtime/hardware/link.hpp"
-#include "runtime/hardware/router.hpp"
 #include "runtime/hardware/switched_lane.hpp"
 #include "runtime/simulation.hpp"
 
@@ -16,6 +15,10 @@
 #include <vector>
 
 namespace placedpar {
+
+namespace hardware {
+class Router; // runtime/hardware/router.hpp
+}
 
 class MachineNode;
 

@@ -3,6 +3,7 @@
 #include "netlist/kinds/devices.hpp"
 #include "netlist/kinds/fault_kinds.hpp"
 #include "netlist/kinds/transputer_node.hpp"
+#include "runtime/hardware/router.hpp"
 
 #include <fmt/format.h>
 

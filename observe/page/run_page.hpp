@@ -1,5 +1,6 @@
 #pragma once
 
+#include "netlist/run_report.hpp"
 #include "observe/page/page_recorder.hpp"
 #include "observe/trace/timeline.hpp"
 #include "report/run_report.hpp"

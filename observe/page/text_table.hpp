@@ -1,6 +1,6 @@
 #pragma once
 
-#include <boost/json.hpp>
+#include <boost/json/fwd.hpp>
 
 #include <cstdint>
 #include <string>
@@ -20,7 +20,7 @@ public:
             texts_.push_back(text);
         return found->second;
     }
-    boost::json::array json() const { return boost::json::array(texts_.begin(), texts_.end()); }
+    boost::json::array json() const;
 
 private:
     std::unordered_map<std::string, std::uint32_t> numbers_;

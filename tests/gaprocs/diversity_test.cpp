@@ -1,7 +1,7 @@
 // Diversity in closed form against the distances of all pairs.
 
 #include "gaprocs/diversity.hpp"
-
+#include "runtime/random.hpp"
 #include "tests/gaprocs/strings.hpp"
 
 #include <doctest/doctest.h>

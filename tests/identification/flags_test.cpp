@@ -1,5 +1,6 @@
 #include "boom_records.hpp"
 #include "hydraulics/circuit/boom_orifices.hpp"
+#include "hydraulics/data/parameters.hpp"
 #include "hydraulics/plant/measurement.hpp"
 #include "identification/flags.hpp"
 #include "identification/spike.hpp"

@@ -7,6 +7,7 @@
 #include "gaprocs/search_problem.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "identification/circuit_problem.hpp"
+#include "runtime/random.hpp"
 #include "tests/runtime/each_vector_width.hpp"
 
 #include <doctest/doctest.h>

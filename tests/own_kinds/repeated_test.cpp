@@ -5,6 +5,7 @@
 #include "explore/study/sweep.hpp"
 #include "netlist/kinds/description.hpp"
 #include "netlist/kinds/environment.hpp"
+#include "netlist/repeated_run.hpp"
 #include "runtime/alternation.hpp"
 #include "runtime/executive.hpp"
 #include "runtime/parallel.hpp"

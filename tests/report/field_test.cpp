@@ -3,6 +3,7 @@
 #include "report/field.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <string>
 #include <vector>

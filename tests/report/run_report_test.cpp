@@ -1,7 +1,7 @@
 // What is printed of a run stands in its document, too.
 
+#include "netlist/run_report.hpp"
 #include "report/run_report.hpp"
-
 #include "text/user_error.hpp"
 
 #include <boost/json.hpp>

@@ -48,11 +48,19 @@ class House:
         return (f"{room:15}{self.lines[room]:6} lines {self.percent(room):5.1f} %   "
                 f"functions: {shares}, longest {max(lengths):2}")
 
+    def chain_faults(self):
+        """That a row of headers is too long, each of which includes the next."""
+        chain = walls.longest_chain({name: included for name, included in self.includes.items() if name.endswith(".hpp")})
+        if len(chain) > walls.LONGEST_CHAIN:
+            yield f"{len(chain)} headers in a chain, more than {walls.LONGEST_CHAIN}: " + " > ".join(chain)
+
     def faults(self, names):
         """What is wrong, a sentence each. `names` are all files of the tree."""
         circle = walls.circle(self.includes) or walls.circle(walls.pieces(self.includes))
         if circle:
             yield "files include each other in a circle: " + " -> ".join(circle)
+        else:
+            yield from self.chain_faults()
         for loose in walls.loose_ends(self.includes):
             yield f"{loose} is in no circle with the others of its knot: see KNOTS in tests/tidy/walls.py"
         for room in sorted(self.lines):

@@ -67,6 +67,14 @@ class Files(unittest.TestCase):
         self.assertIn("files include each other in a circle: app/b -> app/c -> app/b", wrong)
 
 
+    def test_a_long_chain_of_headers(self):
+        names = [f"tests/app/{n:02}.hpp" for n in range(13)]
+        chain = {name: f'#include "{included}"' for name, included in zip(names, names[1:])}
+        self.assertEqual(faults(chain | {"tests/app/a.cpp": f'#include "{names[0]}"'}), [])
+        self.assertEqual(faults(chain | {names[-1]: ""}),
+                         ["13 headers in a chain, more than 12: " + " > ".join(names)])
+
+
 class Report(unittest.TestCase):
     def test_a_line_a_room(self):
         text = house.read({"text/a.cpp": functions_of(2, 4, 40)}).line_of("text")

@@ -47,6 +47,9 @@ def cpp_line_faults(name, text):
             fault = walls.include_fault(name, included)
             if fault:
                 yield f"{name}:{number}: {fault}"
+        fault = walls.library_fault(name, line)
+        if fault:
+            yield f"{name}:{number}: {fault}"
     if name.endswith(".hpp"):
         for number, line in enumerate(functions.blank(text).splitlines(), 1):
             if USING_NAMESPACE.match(line):

@@ -82,6 +82,14 @@ KNOTS = (
     {"runtime/executive", "runtime/kernel", "runtime/process", "runtime/trace", "runtime/worker"},
 )
 
+# From a header to the last of those that it needs one after the other.
+LONGEST_CHAIN = 12
+
+# Sources include these libraries, and headers what declares them (boost/json/fwd.hpp), but for those that hold their values
+# and those that one source includes.
+LARGE_LIBRARY = re.compile(r"^\s*#\s*include\s*<(fmt/[\w/.]+|boost/json\.hpp)>")
+HEADERS_WITH_LIBRARIES = {"explore/study/toml_reader.hpp", "monitor/memory/kept_json.hpp", "report/field.hpp"}
+
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)', re.MULTILINE)
 
 
@@ -122,6 +130,23 @@ def include_fault(name, included):
     if not room_of(name) or folder not in BELOW or other in reach(folder):
         return None
     return f"{folder} may not include {included}"
+
+
+def library_fault(name, line):
+    """What is wrong with a line of a C++ file that includes a library."""
+    large = LARGE_LIBRARY.match(line)
+    if large and name.endswith(".hpp") and room_of(name) and name not in HEADERS_WITH_LIBRARIES:
+        return f"a header includes <{large[1]}>: include it in sources, and declare in headers what they name of it"
+    return None
+
+
+def longest_chain(graph):
+    """The longest row of nodes of {node: nodes} each of which leads to the next. REQUIRES: there is no circle."""
+    @functools.lru_cache(maxsize=None)
+    def begun_by(node):
+        return (node, *max(map(begun_by, sorted(graph.get(node, ()))), key=len, default=()))
+
+    return max(map(begun_by, sorted(graph)), key=len, default=())
 
 
 def stem_of(name):

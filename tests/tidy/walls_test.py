@@ -101,6 +101,21 @@ class LooseEnds(unittest.TestCase):
         self.assertEqual(walls.loose_ends({"a/b.cpp": {"a/c.hpp"}, "a/c.cpp": set()}, self.KNOTS), ["a/c"])
 
 
+class Chains(unittest.TestCase):
+    def test_the_longest(self):
+        self.assertEqual(walls.longest_chain({}), ())
+        self.assertEqual(walls.longest_chain({"a": ["d", "b"], "b": ["c", "d"], "c": ["d"], "e": ["a"]}), tuple("eabcd"))
+
+
+class Libraries(unittest.TestCase):
+    def test_large_ones_are_no_header_s(self):
+        for name, library, is_wrong in [("app/a.hpp", "fmt/format.h", True), ("app/a.hpp", "boost/json.hpp", True),
+                                        ("app/a.cpp", "fmt/format.h", False), ("app/a.hpp", "boost/json/fwd.hpp", False),
+                                        ("tests/app/a.hpp", "fmt/format.h", False), ("report/field.hpp", "boost/json.hpp", False)]:
+            fault = walls.library_fault(name, f"#include <{library}>")
+            self.assertEqual(fault is not None, is_wrong, (name, library))
+
+
 class Circles(unittest.TestCase):
     def test_none(self):
         self.assertEqual(walls.circle({}), [])

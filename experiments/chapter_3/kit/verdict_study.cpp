@@ -1,6 +1,7 @@
 #include "experiments/chapter_3/kit/verdict_study.hpp"
 
 #include "experiments/kit/seed_runs.hpp"
+#include "identification/verdict/way_matrices.hpp"
 #include "text/interval.hpp"
 
 #include <fmt/format.h>
@@ -101,12 +102,12 @@ namespace {
 /// which it is to be found, were they as the first ones and all else known to be sound. By the standard errors as they
 /// are stated.
 double evidence_of(const LinkJudge& judge, LinkFault fault) {
-    const OfWays unit = unit_of(fault);
+    const WayVector unit = vector_of(unit_of(fault));
     double known = 0;
     for (const Deviation& each : judge.state().first)
-        known += unit.dot(each.information() * unit);
+        known += unit.dot(matrix_of(each.information()) * unit);
     known *= static_cast<double>(faulty_movements) / static_cast<double>(judge.state().first.size());
-    const double unknown = 1 / unit.dot(judge.baseline()->covariance.inverse() * unit);
+    const double unknown = 1 / unit.dot(matrix_of(judge.baseline()->covariance).inverse() * unit);
     return known / 2 / (1 + known * unknown);
 }
 

@@ -1,5 +1,6 @@
 #include "experiments/chapter_6/kit/conditions.hpp"
 
+#include "experiments/kit/bootstrap.hpp"
 #include "text/statistics.hpp"
 
 #include <utility>

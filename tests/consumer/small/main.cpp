@@ -2,10 +2,8 @@
 // With arguments, a process of it has a local array: `array BYTES` or `alloca BYTES`.
 
 #include "placedpar/runtime/alternation.hpp"
-#include "placedpar/runtime/channel.hpp"
 #include "placedpar/runtime/parallel.hpp"
 #include "placedpar/runtime/simulation.hpp"
-#include "placedpar/runtime/timer.hpp"
 
 #include <cstdio>
 #include <cstdlib>

@@ -2,6 +2,8 @@
 
 #include "experiments/kit/experiment_runs.hpp"
 #include "experiments/kit/seed_runs.hpp"
+#include "explore/netlist_run.hpp"
+#include "explore/study/results.hpp"
 #include "text/user_error.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,7 @@
 // What is remembered of a problem is what was computed, once for each string and coding.
 
 #include "explore/study/remembered_problem.hpp"
+#include "runtime/random.hpp"
 #include "tests/gaprocs/objectives.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,7 @@
 #include "gaprocs/representation/coding.hpp"
 #include "gaprocs/representation/genome.hpp"
 #include "gaprocs/search_problem.hpp"
+#include "runtime/random.hpp"
 #include "tests/gaprocs/line_problem.hpp"
 #include "text/user_error.hpp"
 

@@ -1,4 +1,5 @@
 #include "gaprocs/representation/genome.hpp"
+#include "runtime/random.hpp"
 
 #include <doctest/doctest.h>
 

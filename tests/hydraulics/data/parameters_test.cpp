@@ -1,6 +1,7 @@
 #include "hydraulics/data/parameter_range.hpp"
 #include "hydraulics/data/parameters.hpp"
 #include "hydraulics/plant/link_mechanics.hpp"
+#include "text/diagnostic.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,7 @@
 #include "identification/on_line/alarm.hpp"
 
+#include "identification/verdict/way_matrices.hpp"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -13,7 +15,7 @@ namespace {
 constexpr Link bu = Link::bucket, bo = Link::boom, sw = Link::swing;
 
 LinkVerdict verdict_in(VerdictKind kind, double units = 1) {
-    Deviation deviation{OfWays::Constant(units), OfTwoWays::Identity() * 0.01};
+    Deviation deviation{{units, units, units, units}, two_ways_of(WayMatrix::Identity() * 0.01)};
     return {{kind, 0.99, deviation, 3}, WayUnits::of(0.0086)};
 }
 

@@ -1,7 +1,9 @@
 #include "gaprocs/fitness.hpp"
 #include "gaprocs/representation/genome.hpp"
+#include "hydraulics/data/parameters.hpp"
 #include "identification/on_line/population_sets.hpp"
 #include "identification/on_line/set_problem.hpp"
+#include "runtime/random.hpp"
 #include "transient.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,6 @@
 #include "identification/verdict/sequential_test.hpp"
 
+#include "identification/verdict/way_matrices.hpp"
 #include "runtime/random.hpp"
 
 #include <doctest/doctest.h>
@@ -13,7 +14,7 @@ namespace {
 
 /// Its leak was not there before the movement.
 Deviation seen(double compliance, double leak, double offset, double error) {
-    return {{compliance, leak, offset, 0}, OfTwoWays::Identity() * error * error};
+    return {{compliance, leak, offset, 0}, two_ways_of(WayMatrix::Identity() * error * error)};
 }
 
 std::size_t movements_until_raised(const Deviation& each, std::size_t most = 100) {
@@ -51,9 +52,9 @@ TEST_CASE("less than half a unit, and a leak that gives, are not suspected") {
 TEST_CASE("what it is compared with is known in part: plain ones take two all the same, others more") {
     auto until = [](double compliance, double error) {
         SequentialTest test;
-        const Deviation health{OfWays::Zero(), OfTwoWays::Identity() * 0.3 * 0.3};
+        const Deviation health{{}, two_ways_of(WayMatrix::Identity() * 0.3 * 0.3)};
         for (std::size_t i = 1; i <= 20; ++i) {
-            test.take(seen(compliance, 0, 0, error), health, OfWays::Constant(2));
+            test.take(seen(compliance, 0, 0, error), health, {2, 2, 2, 2});
             if (test.raised())
                 return i;
         }

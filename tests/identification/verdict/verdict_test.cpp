@@ -1,5 +1,7 @@
 #include "identification/verdict/verdict.hpp"
 
+#include "identification/verdict/way_matrices.hpp"
+
 #include <doctest/doctest.h>
 
 using namespace placedpar;
@@ -10,7 +12,7 @@ namespace {
 
 /// Its leak was there before the movement.
 Deviation off_by(double compliance, double leak, double offset, double error = 0.2) {
-    return {{compliance, leak, offset, leak}, OfTwoWays::Identity() * error * error};
+    return {{compliance, leak, offset, leak}, two_ways_of(WayMatrix::Identity() * error * error)};
 }
 
 Verdict after(std::initializer_list<Deviation> movements, AreasFrom valve = AreasFrom::spool) {
@@ -53,7 +55,7 @@ TEST_CASE("how sure it is that a link is sound") {
     CHECK(sound(off_by(0, 0, 0, 100)) == doctest::Approx(1.0 / 7).epsilon(0.01));
     // Areas that are read have no offset, whatever the prior leaves open.
     Deviation areas = off_by(0, 0, 0, 0.1);
-    areas.covariance(2, 2) = 100;
+    Eigen::Map<WayMatrix>(areas.covariance.data())(2, 2) = 100;
     CHECK(sound(areas, AreasFrom::areas) > 0.99);
     CHECK(sound(areas) < 0.5);
     CHECK(how_sure(0.874) == "87 % sure");
@@ -62,16 +64,17 @@ TEST_CASE("how sure it is that a link is sound") {
 
 TEST_CASE("correlated errors are seen through: a leak along the line on which leak and offset look alike") {
     Deviation leak = off_by(0, 1, 0);
-    leak.covariance(1, 2) = leak.covariance(2, 1) = -0.039; // nearly one line
+    Eigen::Map<WayMatrix> covariance(leak.covariance.data());
+    covariance(1, 2) = covariance(2, 1) = -0.039; // nearly one line
     leak.by = {0, 1, 0.02, 1};
     CHECK(verdict_of(leak, true, AreasFrom::spool).kind == VerdictKind::leak);
 }
 
 TEST_CASE("a leak that begins with the movement and an offset are one verdict, unless something tells them apart") {
     // A unit of leak and half a unit of offset miss the same flow; the rest before shows no leak.
-    Deviation flow{{0, 0.5, 0.25, 0}, OfTwoWays::Zero()};
-    const OfWays unknown(0, 1, -0.5, 0);
-    flow.covariance = OfTwoWays::Identity() * 0.01 + 4 * unknown * unknown.transpose();
+    const WayVector unknown(0, 1, -0.5, 0);
+    const Deviation flow{{0, 0.5, 0.25, 0},
+                         two_ways_of(WayMatrix::Identity() * 0.01 + 4 * unknown * unknown.transpose())};
     CHECK(verdict_of(flow, true, AreasFrom::spool).kind == VerdictKind::leak_or_offset);
     CHECK(verdict_of(flow, true, AreasFrom::servo).kind == VerdictKind::leak_or_offset);
     CHECK(size_alone(Way::leak, flow).by == doctest::Approx(1).epsilon(0.1));
@@ -81,8 +84,8 @@ TEST_CASE("a leak that begins with the movement and an offset are one verdict, u
     leak_before.by[index_of(Way::leak_before)] = 1;
     CHECK(verdict_of(leak_before, true, AreasFrom::spool).kind == VerdictKind::leak);
     // A rest that follows shows a leak, or none.
-    const Deviation leak_after{{0, 1, 0, 0}, OfTwoWays::Identity() * 0.01},
-        none_after{{0, 0, 0.5, 0}, OfTwoWays::Identity() * 0.01};
+    const Deviation leak_after{{0, 1, 0, 0}, two_ways_of(WayMatrix::Identity() * 0.01)},
+        none_after{{0, 0, 0.5, 0}, two_ways_of(WayMatrix::Identity() * 0.01)};
     CHECK(verdict_of(leak_after, true, AreasFrom::spool).kind == VerdictKind::leak);
     CHECK(verdict_of(none_after, true, AreasFrom::spool).kind == VerdictKind::offset);
 }
@@ -118,7 +121,7 @@ TEST_CASE("no fault is named by less than its standard error, and none is sound 
     const double information = 1 / (1.2 * 1.2);
     state.from_itself = {.raised = true,
                          .pull = {information, 0, 0, 0},
-                         .information = OfTwoWays::Identity() * information,
+                         .information = two_ways_of(WayMatrix::Identity() * information),
                          .movements = 1};
     CHECK(LinkJudge(state).verdict().kind == VerdictKind::cannot_tell);
     state.from_itself.pull[0] = 1.4 * information;

@@ -135,7 +135,7 @@ TEST_CASE("a state whose matrices have no inverse is refused") {
     auto refused = [&](const char* because, auto matrix_of) {
         for (double number : {0.0, -1.0}) {
             Diagnosis::State bad = good;
-            matrix_of(bad.watches.begin()->second.judges.front()).setConstant(number);
+            matrix_of(bad.watches.begin()->second.judges.front()).fill(number);
             CAPTURE(number);
             CHECK_THROWS_WITH_AS(state_from(state_json(bad), {}), doctest::Contains(because), std::runtime_error);
         }

@@ -1,3 +1,4 @@
+#include "monitor/memory/diagnoses.hpp"
 #include "monitor/memory/diagnosis_json.hpp"
 #include "monitor/memory/state_store.hpp"
 #include "scratch.hpp"

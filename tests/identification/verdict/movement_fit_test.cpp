@@ -1,9 +1,10 @@
-#include "identification/verdict/deviation.hpp"
+#include "identification/verdict/movement_fit.hpp"
 
 #include "hydraulics/circuit/circuit_sample.hpp"
 #include "hydraulics/data/parameters.hpp"
 #include "hydraulics/plant/record_scenario.hpp"
 #include "identification/verdict/verdict.hpp"
+#include "identification/verdict/way_matrices.hpp"
 #include "runtime/random.hpp"
 
 #include <doctest/doctest.h>
@@ -61,14 +62,14 @@ std::vector<Deviation> two_links(const Faults& faults, const char* noise, std::u
 }
 
 /// By how many standard errors of each way the deviation is from what is so.
-OfWays standardised(const Deviation& found, const OfWays& truth) {
-    return (found.by - truth).cwiseQuotient(found.covariance.diagonal().cwiseSqrt());
+WayVector standardised(const Deviation& found, const WayVector& truth) {
+    return (vector_of(found.by) - truth).cwiseQuotient(matrix_of(found.covariance).diagonal().cwiseSqrt());
 }
 
 } // namespace
 
 TEST_CASE("each fault is found in its own way, of its own size, and no other") {
-    const std::array<std::pair<Faults, OfWays>, 6> cases{{
+    const std::array<std::pair<Faults, WayVector>, 6> cases{{
         {{}, {0, 0, 0, 0}},
         {{{"boom.inlet_compliance", 0.01032}}, {1, 0, 0, 0}},
         {{{"boom.inlet_compliance", 0.0172}}, {5, 0, 0, 0}},
@@ -78,9 +79,9 @@ TEST_CASE("each fault is found in its own way, of its own size, and no other") {
     }};
     for (const char* scenario : {"scenario-a", "excavator"})
         for (const auto& [faults, truth] : cases) {
-            OfWays mean = OfWays::Zero();
+            WayVector mean = WayVector::Zero();
             for (std::uint64_t seed = 1; seed <= 3; ++seed)
-                mean += deviation_of({scenario, "low"}, faults, seed).with_steady_leak().by / 3;
+                mean += vector_of(deviation_of({scenario, "low"}, faults, seed).with_steady_leak().by) / 3;
             CAPTURE(scenario);
             CAPTURE(mean.transpose());
             CHECK((mean - truth).cwiseAbs().maxCoeff() < 0.25);
@@ -91,7 +92,7 @@ TEST_CASE("the standard errors are honest") {
     for (const char* noise : {"low", "mid", "high"}) {
         int within_two = 0, of = 0;
         for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-            OfWays off = standardised(deviation_of({"scenario-a", noise}, {}, seed), OfWays::Zero());
+            WayVector off = standardised(deviation_of({"scenario-a", noise}, {}, seed), WayVector::Zero());
             for (double each : off)
                 within_two += std::abs(each) < 2, ++of;
         }
@@ -109,7 +110,7 @@ TEST_CASE("the standard errors are those of what scatters, of one link and of tw
                 two ? two_links({}, "high", seed) : std::vector{deviation_of({"scenario-a", "high"}, {}, seed)};
             Eigen::ArrayXd off(sum.size());
             for (std::size_t j = 0; j < found.size(); ++j)
-                off.segment<2>(2 * static_cast<Eigen::Index>(j)) = standardised(found[j], OfWays::Zero()).head<2>();
+                off.segment<2>(2 * static_cast<Eigen::Index>(j)) = standardised(found[j], WayVector::Zero()).head<2>();
             sum += off;
             squares += off.square();
         }
@@ -122,9 +123,9 @@ TEST_CASE("the standard errors are those of what scatters, of one link and of tw
 
 TEST_CASE("two links that share flow are told apart") {
     auto found = [&](const Faults& faults, Link link) {
-        OfWays mean = OfWays::Zero();
+        WayVector mean = WayVector::Zero();
         for (std::uint64_t seed = 1; seed <= 3; ++seed)
-            mean += two_links(faults, "low", seed)[link == Link::bucket ? 0 : 1].by / 3;
+            mean += vector_of(two_links(faults, "low", seed)[link == Link::bucket ? 0 : 1].by) / 3;
         return mean;
     };
     for (Link link : {Link::bucket, Link::boom})
@@ -180,8 +181,8 @@ TEST_CASE("the compliance at rest may be a quarter of a unit off: so uncertain i
         deviations(boom_circuit(), flow_constants(), std::array{LinkInHealth{compliance}}, movement).value().front();
     const WayUnits unit = WayUnits::of(compliance);
     const double leak_by_compliance = -unit.compliance_in3_per_psi * slope_psi_per_s / (unit.leak_in3_per_s_psi * psi);
-    const double left =
-        std::sqrt(found.covariance(3, 3) - std::pow(leak_by_compliance * found.standard_error(Way::compliance), 2));
+    const double left = std::sqrt(matrix_of(found.covariance)(3, 3) -
+                                  std::pow(leak_by_compliance * found.standard_error(Way::compliance), 2));
     CAPTURE(left / leak_by_compliance);
     CHECK(left == doctest::Approx(0.25 * leak_by_compliance).epsilon(0.15));
 }

@@ -1,4 +1,4 @@
-#include "netlist/elaborate/overrides.hpp"
+#include "netlist/elaborate/option_statements.hpp"
 
 #include "netlist/language/parser.hpp"
 

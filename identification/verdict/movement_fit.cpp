@@ -1,0 +1,363 @@
+#include "identification/verdict/movement_fit.hpp"
+
+#include "hydraulics/circuit/boom_orifices.hpp"
+#include "hydraulics/circuit/circuit_error.hpp"
+#include "identification/verdict/noisy_rows.hpp"
+#include "identification/verdict/way_matrices.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace placedpar::identification {
+
+using namespace hydraulics;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr Eigen::Index ways = all_ways.size();
+constexpr std::size_t fewest_at_rest = 4;
+/// (in^3/s)^2 of each sample, beyond the noise of the sensors: of the equations; at rest of a converter and of
+/// friction.
+constexpr double least_variance_moving = 0.001, least_variance_at_rest = 0.05;
+/// The share of the slopes' noise by which it may be known wrongly: 50 readings and a median.
+constexpr double noise_known_within = 0.3;
+/// The compliance at rest may differ from that of the movement by so many units (5 %).
+constexpr double compliance_at_rest_within = 0.25;
+/// A leak at rest after a movement is less than during it by up to this share, since the pressure behind the piston,
+/// which is not read, holds against it (ours).
+constexpr double leak_after_within = 0.25;
+/// A leak that flow alone tells from an offset is wrong by about so many units, since the equations are not exact:
+/// sound machines without noise or at 5 kHz seem to have a leak of -.4 to -2.8 units (ours).
+constexpr double leak_by_flow_within = 1.25;
+/// Before a movement is seen, a link may be off by ten units in any way.
+constexpr double prior_units = 10;
+
+Eigen::Index row_of(std::size_t junction) { return ways * static_cast<Eigen::Index>(junction); }
+
+/// Where the spool of the boom's valve stands by the inlet that it opens: A.5 and A.6 the other way round.
+double spool_in_of(double inlet_in2) {
+    constexpr double steep_in2 = 1.247 * (boom_bypass_shut_in - boom_dead_band_in);
+    return inlet_in2 <= steep_in2 ? boom_dead_band_in + inlet_in2 / 1.247
+                                  : boom_bypass_shut_in + (inlet_in2 - steep_in2) / 3.927;
+}
+
+/// The areas of a spool that stands elsewhere by `moved_in`. Of links whose orifices are not the boom's, too: by as
+/// much as the boom's would change.
+LinkSample with_spool_moved(LinkSample link, double moved_in) {
+    double spool = spool_in_of(link.inlet_in2);
+    OrificeAreas here = boom_orifices(spool), there = boom_orifices(spool + moved_in);
+    link.inlet_in2 += there.inlet_in2 - here.inlet_in2;
+    link.bypass_in2 = std::max(0.0, link.bypass_in2 + there.bypass_in2 - here.bypass_in2);
+    return link;
+}
+
+/// The equations of a circuit near health: by how much a sample's flows fail to balance, a row a junction, and what
+/// changes that.
+class Balance {
+public:
+    Balance(const Circuit& circuit, const FlowConstants& flow, std::span<const LinkInHealth> links)
+        : circuit_(circuit), flow_(flow), links_(links) {
+        for (const LinkInHealth& link : links) {
+            compliances_.push_back(link.compliance_in3_per_psi);
+            units_.push_back(WayUnits::of(link.compliance_in3_per_psi));
+        }
+    }
+
+    std::size_t junctions() const { return circuit_.size(); }
+    Eigen::Index unknowns() const { return row_of(junctions()); }
+    const WayUnits& unit(std::size_t junction) const { return units_[junction]; }
+    bool reads_areas(std::size_t junction) const { return links_[junction].areas == AreasFrom::areas; }
+    double compliance(std::size_t junction) const { return compliances_[junction]; }
+
+    VectorXd missed(const JunctionSamples& samples) const {
+        auto missing = missing_flows_in3_per_s<double>(circuit_, compliances_, samples, flow_, InletFlow::as_signed);
+        return Eigen::Map<const VectorXd>(missing.data(), static_cast<Eigen::Index>(circuit_.size()));
+    }
+    /// What one more in^3/s into the cylinder changes, one more psi, one more in^2.
+    VectorXd by_flow(const JunctionSamples& samples, std::size_t junction) const {
+        return by(samples, 0.01, [&](JunctionSamples& to, double step) { to[junction].piston_flow_in3_per_s += step; });
+    }
+    VectorXd by_pressure(const JunctionSamples& samples, std::size_t junction) const {
+        return by(samples, 0.1, [&](JunctionSamples& to, double step) { to[junction].inlet_psi += step; });
+    }
+    VectorXd by_inlet(const JunctionSamples& samples, std::size_t junction) const {
+        return by(samples, area_step_in2, [&](JunctionSamples& to, double step) { to[junction].inlet_in2 += step; });
+    }
+    VectorXd by_bypass(const JunctionSamples& samples, std::size_t junction) const {
+        return by(samples, area_step_in2, [&](JunctionSamples& to, double step) {
+            to[junction].bypass_in2 = std::max(0.0, to[junction].bypass_in2 + step);
+        });
+    }
+    /// What a reading of the spool that is too high by one inch changes: it stands lower.
+    VectorXd by_offset(const JunctionSamples& samples, std::size_t junction) const {
+        return by(samples, 0.1 * units_[junction].offset_in,
+                  [&](JunctionSamples& to, double step) { to[junction] = with_spool_moved(to[junction], -step); });
+    }
+
+private:
+    static constexpr double area_step_in2 = 1e-5;
+
+    VectorXd by(const JunctionSamples& samples, double step,
+                const std::function<void(JunctionSamples&, double)>& change) const {
+        auto more = samples, less = samples;
+        change(more, step);
+        change(less, -step);
+        return (missed(more) - missed(less)) / (2 * step);
+    }
+
+    const Circuit& circuit_;
+    const FlowConstants& flow_;
+    std::span<const LinkInHealth> links_;
+    std::vector<double> compliances_;
+    std::vector<WayUnits> units_;
+};
+
+/// Standard deviations of what is read of a link.
+struct ReadingNoise {
+    double psi, slope_psi_per_s, flow_in3_per_s, inlet_in2, bypass_in2, spool_in;
+};
+
+ReadingNoise reading_noise(const MovementSamples& movement, std::size_t junction) {
+    auto of = [&](auto value, double gain) {
+        std::vector<double> values;
+        for (const JunctionSamples& samples : movement.moving)
+            values.push_back(value(samples[junction]));
+        return std::sqrt(noise_variance(values, gain));
+    };
+    return {of([](const LinkSample& link) { return link.inlet_psi; }, white_gain),
+            of([](const LinkSample& link) { return link.inlet_slope_psi_per_s; }, slope_gain),
+            of([](const LinkSample& link) { return link.piston_flow_in3_per_s; }, slope_gain),
+            of([](const LinkSample& link) { return link.inlet_in2; }, white_gain),
+            of([](const LinkSample& link) { return link.bypass_in2; }, white_gain),
+            of([](const LinkSample& link) { return spool_in_of(link.inlet_in2); }, white_gain)};
+}
+
+/// Of every moving sample a column: what changes the flows that are missed at all junctions.
+template <class Change>
+MatrixXd by_sample(const MovementSamples& movement, std::size_t junctions, const Change& change) {
+    MatrixXd columns(static_cast<Eigen::Index>(junctions), static_cast<Eigen::Index>(movement.moving.size()));
+    for (Eigen::Index i = 0; i < columns.cols(); ++i)
+        columns.col(i) = change(movement.moving[static_cast<std::size_t>(i)]);
+    return columns;
+}
+
+/// A movement's rows, sample by sample, and of each link the noise of its compliance's column.
+struct MovingRows {
+    NoisyRows rows;
+    std::vector<Sparse> compliance_noise;
+};
+
+/// The white noise of a link's valve, in what is missed.
+void add_valve_noise(NoisyRows& rows, const Balance& balance, const MovementSamples& movement, std::size_t junction,
+                     const ReadingNoise& noise) {
+    auto add = [&](double deviation, auto change) {
+        rows.add_noise(white_noise(deviation * by_sample(movement, balance.junctions(), change)));
+    };
+    if (balance.reads_areas(junction)) {
+        add(noise.inlet_in2, [&](const JunctionSamples& samples) { return balance.by_inlet(samples, junction); });
+        add(noise.bypass_in2, [&](const JunctionSamples& samples) { return balance.by_bypass(samples, junction); });
+    } else {
+        add(noise.spool_in, [&](const JunctionSamples& samples) { return balance.by_offset(samples, junction); });
+    }
+}
+
+/// The columns of a link: what a unit of each way changes. A leak past the piston takes k_l P, as though the piston
+/// took more.
+void set_slopes(NoisyRows& rows, const Balance& balance, const MovementSamples& movement, std::size_t junction,
+                const MatrixXd& by_flow) {
+    const WayUnits& unit = balance.unit(junction);
+    const auto height = static_cast<Eigen::Index>(balance.junctions());
+    for (Eigen::Index i = 0; i < by_flow.cols(); ++i) {
+        const JunctionSamples& samples = movement.moving[static_cast<std::size_t>(i)];
+        const LinkSample& link = samples[junction];
+        auto block = rows.slopes.block(i * height, row_of(junction), height, ways);
+        block.col(0) = by_flow.col(i) * (link.inlet_slope_psi_per_s * unit.compliance_in3_per_psi);
+        block.col(1) = by_flow.col(i) * (link.inlet_psi * unit.leak_in3_per_s_psi);
+        if (!balance.reads_areas(junction))
+            block.col(2) = balance.by_offset(samples, junction) * unit.offset_in;
+    }
+}
+
+/// One link's columns and noise; the noise of its compliance's column.
+Sparse add_link(NoisyRows& rows, const Balance& balance, const MovementSamples& movement, std::size_t junction,
+                const ReadingNoise& noise) {
+    const MatrixXd by_flow = by_sample(movement, balance.junctions(), [&](const JunctionSamples& samples) {
+        return balance.by_flow(samples, junction);
+    });
+    const MatrixXd by_pressure = by_sample(movement, balance.junctions(), [&](const JunctionSamples& samples) {
+        return balance.by_pressure(samples, junction);
+    });
+    set_slopes(rows, balance, movement, junction, by_flow);
+    const Sparse of_slopes = slope_noise(noise.slope_psi_per_s * by_flow);
+    rows.add_noise(balance.compliance(junction) * of_slopes + white_noise(noise.psi * by_pressure));
+    rows.add_noise(slope_noise(noise.flow_in3_per_s * by_flow));
+    add_valve_noise(rows, balance, movement, junction, noise);
+    return balance.unit(junction).compliance_in3_per_psi * of_slopes;
+}
+
+MovingRows moving_rows(const Balance& balance, const MovementSamples& movement,
+                       const std::vector<ReadingNoise>& noises) {
+    const auto height = static_cast<Eigen::Index>(balance.junctions());
+    const auto count = static_cast<Eigen::Index>(movement.moving.size());
+    MovingRows moving{NoisyRows(height * count, balance.unknowns(), least_variance_moving), {}};
+    moving.rows.missed = by_sample(movement, balance.junctions(), [&](const JunctionSamples& each) {
+                             return balance.missed(each);
+                         }).reshaped();
+    for (std::size_t j = 0; j < balance.junctions(); ++j)
+        moving.compliance_noise.push_back(add_link(moving.rows, balance, movement, j, noises[j]));
+    return moving;
+}
+
+/// At rest the inlet is shut: A v + C dP/dt + k_l P = 0, whatever the spool reads. The rest alone would tell the leak
+/// as a share of the compliance only, so that the compliance is that of the movement, but for
+/// compliance_at_rest_within.
+NoisyRows rows_at_rest(const Balance& balance, const std::vector<JunctionSamples>& samples, std::size_t junction,
+                       Way leak, const ReadingNoise& noise) {
+    const Eigen::Index column = row_of(junction);
+    const auto count = static_cast<Eigen::Index>(samples.size());
+    const WayUnits& unit = balance.unit(junction);
+    const double compliance = balance.compliance(junction);
+    NoisyRows rows(count, balance.unknowns(), least_variance_at_rest);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const LinkSample& link = samples[static_cast<std::size_t>(i)][junction];
+        rows.slopes(i, column) = -link.inlet_slope_psi_per_s * unit.compliance_in3_per_psi;
+        rows.slopes(i, column + row_of(leak)) = -link.inlet_psi * unit.leak_in3_per_s_psi;
+        rows.missed[i] = -cylinder_flow(link.piston_flow_in3_per_s, link.inlet_slope_psi_per_s, compliance);
+    }
+    rows.add_noise(MatrixXd(compliance_at_rest_within * rows.slopes.col(column)).sparseView());
+    const MatrixXd same = MatrixXd::Constant(1, count, 1);
+    rows.add_noise(slope_noise(compliance * noise.slope_psi_per_s * same));
+    rows.add_noise(slope_noise(noise.flow_in3_per_s * same));
+    return rows;
+}
+
+/// The normal equations of a movement.
+struct Equations {
+    MatrixXd information; ///< noise included
+    VectorXd pull;
+    VectorXd noise;     ///< what is noise of each unknown's information
+    VectorXd in_health; ///< of each unknown, what it is in health, in its unit: the noise spoils all of it
+};
+
+/// Nothing is known but that a link is hardly off by more than prior_units.
+Equations before_movement(Eigen::Index unknowns) {
+    const VectorXd none = VectorXd::Zero(unknowns);
+    return {MatrixXd::Identity(unknowns, unknowns) / (prior_units * prior_units), none, none, none};
+}
+
+/// The noise of the slopes adds to the information of a compliance, which would come out too small by it (errors in
+/// variables).
+void add_moving(Equations& equations, const MovingRows& moving) {
+    const Weights weights(moving.rows);
+    const MatrixXd information = weights.information();
+    VectorXd noise = VectorXd::Zero(information.rows());
+    for (std::size_t j = 0; j < moving.compliance_noise.size(); ++j) {
+        noise[row_of(j)] = weights.share_of(moving.compliance_noise[j]);
+        equations.in_health[row_of(j)] = 1 / WayUnits::compliance_share;
+    }
+    MatrixXd without_noise = equations.information + information;
+    without_noise.diagonal() -= noise;
+    const VectorXd by = without_noise.ldlt().solve(weights.pull() + noise.cwiseProduct(equations.in_health));
+    const double scale = weights.scale(by, without_noise.rows());
+    equations.information += information / scale;
+    equations.pull += weights.pull() / scale;
+    equations.noise = noise / scale;
+}
+
+/// The movement's equations know a leak no better than leak_by_flow_within, where an offset may be there as well.
+void limit_leak(Equations& equations, Eigen::Index leak) {
+    MatrixXd information = equations.information;
+    information.diagonal() -= equations.noise;
+    const MatrixXd covariance = information.inverse();
+    const VectorXd by = covariance * (equations.pull + equations.noise.cwiseProduct(equations.in_health));
+    const double known = 1 / covariance(leak, leak);
+    if (!(known > 0)) // slopes that are hardly more than noise, which solve() finds
+        return;
+    const double too_much = known * known / (known + 1 / (leak_by_flow_within * leak_by_flow_within));
+    equations.information(leak, leak) -= too_much;
+    equations.pull[leak] -= too_much * by[leak];
+}
+
+/// Adds what a rest tells: the leak, were the compliance known, and nothing of the compliance itself, whose slopes are
+/// little but noise there.
+void add_rest(Equations& equations, const NoisyRows& rest, Eigen::Index leak) {
+    const Weights weights(rest);
+    const double known = weights.information()(leak, leak);
+    if (known == 0) // without pressure nothing is told
+        return;
+    VectorXd by = VectorXd::Zero(equations.pull.size());
+    by[leak] = weights.pull()[leak] / known;
+    const double scale = weights.scale(by, 1);
+    const VectorXd told = weights.information().col(leak) / known;
+    equations.information += known / scale * told * told.transpose();
+    equations.pull += weights.pull()[leak] / scale * told;
+}
+
+std::vector<Deviation> parts(const VectorXd& by, const MatrixXd& covariance) {
+    std::vector<Deviation> deviations;
+    for (Eigen::Index first = 0; first < by.size(); first += ways)
+        deviations.push_back(
+            {ways_of(by.segment<ways>(first)), two_ways_of(covariance.block<ways, ways>(first, first))});
+    return deviations;
+}
+
+std::optional<std::vector<Deviation>> solve(const Equations& equations) {
+    MatrixXd information = equations.information;
+    information.diagonal() -= equations.noise;
+    if (information.llt().info() != Eigen::Success)
+        return std::nullopt;
+    const MatrixXd inverse = information.inverse();
+    const VectorXd by = inverse * (equations.pull + equations.noise.cwiseProduct(equations.in_health));
+    const VectorXd unsure = noise_known_within * equations.noise.cwiseProduct(equations.in_health + by);
+    MatrixXd pulls = equations.information;
+    pulls.diagonal() += unsure.cwiseProduct(unsure);
+    return parts(by, inverse * pulls * inverse);
+}
+
+/// A leak that is known from the rest after the movement is not known better than leak_after_within; with it all that
+/// depends on it.
+void add_unread_pressure(Deviation& deviation) {
+    const Eigen::Index leak = row_of(Way::leak);
+    WayMatrix covariance = matrix_of(deviation.covariance);
+    const WayVector with_leak = covariance.col(leak) / covariance(leak, leak);
+    const double error = leak_after_within * deviation.by[index_of(Way::leak)];
+    covariance += error * error * with_leak * with_leak.transpose();
+    deviation.covariance = two_ways_of(covariance);
+}
+
+} // namespace
+
+std::optional<std::vector<Deviation>> deviations(const Circuit& circuit, const FlowConstants& flow,
+                                                 std::span<const LinkInHealth> links, const MovementSamples& movement) {
+    if (movement.moving.size() < fewest_moving)
+        return std::nullopt;
+    const Balance balance(circuit, flow, links);
+    std::vector<ReadingNoise> noises;
+    for (std::size_t j = 0; j < circuit.size(); ++j)
+        noises.push_back(reading_noise(movement, j));
+    Equations equations = before_movement(balance.unknowns());
+    add_moving(equations, moving_rows(balance, movement, noises));
+    for (std::size_t j = 0; j < circuit.size(); ++j)
+        if (!balance.reads_areas(j))
+            limit_leak(equations, row_of(j) + row_of(Way::leak));
+    auto add_rests = [&](const std::vector<JunctionSamples>& samples, Way leak) {
+        for (std::size_t j = 0; j < circuit.size(); ++j)
+            add_rest(equations, rows_at_rest(balance, samples, j, leak, noises[j]), row_of(j) + row_of(leak));
+    };
+    const bool rest_before = movement.at_rest.size() >= fewest_at_rest,
+               rest_after = rest_before && movement.rest_after.size() >= fewest_at_rest;
+    if (rest_before)
+        add_rests(movement.at_rest, Way::leak_before);
+    if (rest_after)
+        add_rests(movement.rest_after, Way::leak);
+    auto found = solve(equations);
+    if (found && rest_after)
+        std::ranges::for_each(*found, add_unread_pressure);
+    return found;
+}
+
+} // namespace placedpar::identification

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace placedpar::identification {
+
+/// In what way a link can be off. A compliance that is too great or small misses flow in step with the slope of the
+/// pressure, up while it rises and down while it falls; a leak in step with the pressure, also at rest after the valve
+/// has shut; an offset of the spool, or a drift of voltage against spool, only while oil flows through the valve. A
+/// leak before the movement is a size of its own, since a leak can begin when the valve opens.
+enum class Way : unsigned char { compliance, leak, offset, leak_before };
+
+inline constexpr std::array<Way, 4> all_ways{Way::compliance, Way::leak, Way::offset, Way::leak_before};
+
+/// A size of each way, in the order of all_ways; and what two of them have in common, a matrix column by column. What
+/// computes with them includes way_matrices.hpp.
+using OfWays = std::array<double, all_ways.size()>;
+using OfTwoWays = std::array<double, all_ways.size() * all_ways.size()>;
+
+inline constexpr std::size_t index_of(Way way) { return static_cast<std::size_t>(way); }
+
+} // namespace placedpar::identification
