@@ -9,8 +9,10 @@ The fingerprint is of the order and the times of events. Times that do not depen
 a result changes; hence the comparison of whole reports between compilers.
 """
 
+import concurrent.futures
 import csv
 import difflib
+import os
 import pathlib
 import re
 import subprocess
@@ -35,17 +37,15 @@ def fingerprint(printed):
 
 
 def compare(program, row, reference):
-    """Prints what is different; whether anything is. The row gets the program's fingerprint."""
+    """What is different, "" if nothing is. The row gets the program's fingerprint."""
     name = f"{row['netlist']} {row['arguments']}"
     printed, wanted = report(program, row), row["fingerprint"]
     row["fingerprint"] = fingerprint(printed)
     if row["fingerprint"] != wanted:
-        print(f"{name}\n  table:   {wanted}\n  program: {row['fingerprint']}")
-        return True
+        return f"{name}\n  table:   {wanted}\n  program: {row['fingerprint']}\n"
     if reference and printed != (other := report(reference, row)):
-        print(*difflib.unified_diff(other.splitlines(), printed.splitlines(), reference, program, lineterm=""), sep="\n")
-        return True
-    return False
+        return "\n".join(difflib.unified_diff(other.splitlines(), printed.splitlines(), reference, program, lineterm="")) + "\n"
+    return ""
 
 
 def write(rows):
@@ -62,8 +62,9 @@ def main(program, reference=None):
         print(f"{TABLE} is empty, though there are netlists in examples")
         return 1
     writing = reference == "--write"
-    different = sum([compare(program, row, None if writing else reference) for row in rows])
-    print(f"{len(rows)} runs, {different} different")
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        different = [each for each in pool.map(lambda row: compare(program, row, None if writing else reference), rows) if each]
+    print(*different, f"{len(rows)} runs, {len(different)} different", sep="")
     if writing:
         write(rows)
     return 1 if different and not writing else 0
