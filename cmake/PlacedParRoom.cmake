@@ -28,10 +28,10 @@ if(PLACEDPAR_WARNINGS_AS_ERRORS)
     target_compile_options(placedpar_options INTERFACE -Werror)
 endif()
 
-# Of a target that belongs to a room.
-function(placedpar_quick_options target room)
-    if(room IN_LIST PLACEDPAR_QUICK_ROOMS)
-        target_compile_options(${target} PRIVATE ${PLACEDPAR_QUICK_OPTIONS})
+# placedpar_slow_options(target room): a target of a room that may be slow gets what PLACEDPAR_SLOW_OPTIONS says.
+function(placedpar_slow_options target room)
+    if(room IN_LIST PLACEDPAR_SLOW_ROOMS)
+        target_compile_options(${target} PRIVATE ${PLACEDPAR_SLOW_OPTIONS})
     endif()
 endfunction()
 
@@ -50,7 +50,7 @@ function(placedpar_room name)
     # Public, for problems are compiled for several vector widths by those who state them: runtime/vector_width.hpp.
     target_compile_options(placedpar_${name} PUBLIC -ffp-contract=off)
     target_link_libraries(placedpar_${name} PRIVATE $<BUILD_INTERFACE:placedpar_options> PUBLIC ${ROOM_LINKS})
-    placedpar_quick_options(placedpar_${name} ${name})
+    placedpar_slow_options(placedpar_${name} ${name})
 
     list(TRANSFORM ROOM_DOORS PREPEND ${name}/)
     set_property(GLOBAL APPEND PROPERTY PLACEDPAR_DOORS ${ROOM_DOORS})

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "netlist/repeated_run.hpp"
 #include "netlist/run_report.hpp"
 
 #include <atomic>
@@ -8,11 +9,8 @@
 
 namespace placedpar {
 
-class Catalogue;       // netlist/kinds/catalogue.hpp
 class ProblemRegistry; // gaprocs/problem_registry.hpp
 class SearchObserver;  // gaprocs/search_observer.hpp
-struct Network;        // netlist/network/network.hpp
-struct RecordedRun;    // netlist/repeated_run.hpp
 
 /// Asks runs to end early.
 class Interruption {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gaprocs/recoding.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "runtime/random.hpp"
 
@@ -7,8 +8,6 @@
 #include <vector>
 
 namespace placedpar {
-
-struct Recoding; // gaprocs/recoding.hpp
 
 /// A first population that covers the space better than a random one (thesis 6.3, "predefined populations"): of each
 /// field the codes are evenly spread over its range, in an order drawn for each field by itself (Latin hypercube

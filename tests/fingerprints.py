@@ -62,7 +62,7 @@ def main(program, reference=None):
         print(f"{TABLE} is empty, though there are netlists in examples")
         return 1
     writing = reference == "--write"
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count() if reference else 1) as pool:
         different = [each for each in pool.map(lambda row: compare(program, row, None if writing else reference), rows) if each]
     print(*different, f"{len(rows)} runs, {len(different)} different", sep="")
     if writing:

@@ -4,7 +4,7 @@
 
 namespace placedpar::identification {
 
-/// Whether it can be inverted, as what is symmetric, finite and positive definite can.
+/// Says whether the matrix has an inverse: it has one if it is symmetric, finite and positive definite.
 bool has_inverse(const OfTwoWays&);
 
 /// How much of each way is called one unit: what a verdict is asked to find (ours).

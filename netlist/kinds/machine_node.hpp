@@ -1,10 +1,13 @@
 #pragma once
 
+#include "netlist/kinds/fault_kinds.hpp"
 #include "netlist/kinds/machine_use.hpp"
 #include "netlist/network/network.hpp"
 #include "runtime/hardware/link.hpp"
 #include "runtime/hardware/switched_lane.hpp"
 #include "runtime/simulation.hpp"
+#include "runtime/trace.hpp"
+#include "text/reporter.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -4,14 +4,16 @@ pages: a start takes two seconds, a page a tenth of one."""
 import collections
 import json
 import os
+import select
 import shutil
 import subprocess
 import tempfile
 
 CHROMIUM = shutil.which("chromium")
 
-# What a page's programs see of time passes at once, and the same in each run.
+# So much time passes for a page's programs once it is loaded, at once.
 VIRTUAL_MS = 3000
+SECONDS = 100  # for an answer
 
 
 class Chromium:
@@ -36,6 +38,8 @@ class Chromium:
 
     def message(self):
         while b"\0" not in self.unread:
+            if not select.select([self.answers], [], [], SECONDS)[0]:
+                raise TimeoutError(f"Chromium has said nothing for {SECONDS} s")
             part = os.read(self.answers, 1 << 20)
             if not part:
                 raise RuntimeError("Chromium has ended")
@@ -54,10 +58,12 @@ class Chromium:
             raise RuntimeError(f"{method}: {found['error']}")
         return found["result"]
 
-    def wait_for(self, method, said):
-        """What was said on the console meanwhile is added to `said`."""
+    def wait_for(self, method, session, said):
+        """What the page said on the console meanwhile is added to `said`."""
         while True:
             event = self.events.popleft() if self.events else self.message()
+            if event.get("sessionId") != session:
+                continue
             if event.get("method") in ("Runtime.consoleAPICalled", "Runtime.exceptionThrown", "Log.entryAdded"):
                 said.append(json.dumps(event["params"]))
             if event.get("method") == method:
@@ -66,17 +72,21 @@ class Chromium:
     def visit(self, address, dark=False):
         """The page after its programs have run, as HTML, and what they said on the console."""
         target = self.command("Target.createTarget", url="about:blank")["targetId"]
+        try:
+            return self.visit_in(target, address, dark)
+        finally:
+            self.command("Target.closeTarget", targetId=target)
+
+    def visit_in(self, target, address, dark):
         session = self.command("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-        self.events.clear()
         said = []
         for domain in ("Page", "Runtime", "Log"):
             self.command(f"{domain}.enable", session)
         self.command("Emulation.setEmulatedMedia", session,
                      features=[{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
         self.command("Page.navigate", session, url=address)
-        self.wait_for("Page.loadEventFired", said)
+        self.wait_for("Page.loadEventFired", session, said)
         self.command("Emulation.setVirtualTimePolicy", session, policy="pauseIfNetworkFetchesPending", budget=VIRTUAL_MS)
-        self.wait_for("Emulation.virtualTimeBudgetExpired", said)
+        self.wait_for("Emulation.virtualTimeBudgetExpired", session, said)
         page = self.command("Runtime.evaluate", session, expression="document.documentElement.outerHTML")["result"]["value"]
-        self.command("Target.closeTarget", targetId=target)
         return page, said

@@ -108,7 +108,8 @@ TEST_CASE("a timeout that is already due counts as ready, in its place in the or
 TEST_CASE("SKIP is taken only when nothing before it is ready; a polling process lets others run") {
     int polls = 0;
     auto chosen = run_with_outputs({Time{0}, Time{0}}, [&](auto c, std::string& log) {
-        for (int received = 0; received < 2; ++polls)
+        int received = 0;
+        for (; received < 2; ++polls)
             alt(on(c[1]->in(), [&](int x) { log += fmt::format("{}", x), ++received; }),
                 on(c[0]->in(), [&](int x) { log += fmt::format("{}", x), ++received; }), skip([] {}));
     });
