@@ -10,37 +10,36 @@
 #include <doctest/doctest.h>
 
 using namespace placedpar;
-using namespace placedpar::generate;
 
 namespace {
 
-Distances distances_of(const std::string& netlist) {
+generate::Distances distances_of(const std::string& netlist) {
     ReadResult read = read_netlist_text(netlist, Catalogue());
     INFO(render(read));
     REQUIRE(read.network);
-    return distances_in(*read.network);
+    return generate::distances_in(*read.network);
 }
 
 } // namespace
 
 TEST_CASE("statements stand a level further in with each loop around them, several of them in braces") {
-    CHECK(within({}, {"a;", "b;"}) == "a;\nb;\n");
-    CHECK(within({"rep i", "rep j"}, {"a;"}) == "rep i\n    rep j\n        a;\n");
-    CHECK(within({"rep i", "rep j"}, {"a;", "b;"}) == "rep i\n    rep j {\n        a;\n        b;\n    }\n");
+    CHECK(generate::within({}, {"a;", "b;"}) == "a;\nb;\n");
+    CHECK(generate::within({"rep i", "rep j"}, {"a;"}) == "rep i\n    rep j\n        a;\n");
+    CHECK(generate::within({"rep i", "rep j"}, {"a;", "b;"}) == "rep i\n    rep j {\n        a;\n        b;\n    }\n");
 }
 
 TEST_CASE("a wire is connected by its links, and carries a channel each way between the ports of its ends") {
-    Topology pair;
+    generate::Topology pair;
     pair.wires = {{{"rep i = 0 for 3"}, {"[i]", "2", "i > 0"}, {"[i + 1]", "1", "0"}}};
-    CHECK(print_wires(pair) == "rep i = 0 for 3\n    connect t[i].link[2] to t[i + 1].link[1];\n");
-    CHECK(print_channels(pair, "island", "out", "in") == "rep i = 0 for 3 {\n"
+    CHECK(generate::print_wires(pair) == "rep i = 0 for 3\n    connect t[i].link[2] to t[i + 1].link[1];\n");
+    CHECK(generate::print_channels(pair, "island", "out", "in") == "rep i = 0 for 3 {\n"
                                                          "    connect island[i].out[i > 0] to island[i + 1].in[0];\n"
                                                          "    connect island[i + 1].out[0] to island[i].in[i > 0];\n"
                                                          "}\n");
 }
 
 TEST_CASE("distances are between processors: a host and its wires do not count") {
-    const Distances line = distances_of("workstation sun; T800 a, b, c; connect sun.link[0] to a.link[0];"
+    const generate::Distances line = distances_of("workstation sun; T800 a, b, c; connect sun.link[0] to a.link[0];"
                                         "connect a.link[1] to b.link[0]; connect b.link[1] to c.link[0];");
     CHECK(line.processors == 3);
     CHECK(line.links == 2);
@@ -50,14 +49,14 @@ TEST_CASE("distances are between processors: a host and its wires do not count")
 }
 
 TEST_CASE("two wires between the same processors are two, and the way is as short as by one") {
-    const Distances twice = distances_of("T800 a, b; connect a.link[0] to b.link[0]; connect a.link[1] to b.link[1];");
+    const generate::Distances twice = distances_of("T800 a, b; connect a.link[0] to b.link[0]; connect a.link[1] to b.link[1];");
     CHECK(twice.links == 2);
     CHECK(twice.degree == 2);
     CHECK(twice.diameter == 1);
 }
 
 TEST_CASE("processors that only a host joins are not connected, and the diameter is that of the larger part") {
-    const Distances apart =
+    const generate::Distances apart =
         distances_of("workstation sun; T800 a, b, c; connect a.link[1] to b.link[0];"
                      "connect sun.link[0] to a.link[0]; connect sun.link[1] to c.link[0];");
     CHECK_FALSE(apart.connected);
@@ -67,7 +66,7 @@ TEST_CASE("processors that only a host joins are not connected, and the diameter
 
 TEST_CASE("a generated netlist begins with what it is, and the command that makes it again") {
     ProblemRegistry problems = known_problems(1);
-    Wish wish;
+    generate::Wish wish;
     wish.topology = "tree";
     wish.size = "13";
     wish.branches = 3;

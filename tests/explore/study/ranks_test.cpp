@@ -16,7 +16,7 @@
 #include <vector>
 
 using namespace placedpar;
-using Kind = RankMessage::Kind;
+using RankKind = RankMessage::Kind;
 
 namespace {
 
@@ -75,8 +75,8 @@ Study three_runs() {
 
 StudySource source_of_three() { return source_of(three_runs(), readable_network(three_runs())); }
 
-std::vector<Kind> kinds_of(const std::vector<RankMessage>& messages) {
-    std::vector<Kind> kinds;
+std::vector<RankKind> kinds_of(const std::vector<RankMessage>& messages) {
+    std::vector<RankKind> kinds;
     for (const RankMessage& each : messages)
         kinds.push_back(each.kind);
     return kinds;
@@ -95,15 +95,15 @@ struct PlayedHelpers {
     StudyRun run_for(int helper) {
         const std::vector<RankMessage> messages = post.collect(helper);
         REQUIRE(messages.size() == 1);
-        REQUIRE(messages[0].kind == Kind::run);
+        REQUIRE(messages[0].kind == RankKind::run);
         return *messages[0].run;
     }
     void end(int helper, const StudyRun& run) {
-        say(helper, {Kind::ended, "", run, StudyOutcome{.ended = "completed", .time = Time{9}}});
+        say(helper, {RankKind::ended, "", run, StudyOutcome{.ended = "completed", .time = Time{9}}});
     }
     void leave() {
-        say(1, {Kind::gone});
-        say(2, {Kind::gone});
+        say(1, {RankKind::gone});
+        say(2, {RankKind::gone});
     }
 };
 
@@ -125,9 +125,9 @@ TEST_CASE("rank 0 hands out each run once, keeps what comes back, and says when 
     zero.begin(played.sweep, source_of_three());
     for (int helper : {1, 2}) {
         const std::vector<RankMessage> first = played.post.collect(helper);
-        REQUIRE(kinds_of(first) == std::vector{Kind::begin});
+        REQUIRE(kinds_of(first) == std::vector{RankKind::begin});
         CHECK(first[0].text == digest_of(source_of_three()));
-        played.say(helper, {Kind::ask});
+        played.say(helper, {RankKind::ask});
     }
     CHECK(zero.serve(false));
     CHECK(zero.in_hand() == 2);
@@ -144,7 +144,7 @@ TEST_CASE("rank 0 hands out each run once, keeps what comes back, and says when 
     played.end(2, third);
     played.leave();
     CHECK_FALSE(zero.serve(false));
-    CHECK(kinds_of(played.post.collect(1)) == std::vector{Kind::none});
+    CHECK(kinds_of(played.post.collect(1)) == std::vector{RankKind::none});
     CHECK(zero.in_hand() == 0);
     CHECK(played.results.count() == 3);
 }
@@ -153,7 +153,7 @@ TEST_CASE("a run of a helper that goes without having ended it stays in hand") {
     PlayedHelpers played;
     RankZero zero(played.rank);
     zero.begin(played.sweep, StudySource{});
-    played.say(1, {Kind::ask});
+    played.say(1, {RankKind::ask});
     played.leave();
     CHECK_FALSE(zero.serve(false));
     CHECK(zero.in_hand() == 1);
@@ -165,10 +165,10 @@ TEST_CASE("when rank 0 is stopped it says so once, and hands out nothing more") 
     RankZero zero(played.rank);
     zero.begin(played.sweep, StudySource{});
     played.post.collect(1);
-    played.say(1, {Kind::ask});
+    played.say(1, {RankKind::ask});
     zero.serve(true);
     zero.serve(true);
-    CHECK(kinds_of(played.post.collect(1)) == std::vector{Kind::stop});
+    CHECK(kinds_of(played.post.collect(1)) == std::vector{RankKind::stop});
     played.leave();
     CHECK_FALSE(zero.serve(true));
 }
@@ -178,19 +178,19 @@ TEST_CASE("what a helper cannot go on for is said with its rank, and the others 
     {
         RankZero zero(played.rank);
         zero.begin(played.sweep, StudySource{});
-        played.say(2, {Kind::failed, "no such file"});
+        played.say(2, {RankKind::failed, "no such file"});
         CHECK_THROWS_WITH_AS(zero.serve(false), "rank 2: no such file", UserError);
         played.leave();
     }
-    CHECK(kinds_of(played.post.collect(1)) == std::vector{Kind::begin, Kind::stop});
+    CHECK(kinds_of(played.post.collect(1)) == std::vector{RankKind::begin, RankKind::stop});
 }
 
 TEST_CASE("a helper has one run more in hand than it makes at once, and tells what came of each") {
     const Study study = three_runs();
-    const RankMessage none{Kind::none};
+    const RankMessage none{RankKind::none};
     const std::vector<RankMessage> said =
-        answers_to({{Kind::begin, digest_of(source_of_three())}, {Kind::run, "", study.at(0)}, {Kind::run, "", study.at(2)}, none, none});
-    REQUIRE(kinds_of(said) == std::vector{Kind::ask, Kind::ask, Kind::ended, Kind::ended, Kind::gone});
+        answers_to({{RankKind::begin, digest_of(source_of_three())}, {RankKind::run, "", study.at(0)}, {RankKind::run, "", study.at(2)}, none, none});
+    REQUIRE(kinds_of(said) == std::vector{RankKind::ask, RankKind::ask, RankKind::ended, RankKind::ended, RankKind::gone});
     StudyWorker alone(study);
     Interruption never;
     for (std::size_t i : {0U, 1U}) {
@@ -201,18 +201,18 @@ TEST_CASE("a helper has one run more in hand than it makes at once, and tells wh
 }
 
 TEST_CASE("a helper that has other files than rank 0 says so, and goes when it is told to") {
-    const std::vector<RankMessage> said = answers_to({{Kind::begin, "another digest"}, {Kind::stop}});
-    REQUIRE(kinds_of(said) == std::vector{Kind::failed, Kind::gone});
+    const std::vector<RankMessage> said = answers_to({{RankKind::begin, "another digest"}, {RankKind::stop}});
+    REQUIRE(kinds_of(said) == std::vector{RankKind::failed, RankKind::gone});
     CHECK(said[0].text == "its netlist, its options or its PlacedPar are not those of rank 0; every machine has to "
                           "have the same files");
 }
 
 TEST_CASE("a helper goes at once where there is nothing to do, and where it is interrupted") {
-    CHECK(kinds_of(answers_to({{Kind::stop}})) == std::vector{Kind::gone});
+    CHECK(kinds_of(answers_to({{RankKind::stop}})) == std::vector{RankKind::gone});
     Interruption interruption;
     interruption.request();
-    const std::vector<Kind> said = kinds_of(answers_to({{Kind::begin, digest_of(source_of_three())}}, interruption));
-    CHECK(said == std::vector{Kind::ask, Kind::ask, Kind::gone});
+    const std::vector<RankKind> said = kinds_of(answers_to({{RankKind::begin, digest_of(source_of_three())}}, interruption));
+    CHECK(said == std::vector{RankKind::ask, RankKind::ask, RankKind::gone});
 }
 
 TEST_CASE("a sweep that is shared among ranks comes to the results of one that is not") {
