@@ -4,9 +4,14 @@
 #include "explore/netlist_run.hpp"
 #include "explore/study/results.hpp"
 
+#include <doctest/doctest.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace placedpar::test {
@@ -29,5 +34,21 @@ struct ReplayInMemory {
     StudyResults results{StudySource{}};
     ReplayContext context;
 };
+
+/// The experiment of this name, run with the seed 1 over the project's examples.
+inline Replay replay_named(std::string_view name) {
+    const auto& all = experiments();
+    const auto found = std::ranges::find(all, name, &Experiment::name);
+    REQUIRE(found != all.end());
+    const ReplayInMemory replay(found->seeds, std::filesystem::path(PLACEDPAR_SOURCE_DIR) / "examples");
+    return found->run(replay.context);
+}
+
+/// The cells of a row, in their order.
+inline std::vector<Cell> row_named(const Comparison& table, std::string_view row) {
+    std::vector<Cell> cells;
+    std::ranges::copy_if(table.cells, std::back_inserter(cells), [&](const Cell& each) { return each.row == row; });
+    return cells;
+}
 
 } // namespace placedpar::test
