@@ -71,18 +71,17 @@ TEST_CASE("a machine is the excavator but for what its file says, in any unit of
 }
 
 TEST_CASE("a machine's file is refused with the place of each fault and what would be right") {
-    const std::string said = refusal_from(
-        std::string(header_of_machine) + "boom.inlet_aera,1,in^2,ours,\nboom.inlet_area,0,in^2,ours,guess\n",
-        [](const auto& path) { load_machine(path, no_warnings); });
+    const std::string said = refusal_from(std::string(header_of_machine) +
+                                              "boom.inlet_aera,1,in^2,ours,\nboom.inlet_area,0,in^2,ours,guess\n",
+                                          [](const auto& path) { load_machine(path, no_warnings); });
     CHECK(said.starts_with(":2:1: error: the machine has no parameter \"boom.inlet_aera\"\n"));
     CHECK(said.find("hint: placedpar parameters lists them\n") != said.npos);
     CHECK(said.find(":3:17: error: boom.inlet_area cannot be 0\n") != said.npos);
 }
 
 TEST_CASE("of very many faults of a record twenty are shown, and the others counted") {
-    const std::string said = refusal_from(record_with("x,1\n", 25), [](const auto& path) {
-        load_record(path, {}, [](const std::string&) {});
-    });
+    const std::string said = refusal_from(record_with("x,1\n", 25),
+                                          [](const auto& path) { load_record(path, {}, [](const std::string&) {}); });
     std::size_t shown = 0;
     for (std::size_t at = 0; (at = said.find(": error: ", at)) != said.npos; ++at)
         ++shown;
@@ -106,6 +105,7 @@ TEST_CASE("a record that can be read is warned of, and its warnings go with it")
 TEST_CASE("a file that is not there, and a netlist without anything in it, are refused") {
     CHECK_THROWS_WITH_AS(load_machine("/no/such/file", no_warnings), doctest::Contains("/no/such/file"), RefusedInput);
     const ProblemRegistry problems;
-    CHECK(refusal_from("/* nothing yet */\n", [&](const auto& path) { load_network(path, {}, problems, no_warnings); }) ==
-          ": error: the netlist is empty\nhint: it declares processors and processes; placedpar generate writes one\n");
+    CHECK(
+        refusal_from("/* nothing yet */\n", [&](const auto& path) { load_network(path, {}, problems, no_warnings); }) ==
+        ": error: the netlist is empty\nhint: it declares processors and processes; placedpar generate writes one\n");
 }

@@ -24,8 +24,7 @@ TEST_CASE("numbers read back the same, and those that JSON does not have are nul
 }
 
 TEST_CASE("what holds something is a line for each member, two blanks further in; what is empty stays in its line") {
-    const boost::json::value value =
-        boost::json::parse(R"({"a":{"b":[1,{"c":true}],"d":{}},"e":[],"f":"\u00b5\n"})");
+    const boost::json::value value = boost::json::parse(R"({"a":{"b":[1,{"c":true}],"d":{}},"e":[],"f":"\u00b5\n"})");
     CHECK(print_pretty(value) == "{\n"
                                  "  \"a\": {\n"
                                  "    \"b\": [\n"
@@ -42,7 +41,8 @@ TEST_CASE("what holds something is a line for each member, two blanks further in
     CHECK(boost::json::parse(print_pretty(value)) == value);
 }
 
-TEST_CASE("a manifest says what was set and what it reached, and of a usual run nothing of limits, faults or shuffles") {
+TEST_CASE(
+    "a manifest says what was set and what it reached, and of a usual run nothing of limits, faults or shuffles") {
     Network network;
     network.source_path = "ring.cfs";
     network.hash = 0xab;

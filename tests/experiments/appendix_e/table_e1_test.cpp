@@ -31,7 +31,8 @@ TEST_CASE("a generation with 0 to 3 slaves: the thesis's milliseconds to 3 %, an
     auto ms = [&](const char* row, std::size_t slaves) { return rows.at(row)[slaves].simulated; };
     for (std::size_t slaves = 0; slaves < 4; ++slaves) {
         CHECK(ms("T_exe", slaves) == doctest::Approx(ms("T_sr", slaves) + ms("S_time2", slaves)).epsilon(0.01));
-        CHECK(ms("P_time2", slaves) == doctest::Approx(ms("P_time2", 0) / (1.0 + static_cast<double>(slaves))).epsilon(0.01));
+        CHECK(ms("P_time2", slaves) ==
+              doctest::Approx(ms("P_time2", 0) / (1.0 + static_cast<double>(slaves))).epsilon(0.01));
     }
     CHECK(ms("T_sr", 3) - ms("P_time2", 3) < ms("C_time2", 3)); // some of the communication is hidden
 }

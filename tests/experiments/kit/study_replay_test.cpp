@@ -126,9 +126,9 @@ TEST_CASE("what a replay shows beside its study's tables has to be in the study"
         study.table(replay, "parcels"),
         (file.path() + ": the study has no table \"parcels\", which the replay shows; it has \"packets\"").c_str(),
         UserError);
-    CHECK_THROWS_WITH_AS(
-        study.measured({{"count", "30"}}, "time"),
-        (file.path() + ": the study has no run with count = 30, which the replay shows").c_str(), UserError);
+    CHECK_THROWS_WITH_AS(study.measured({{"count", "30"}}, "time"),
+                         (file.path() + ": the study has no run with count = 30, which the replay shows").c_str(),
+                         UserError);
     CHECK_THROWS_WITH_AS(study.measured({{"count", "10"}}, "tim"),
                          doctest::Contains("there is no measure \"tim\"; did you mean \"time\"?"), UserError);
 }

@@ -32,15 +32,16 @@ TEST_CASE("a wire is connected by its links, and carries a channel each way betw
     generate::Topology pair;
     pair.wires = {{{"rep i = 0 for 3"}, {"[i]", "2", "i > 0"}, {"[i + 1]", "1", "0"}}};
     CHECK(generate::print_wires(pair) == "rep i = 0 for 3\n    connect t[i].link[2] to t[i + 1].link[1];\n");
-    CHECK(generate::print_channels(pair, "island", "out", "in") == "rep i = 0 for 3 {\n"
-                                                         "    connect island[i].out[i > 0] to island[i + 1].in[0];\n"
-                                                         "    connect island[i + 1].out[0] to island[i].in[i > 0];\n"
-                                                         "}\n");
+    CHECK(generate::print_channels(pair, "island", "out", "in") ==
+          "rep i = 0 for 3 {\n"
+          "    connect island[i].out[i > 0] to island[i + 1].in[0];\n"
+          "    connect island[i + 1].out[0] to island[i].in[i > 0];\n"
+          "}\n");
 }
 
 TEST_CASE("distances are between processors: a host and its wires do not count") {
     const generate::Distances line = distances_of("workstation sun; T800 a, b, c; connect sun.link[0] to a.link[0];"
-                                        "connect a.link[1] to b.link[0]; connect b.link[1] to c.link[0];");
+                                                  "connect a.link[1] to b.link[0]; connect b.link[1] to c.link[0];");
     CHECK(line.processors == 3);
     CHECK(line.links == 2);
     CHECK(line.degree == 2);
@@ -49,7 +50,8 @@ TEST_CASE("distances are between processors: a host and its wires do not count")
 }
 
 TEST_CASE("two wires between the same processors are two, and the way is as short as by one") {
-    const generate::Distances twice = distances_of("T800 a, b; connect a.link[0] to b.link[0]; connect a.link[1] to b.link[1];");
+    const generate::Distances twice =
+        distances_of("T800 a, b; connect a.link[0] to b.link[0]; connect a.link[1] to b.link[1];");
     CHECK(twice.links == 2);
     CHECK(twice.degree == 2);
     CHECK(twice.diameter == 1);

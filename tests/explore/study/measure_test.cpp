@@ -93,7 +93,8 @@ TEST_CASE("figures that were not written as they are read are refused") {
 
 TEST_CASE("what runs can measure is known before any is made: of the machine, of kinds, and of the problem") {
     const PossibleMeasures possible = of_a_farm();
-    for (const char* measure : {"time", "processors", "links", "t.busy", "max(t[1].busy)", "master.T_exe", "master.C_BOi"})
+    for (const char* measure :
+         {"time", "processors", "links", "t.busy", "max(t[1].busy)", "master.T_exe", "master.C_BOi"})
         CHECK_MESSAGE(possible.has(StudyMeasure(measure)), measure);
     for (const char* measure : {"speed", "u.busy", "master.T_ex", "host.T_exe"})
         CHECK_FALSE_MESSAGE(possible.has(StudyMeasure(measure)), measure);

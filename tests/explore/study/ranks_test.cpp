@@ -188,9 +188,13 @@ TEST_CASE("what a helper cannot go on for is said with its rank, and the others 
 TEST_CASE("a helper has one run more in hand than it makes at once, and tells what came of each") {
     const Study study = three_runs();
     const RankMessage none{RankKind::none};
-    const std::vector<RankMessage> said =
-        answers_to({{RankKind::begin, digest_of(source_of_three())}, {RankKind::run, "", study.at(0)}, {RankKind::run, "", study.at(2)}, none, none});
-    REQUIRE(kinds_of(said) == std::vector{RankKind::ask, RankKind::ask, RankKind::ended, RankKind::ended, RankKind::gone});
+    const std::vector<RankMessage> said = answers_to({{RankKind::begin, digest_of(source_of_three())},
+                                                      {RankKind::run, "", study.at(0)},
+                                                      {RankKind::run, "", study.at(2)},
+                                                      none,
+                                                      none});
+    REQUIRE(kinds_of(said) ==
+            std::vector{RankKind::ask, RankKind::ask, RankKind::ended, RankKind::ended, RankKind::gone});
     StudyWorker alone(study);
     Interruption never;
     for (std::size_t i : {0U, 1U}) {
@@ -211,7 +215,8 @@ TEST_CASE("a helper goes at once where there is nothing to do, and where it is i
     CHECK(kinds_of(answers_to({{RankKind::stop}})) == std::vector{RankKind::gone});
     Interruption interruption;
     interruption.request();
-    const std::vector<RankKind> said = kinds_of(answers_to({{RankKind::begin, digest_of(source_of_three())}}, interruption));
+    const std::vector<RankKind> said =
+        kinds_of(answers_to({{RankKind::begin, digest_of(source_of_three())}}, interruption));
     CHECK(said == std::vector{RankKind::ask, RankKind::ask, RankKind::gone});
 }
 
@@ -231,7 +236,8 @@ TEST_CASE("a sweep that is shared among ranks comes to the results of one that i
     StudySweep sweep(study, shared);
     RankZero zero(rank);
     zero.begin(sweep, source_of_three());
-    sweep.run(0, never, [](std::uint64_t) {}, [&](bool stopped) { return zero.serve(stopped); });
+    sweep.run(
+        0, never, [](std::uint64_t) {}, [&](bool stopped) { return zero.serve(stopped); });
     for (std::thread& each : helpers)
         each.join();
     CHECK(shared.count() == 3);

@@ -85,5 +85,6 @@ TEST_CASE("a plot is over the axis of most numbers, with a curve for each of the
     CHECK(panel.series[0].name == "kind = a");
     CHECK(panel.series[0].points.size() == 2);
     add("one too many", "1");
-    CHECK_THROWS_WITH_AS(summary_plot(summary), doctest::Contains("more than 8 curves cannot be told apart"), UserError);
+    CHECK_THROWS_WITH_AS(summary_plot(summary), doctest::Contains("more than 8 curves cannot be told apart"),
+                         UserError);
 }

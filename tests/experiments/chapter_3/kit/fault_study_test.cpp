@@ -16,7 +16,8 @@ const RecordSource quiet_plant{"scenario-a", "none", false}, quiet_machine{"exca
 
 } // namespace
 
-TEST_CASE("least squares over the rise finds the compliance of a sound machine, and twice as much where it is doubled") {
+TEST_CASE(
+    "least squares over the rise finds the compliance of a sound machine, and twice as much where it is doubled") {
     const double sound = least_squares(record_of(no_fault(), quiet_plant, 1));
     CHECK(sound == doctest::Approx(0.0086).epsilon(0.05));
     CHECK(least_squares(record_of(doubled_compliance(), quiet_plant, 1)) == doctest::Approx(2 * sound).epsilon(0.05));

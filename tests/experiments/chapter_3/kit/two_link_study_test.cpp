@@ -62,18 +62,18 @@ TEST_CASE("the surer way keeps its best and skips two samples, and Gray code is 
 }
 
 TEST_CASE("internal states by hand: equations 3.5 to 3.7 from the first junction to the second, and to the tank") {
-    const FlowConstants flow{.orifice_in3_per_s_in2_sqrt_psi = 100, .pump_in3_per_s = 175, .tank_psi = 25,
-                             .relief_psi = 2500};
+    const FlowConstants flow{
+        .orifice_in3_per_s_in2_sqrt_psi = 100, .pump_in3_per_s = 175, .tank_psi = 25, .relief_psi = 2500};
     const CircuitSample sample{
         0, 0, {{1000, 500, 10, 0.02, 0.05}, {900, -100, 22, 0.04, 0.03}}}; // pressure, slope, flow, a_i, a_e
     const std::vector<double> compliances{0.004, 0.02};
     const InternalStates states = estimated_states(sample, compliances, flow);
-    CHECK(states.q_bucket == doctest::Approx(10 + 500 * 0.004));      // 12
-    CHECK(states.q_boom == doctest::Approx(22 - 100 * 0.02));         // 20
-    CHECK(states.p11 == doctest::Approx(1000 + 6.0 * 6.0));           // (12 / (100 * .02))^2
-    CHECK(states.p12 == doctest::Approx(900 + 5.0 * 5.0));            // (20 / (100 * .04))^2
-    CHECK(states.q11 == doctest::Approx(5 * std::sqrt(1036 - 925)));  // to the second junction
-    CHECK(states.q12 == doctest::Approx(3 * std::sqrt(925 - 25)));    // 90, to the tank
+    CHECK(states.q_bucket == doctest::Approx(10 + 500 * 0.004));     // 12
+    CHECK(states.q_boom == doctest::Approx(22 - 100 * 0.02));        // 20
+    CHECK(states.p11 == doctest::Approx(1000 + 6.0 * 6.0));          // (12 / (100 * .02))^2
+    CHECK(states.p12 == doctest::Approx(900 + 5.0 * 5.0));           // (20 / (100 * .04))^2
+    CHECK(states.q11 == doctest::Approx(5 * std::sqrt(1036 - 925))); // to the second junction
+    CHECK(states.q12 == doctest::Approx(3 * std::sqrt(925 - 25)));   // 90, to the tank
 }
 
 TEST_CASE("the true compliances give back the states of the simulated circuit, to the slopes of five readings") {

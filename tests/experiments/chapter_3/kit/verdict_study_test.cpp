@@ -22,7 +22,8 @@ const RecordSource low_plant{"scenario-a", "low", false}, low_machine{"excavator
 
 std::vector<TestedFault> called(const std::vector<TestedFault>& faults, AlarmKind kind) {
     std::vector<TestedFault> some;
-    std::ranges::copy_if(faults, std::back_inserter(some), [&](const TestedFault& each) { return each.called == kind; });
+    std::ranges::copy_if(faults, std::back_inserter(some),
+                         [&](const TestedFault& each) { return each.called == kind; });
     return some;
 }
 
@@ -94,7 +95,8 @@ TEST_CASE("a long movement takes twelve seconds, most of them steady") {
     const Record movement = Digger(low_plant, AreasFrom::spool, 1).movement(long_movement(low_plant), 1, 0);
     CHECK(movement.time_s.back() == doctest::Approx(12.1).epsilon(0.01));
     const std::vector<double>& psi = movement.of(Link::boom, Sensor::inlet_pressure);
-    const auto [least, greatest] = std::minmax_element(psi.begin() + static_cast<std::ptrdiff_t>(psi.size() / 4), psi.end());
+    const auto [least, greatest] =
+        std::minmax_element(psi.begin() + static_cast<std::ptrdiff_t>(psi.size() / 4), psi.end());
     CHECK(*greatest - *least < 0.15 * *greatest);
 }
 

@@ -17,7 +17,8 @@ using namespace placedpar;
 namespace {
 
 Claim claim_of(std::vector<double> values, std::optional<double> at_least, std::optional<double> at_most = {}) {
-    return {.text = "lag", .unit = "generations", .values = std::move(values), .at_least = at_least, .at_most = at_most};
+    return {
+        .text = "lag", .unit = "generations", .values = std::move(values), .at_least = at_least, .at_most = at_most};
 }
 
 std::vector<double> from_1_to(int last) {
@@ -152,10 +153,12 @@ TEST_CASE("a row of a table of tracks has medians over the seeds, and how many f
     CHECK(median_of_seeds(replay.context) == "medians of 3 seeds, quartiles of the real part");
 }
 
-TEST_CASE("a plot of poles has real and imaginary parts over the generations beside the truth, and a band of quartiles") {
+TEST_CASE(
+    "a plot of poles has real and imaginary parts over the generations beside the truth, and a band of quartiles") {
     test::ReplayInMemory replay(3);
     const PlantStudy study = late_study(replay.context);
-    const Panel medians = pole_panel("poles", {{"late", &study}}), first = single_run_panel("poles", {{"late", &study}});
+    const Panel medians = pole_panel("poles", {{"late", &study}}),
+                first = single_run_panel("poles", {{"late", &study}});
     REQUIRE(medians.series.size() == 4);
     CHECK(medians.series[0].name == "late");
     CHECK(medians.series[1].stroke == Stroke::dashes);
