@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,12 +36,13 @@ struct ReplayInMemory {
     ReplayContext context;
 };
 
-/// The experiment of this name, run with the seed 1 over the project's examples.
-inline Replay replay_named(std::string_view name) {
+/// The experiment of this name, run with the seed 1 over the project's examples; a study over as many seeds as are
+/// said, or as it says itself.
+inline Replay replay_named(std::string_view name, std::optional<std::size_t> seeds = {}) {
     const auto& all = experiments();
     const auto found = std::ranges::find(all, name, &Experiment::name);
     REQUIRE(found != all.end());
-    const ReplayInMemory replay(found->seeds, std::filesystem::path(PLACEDPAR_SOURCE_DIR) / "examples");
+    const ReplayInMemory replay(seeds.value_or(found->seeds), std::filesystem::path(PLACEDPAR_SOURCE_DIR) / "examples");
     return found->run(replay.context);
 }
 
