@@ -9,6 +9,11 @@
 #include <boost/json.hpp>
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
 using namespace placedpar;
 
 TEST_CASE("a log as comma-separated values, in long form") {
@@ -89,8 +94,9 @@ TEST_CASE("searches are compared where they search for the same in the same codi
     };
     Network network;
     network.processes = {search("a", "boom"), ProcessInstance(), search("b", "boom")}; // one that does not search
-    CHECK(log_of(network).searches() == std::vector<std::string>{"a", "b"});
-    CHECK(log_of(network).compares());
+    const GenerationLog log = log_of(network);
+    CHECK(std::ranges::equal(log.searches(), std::vector<std::string>{"a", "b"}));
+    CHECK(log.compares());
     network.processes[2].parameters["problem"] = Value(std::string("plant"));
     CHECK_FALSE(log_of(network).compares());
     network.processes[2] = search("b", "boom");

@@ -140,13 +140,13 @@ TEST_CASE("a study of which nothing can be read is refused as its first netlist 
 TEST_CASE("a measure that no run has is refused before the runs between the first and the last are made") {
     Interruption never;
     Study study = study_of("examples/36-farms/farm.cfs", {"slaves=1..3", "samples=6"}, 1);
-    study.measures = {"master.T_ex"};
+    study.measures = {"master.generation"};
     StudyResults results(StudySource{});
     CHECK_THROWS_WITH_AS(StudySweep(study, results).try_measures(never),
-                         "there is no measure \"master.T_ex\"; did you mean \"master.T_exe\"?", UserError);
+                         "there is no measure \"master.generation\"; did you mean \"master.generations\"?", UserError);
     CHECK(results.count() == 2); // the first and the last
     CHECK_THROWS_WITH_AS(require_possible(study.measures, study, readable_network(study)),
-                         doctest::Contains("did you mean \"master.T_exe\"?"), UserError);
+                         doctest::Contains("did you mean \"master.generations\"?"), UserError);
     CHECK_NOTHROW(require_possible({"max(t.busy)", "master.T_exe"}, study, readable_network(study)));
 }
 
