@@ -49,13 +49,6 @@ std::string refusal_from(const std::string& text, Read read) {
 
 void no_warnings(const std::string& warnings) { FAIL("unexpected: " << warnings); }
 
-std::string record_with(const std::string& row, int times = 1) {
-    std::string text = "time [s],boom.angle [deg]\n";
-    for (int i = 0; i < times; ++i)
-        text += row;
-    return text;
-}
-
 const char* const header_of_machine = "name,value,unit,mark,source\n";
 
 } // namespace

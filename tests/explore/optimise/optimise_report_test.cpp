@@ -130,7 +130,7 @@ TEST_CASE("two critical paths are compared part by part, the greatest difference
     };
     CHECK(print_paths(path({{"slave[0] on t[1]", 6}, {"slave[1] on t[2]", 4}, {"master on t[0]", 3}}),
                       path({{"slave[2] on t[3]", 2}, {"master on t[0]", 4}})) ==
-          "     as it is      the best            ms  on the critical path\n"
+          "    as it is      the best            ms  on the critical path\n"
           "      10.000         2.000        -8.000  computing: slave[] on t[]\n"
           "       3.000         4.000        +1.000  computing: master on t[]\n"
           "      13.000         6.000        -7.000  the whole run\n");
