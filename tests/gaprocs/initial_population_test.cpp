@@ -148,8 +148,7 @@ TEST_CASE("a netlist asks for a spread population: the library's, drawn from a s
 }
 
 TEST_CASE("what has no fields of bits cannot be spread") {
-    for (auto each :
-         {std::pair{"seats", ""}, {"plane", ""}, {"line", ""}, {"sphere", ", coding = \"real\""}}) {
+    for (auto each : {std::pair{"seats", ""}, {"plane", ""}, {"line", ""}, {"sphere", ", coding = \"real\""}}) {
         const char *problem = each.first, *more = each.second;
         CAPTURE(problem);
         Cluster cluster{

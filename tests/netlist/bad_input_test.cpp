@@ -165,8 +165,7 @@ TEST_CASE("bounds are where docs/netlist-language.md says: what is just within i
     CHECK_FALSE(read("val s \"" + std::string(2001, 'x') + "\";"));
     CHECK(read(array(8)));
     CHECK_FALSE(read(array(9)));
-    for (const auto& braces :
-         {std::pair("{", "}"), std::pair("rep i = 0 for 1 {", "}"), std::pair("if 1\n", "")}) {
+    for (const auto& braces : {std::pair("{", "}"), std::pair("rep i = 0 for 1 {", "}"), std::pair("if 1\n", "")}) {
         CAPTURE(braces.first);
         CHECK(read(nested(braces.first, "val n 1;", braces.second, 200)));
         CHECK_FALSE(read(nested(braces.first, "val n 1;", braces.second, 201)));

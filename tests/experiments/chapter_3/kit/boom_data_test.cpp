@@ -68,7 +68,8 @@ TEST_CASE("many measurements are one motion, with the noise of each seed") {
     CHECK(of(many[0], Sensor::servo) == of(many[1], Sensor::servo));
 }
 
-TEST_CASE("an offset that the model believes in is taken off the spool, and the inlet that it sees is so much smaller") {
+TEST_CASE(
+    "an offset that the model believes in is taken off the spool, and the inlet that it sees is so much smaller") {
     const BoomData data = measure({BoomPlant::simple}, 1);
     const BoomModel right = model_of(data, AreasFrom::spool), offset{right.from, right.spool_lag_per_s, 0.01};
     const auto spool = spool_of(data, right), lower = spool_of(data, offset);
