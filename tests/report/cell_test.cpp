@@ -31,3 +31,18 @@ TEST_CASE("how far two samples may be apart: four deviations of their difference
           doctest::Approx(0.0000279).epsilon(0.01));                         // 4/7 and half a digit
     CHECK(mean_tolerance(0.00014, 49, 0.00001) == doctest::Approx(0.00009)); // 4/7 and the bias
 }
+
+TEST_CASE("an error in percent needs a reference and a figure, and of 0 only 0 is no error at all") {
+    CHECK(compared_cell("x", "a", "", -50, -40, 0).error_percent() == 20.0); // above it, whatever its sign
+    CHECK(compared_cell("x", "a", "", 0, 0, 0).error_percent() == 0.0);
+    CHECK_FALSE(compared_cell("x", "a", "", 0, 1e-9, 0).error_percent());
+    CHECK_FALSE(compared_cell("x", "a", "", 5, std::nan(""), 0).error_percent());
+    CHECK_FALSE(plain_cell("x", "a", "", 5, 0).error_percent());
+    CHECK_FALSE(judged_cell("x", "a", "", 5, std::nan(""), 100, 0).within_tolerance());
+}
+
+TEST_CASE("a tolerance without a known figure judges nothing") {
+    CHECK(cell_of("x", "a", "", 3.0, 4, 0.5, 0).is_judged());
+    CHECK_FALSE(cell_of("x", "a", "", {}, 4, 0.5, 0).is_judged());
+    CHECK(cell_of("x", "a", "", {}, 4, 0.5, 0).within_tolerance());
+}

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 using namespace placedpar;
 
 namespace {
@@ -145,4 +147,27 @@ TEST_CASE("a fit is of outcomes beside what is known, in the first cell's unit")
     cells.back().origin = Origin::calibrated;
     CHECK(print_fit(cells) == "outcomes: rms error 3.5 %, greatest -4.0 % (a, y)\n");
     CHECK(print_fit({cells.back()}).empty());
+}
+
+TEST_CASE("a figure that was fitted or read off is marked as such, and one without a value is a dash") {
+    Comparison comparison{.name = "name", .against = "known"};
+    comparison.cells = {cell("x", "a", "", 1, 2, 0.5), cell("y", "a", "", 1, 2, 0.5), cell("z", "a", "", 1, NAN, 0.5)};
+    comparison.cells[0].origin = Origin::calibrated;
+    comparison.cells[1].origin = Origin::workload;
+    comparison.cells[0].source = "a handbook";
+    CHECK(print_comparison(comparison) == "name\n"
+                                          "                             a\n"
+                                          "      simulat.   known   error  tolerance  source\n"
+                                          "x        2.00       1   +1.00c  0.5        a handbook\n"
+                                          "y        2.00       1   +1.00w  0.5\n"
+                                          "z           -       1        !  0.5\n");
+}
+
+TEST_CASE("tables are judged at all where one that counts has a bound") {
+    const Comparison shown{.name = "shown", .cells = {plain_cell("x", "a", "", 2, 1)}};
+    Comparison bounded{.name = "bounded", .cells = {at_most(1, plain_cell("x", "a", "", 2, 1))}};
+    CHECK(is_any_judged({bounded, shown}));
+    CHECK_FALSE(is_any_judged({shown, bounded}));
+    bounded.judged = true;
+    CHECK(is_any_judged({shown, bounded}));
 }

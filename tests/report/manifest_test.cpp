@@ -22,3 +22,44 @@ TEST_CASE("numbers read back the same, and those that JSON does not have are nul
     for (std::size_t i = 5; i < 8; ++i)
         CHECK(read[i].is_null());
 }
+
+TEST_CASE("what holds something is a line for each member, two blanks further in; what is empty stays in its line") {
+    const boost::json::value value = boost::json::parse(R"({"a":{"b":[1,{"c":true}],"d":{}},"e":[],"f":"\u00b5\n"})");
+    CHECK(print_pretty(value) == "{\n"
+                                 "  \"a\": {\n"
+                                 "    \"b\": [\n"
+                                 "      1,\n"
+                                 "      {\n"
+                                 "        \"c\": true\n"
+                                 "      }\n"
+                                 "    ],\n"
+                                 "    \"d\": {}\n"
+                                 "  },\n"
+                                 "  \"e\": [],\n"
+                                 "  \"f\": \"\u00b5\\n\"\n"
+                                 "}\n");
+    CHECK(boost::json::parse(print_pretty(value)) == value);
+}
+
+TEST_CASE(
+    "a manifest says what was set and what it reached, and of a usual run nothing of limits, faults or shuffles") {
+    Network network;
+    network.source_path = "ring.cfs";
+    network.hash = 0xab;
+    network.set = {{"clock", "20M", {"t[0]", "t[1]"}}, {"n", "3", {}}};
+    Manifest manifest{.command = "run ring.cfs", .seed = 7, .overrides = {{"clock", "20M"}, {"n", "3"}}};
+    boost::json::object json = manifest_json(manifest, network);
+    CHECK(json.at("netlist_hash") == "00000000000000ab");
+    CHECK(json.at("overrides").at("n") == "3");
+    CHECK(json.at("set").at(0).at("elements") == boost::json::array{"t[0]", "t[1]"});
+    CHECK(json.at("set").at(1).at("elements").as_array().empty()); // a val
+    for (const char* unusual : {"faults", "until_ps", "shuffle"})
+        CHECK_FALSE(json.contains(unusual));
+    manifest.read.faults = {"t[0] dead"};
+    manifest.until = Time{5};
+    manifest.shuffle = 0;
+    json = manifest_json(manifest, network);
+    CHECK(json.at("faults") == boost::json::array{"t[0] dead"});
+    CHECK(json.at("until_ps") == 5);
+    CHECK(json.at("shuffle") == 0);
+}

@@ -9,6 +9,11 @@
 #include <boost/json.hpp>
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
 using namespace placedpar;
 
 TEST_CASE("a log as comma-separated values, in long form") {
@@ -75,4 +80,26 @@ TEST_CASE("of searches without generations, and of none, there is nothing to say
     CHECK(print_searches(GenerationLog({"east"})).empty());
     CHECK(searches_json(GenerationLog({"east"})).empty());
     CHECK_THROWS_AS(require_searches(Network{}), UserError);
+}
+
+TEST_CASE("searches are compared where they search for the same in the same coding") {
+    auto search = [](const char* name, const char* problem) {
+        ProcessInstance process;
+        process.name = name;
+        process.kind = "ga.island";
+        process.parameters = {{"population", Value(std::int64_t{10})},
+                              {"trials", Value(std::int64_t{1})},
+                              {"problem", Value(std::string(problem))}};
+        return process;
+    };
+    Network network;
+    network.processes = {search("a", "boom"), ProcessInstance(), search("b", "boom")}; // one that does not search
+    const GenerationLog log = log_of(network);
+    CHECK(std::ranges::equal(log.searches(), std::vector<std::string>{"a", "b"}));
+    CHECK(log.compares());
+    network.processes[2].parameters["problem"] = Value(std::string("plant"));
+    CHECK_FALSE(log_of(network).compares());
+    network.processes[2] = search("b", "boom");
+    network.processes[0].kind = "ga.coarse"; // whose strings are read in another way than its partner's
+    CHECK_FALSE(log_of(network).compares());
 }

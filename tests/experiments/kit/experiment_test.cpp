@@ -31,3 +31,13 @@ TEST_CASE("every experiment has a name, a place of its own, a line about it, and
     CHECK(experiments().front().name == "table-2-6");
     CHECK(experiments().back().name == "evidence");
 }
+
+TEST_CASE("a replay without processes has the fingerprint of its tables as they are printed") {
+    auto fingerprint = [](double figure, const char* note) {
+        return replay_of({{.name = "table", .cells = {plain_cell("x", "a", "", figure, 2)}, .notes = note}}, {})
+            .fingerprint;
+    };
+    CHECK(fingerprint(1.5, "") == fingerprint(1.5 + 1e-12, "")); // its last bits do not count
+    CHECK(fingerprint(1.5, "") != fingerprint(1.51, ""));
+    CHECK(fingerprint(1.5, "") != fingerprint(1.5, "but"));
+}

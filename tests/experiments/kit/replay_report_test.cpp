@@ -20,3 +20,52 @@ TEST_CASE("a claim of two bounds has both in the document, one of one bound has 
     CHECK(cells.at(1).at("claim") == 0.5);
     CHECK(!cells.at(1).as_object().contains("claim_to"));
 }
+
+namespace {
+
+Replay of_two_tables() {
+    Comparison second{.name = "second", .cells = {plain_cell("y", "b", "", 5, 0)}, .against = "known", .judged = true};
+    return {.comparisons = {{.name = "first", .cells = {judged_cell("x", "a", "ms", 10, 11, 0.5, 1)}}, second},
+            .constants = "k  read off\n",
+            .fingerprint = 0xabc};
+}
+
+} // namespace
+
+TEST_CASE("for people a replay is its tables, its constants, its fingerprint, and the verdict at the end") {
+    Replay replay = of_two_tables();
+    replay.constant_table = {{"link", "bits of a byte", 11, "bit", {}, "databook"},
+                             {"link", "bits of an acknowledge", 2, "bit", {}, "databook"},
+                             {"processor", "clock", 20e6, "Hz", {}, "databook"}};
+    const std::string text = print_replay(replay);
+    CHECK(text.starts_with("first\n"));
+    CHECK(text.find("\n\nsecond\n") != text.npos);
+    CHECK(text.find("\nlink\n  bits of a byte") != text.npos);
+    CHECK(text.find("\n  bits of an acknowledge") != text.npos); // the group is named once
+    CHECK(text.find("\nprocessor\n  clock ") != text.npos);
+    CHECK(text.find(" 2e+07 Hz ") != text.npos);
+    CHECK(text.ends_with("k  read off\nfingerprint: 0000000000000abc\na cell misses its tolerance\n"));
+}
+
+TEST_CASE("for machines the first table is the reading, the others stand beside it, each with its verdict") {
+    boost::json::object json = replay_json(of_two_tables(), "pga-1", 7, "replay pga-1 --seed 7");
+    CHECK(json.at("experiment") == "pga-1");
+    CHECK(json.at("seed") == 7);
+    CHECK(json.at("fingerprint") == "0000000000000abc");
+    CHECK(json.at("reading") == "first");
+    CHECK(json.at("within_tolerance") == false);
+    const boost::json::object& cell = json.at("cells").at(0).as_object();
+    CHECK(cell.at("thesis") == 10.0);
+    CHECK(cell.at("error_percent") == 10.0);
+    CHECK(cell.at("tolerance_percent") == 5.0);
+    CHECK(cell.at("tolerance") == 0.5);
+    CHECK(cell.at("origin") == "outcome");
+    for (const char* of_others : {"at_least", "at_most", "source", "known"})
+        CHECK_FALSE(cell.contains(of_others));
+    REQUIRE(json.at("other_readings").as_array().size() == 1);
+    const boost::json::object& other = json.at("other_readings").at(0).as_object();
+    CHECK(other.at("judged") == true);
+    CHECK(other.at("within_tolerance") == true);
+    CHECK(other.at("cells").at(0).at("known").is_null());
+    CHECK_FALSE(json.contains("constants"));
+}

@@ -140,3 +140,19 @@ TEST_CASE("a file of another replay, of an earlier PlacedPar, damaged or cut off
     file.write(good);
     CHECK(file.open().count() == 5);
 }
+
+TEST_CASE("progress is told by what is run, with what a file had counted in") {
+    SmallReplay replay;
+    StudyResults results(source_named("mine"));
+    replay.run(2, results);
+    ReplayContext context = replay.context(5, results);
+    std::string first;
+    context.progress = [&](const std::string& told) { first = first.empty() ? told : first; };
+    run_seeds(context, "a, b", [](std::uint64_t) { return Figures{0}; });
+    CHECK(first == "a, b: 2 of 5 seeds");
+}
+
+TEST_CASE("a column is one figure of each run") {
+    CHECK(column({{1, 2, 3}, {4, 5, 6}}, 1) == std::vector<double>{2, 5});
+    CHECK(column({}, 0).empty());
+}

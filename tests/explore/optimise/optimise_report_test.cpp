@@ -2,8 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace placedpar;
@@ -114,4 +116,27 @@ TEST_CASE("one measure is plotted over the machines simulated, two against each 
     const Plot two = optimum_plot(optimum_of({"time", "cost"}, {course_of("genetic", {{1, 9}, {9, 1}, {9, 9}})}), "");
     CHECK(two.panels[0].x.label.find("time") != std::string::npos);
     CHECK(two.panels[0].y.label.find("cost") != std::string::npos);
+}
+
+TEST_CASE("two critical paths are compared part by part, the greatest difference first, the rest together") {
+    auto path = [](const std::vector<std::pair<std::string, int>>& parts) {
+        std::vector<PathPart> all;
+        for (Time begin{}; const auto& [subject, milliseconds] : parts) {
+            const Time end = begin + std::chrono::milliseconds(milliseconds);
+            all.push_back({Activity::computing, subject, "", begin, end});
+            begin = end;
+        }
+        return all;
+    };
+    CHECK(print_paths(path({{"slave[0] on t[1]", 6}, {"slave[1] on t[2]", 4}, {"master on t[0]", 3}}),
+                      path({{"slave[2] on t[3]", 2}, {"master on t[0]", 4}})) ==
+          "    as it is      the best            ms  on the critical path\n"
+          "      10.000         2.000        -8.000  computing: slave[] on t[]\n"
+          "       3.000         4.000        +1.000  computing: master on t[]\n"
+          "      13.000         6.000        -7.000  the whole run\n");
+    std::vector<std::pair<std::string, int>> many;
+    for (char name = 'a'; name < 'k'; ++name)
+        many.emplace_back(std::string(1, name), name - 'a' + 1); // 1 ms to 10 ms
+    CHECK(print_paths(path(many), {}).find("       3.000         0.000        -3.000  everything else\n") !=
+          std::string::npos); // the two shortest
 }

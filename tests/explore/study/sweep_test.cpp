@@ -136,3 +136,31 @@ TEST_CASE("a study of which nothing can be read is refused as its first netlist 
     CHECK(
         said.starts_with("--set:1:1: error: the netlist has no val, attribute or parameter \"slavs\"\n    slavs=0\n"));
 }
+
+TEST_CASE("a measure that no run has is refused before the runs between the first and the last are made") {
+    Interruption never;
+    Study study = study_of("examples/36-farms/farm.cfs", {"slaves=1..3", "samples=6"}, 1);
+    study.measures = {"master.generation"};
+    StudyResults results(StudySource{});
+    CHECK_THROWS_WITH_AS(StudySweep(study, results).try_measures(never),
+                         "there is no measure \"master.generation\"; did you mean \"master.generations\"?", UserError);
+    CHECK(results.count() == 2); // the first and the last
+    CHECK_THROWS_WITH_AS(require_possible(study.measures, study, readable_network(study)),
+                         doctest::Contains("did you mean \"master.generations\"?"), UserError);
+    CHECK_NOTHROW(require_possible({"max(t.busy)", "master.T_exe"}, study, readable_network(study)));
+}
+
+TEST_CASE("what is missing of a study is what it has not run yet, also after a part of it") {
+    Study study;
+    study.products = {{.axes = {read_axis("n=1..10")}, .where = StudyExpression("n != 4")}};
+    study.function = [](const StudyRun&) { return StudyFigures(); };
+    StudyResults results(StudySource{});
+    StudySweep sweep(study, results);
+    CHECK(sweep.missing().runs == 9);
+    results.keep({{{"n", "7"}}, 1}, {.ended = "completed"});
+    CHECK(sweep.missing().runs == 8);
+    std::vector<std::string> made;
+    while (std::optional<StudyRun> run = sweep.next())
+        made.push_back(run->set.at("n"));
+    CHECK(made == std::vector<std::string>{"1", "2", "3", "5", "6", "8", "9", "10"});
+}

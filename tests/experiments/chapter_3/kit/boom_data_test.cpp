@@ -67,3 +67,19 @@ TEST_CASE("many measurements are one motion, with the noise of each seed") {
     CHECK(of(many[0], Sensor::inlet_pressure) != of(many[1], Sensor::inlet_pressure));
     CHECK(of(many[0], Sensor::servo) == of(many[1], Sensor::servo));
 }
+
+TEST_CASE(
+    "an offset that the model believes in is taken off the spool, and the inlet that it sees is so much smaller") {
+    const BoomData data = measure({BoomPlant::simple}, 1);
+    const BoomModel right = model_of(data, AreasFrom::spool), offset{right.from, right.spool_lag_per_s, 0.01};
+    const auto spool = spool_of(data, right), lower = spool_of(data, offset);
+    for (std::size_t i = 0; i < spool.size(); ++i)
+        CHECK(lower[i] == doctest::Approx(spool[i] - 0.01));
+    const auto samples = samples_of(data, right), with_offset = samples_of(data, offset);
+    REQUIRE(samples.size() == with_offset.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        CHECK(with_offset[i].links[0].inlet_in2 <= samples[i].links[0].inlet_in2);
+        CHECK(with_offset[i].links[0].bypass_in2 >= samples[i].links[0].bypass_in2); // the bypass shuts as it opens
+        CHECK(with_offset[i].links[0].inlet_psi == samples[i].links[0].inlet_psi);
+    }
+}

@@ -34,3 +34,15 @@ TEST_CASE("efficiency is speedup over processors") {
     CHECK(formula_c_2(formula_pipelined(8, 8), 8) == 1);
     CHECK(formula_c_2(formula_pipelined(8, 18), 18) == .5); // 9 / 18
 }
+
+TEST_CASE("no formula gives more than as many processors, nor more than what is bred alone allows") {
+    for (double alpha : {0.5, 1.0, 8.0, 24.0})
+        for (double processors : {1.0, 2.0, 16.0, 1000.0}) {
+            CHECK(formula_4_9(alpha, processors) <= formula_pipelined(alpha, processors));
+            CHECK(formula_pipelined(alpha, processors) <= processors);
+            CHECK(formula_pipelined(alpha, processors) <= alpha + 1);
+            CHECK(formula_c_1({.evaluating = alpha, .breeding = 1, .communication = 0.1}, processors) <
+                  formula_4_9(alpha, processors));
+        }
+    CHECK(formula_4_9(8, 1e9) == doctest::Approx(9)); // of infinitely many
+}

@@ -71,3 +71,24 @@ TEST_CASE("with a least step CMA-ES follows an optimum that moves, without one i
     CHECK(distance(0.02) < 0.05);
     CHECK(distance(0) > 0.3);
 }
+
+TEST_CASE("a generation asks for as many values as there are points, all of them inside of the cube") {
+    std::size_t asked = 0;
+    bool inside = true;
+    auto corner = [&](const Eigen::VectorXd& point) {
+        ++asked;
+        inside = inside && point.minCoeff() >= 0 && point.maxCoeff() <= 1;
+        return -point.sum();
+    };
+    DifferentialEvolution evolution(3, 8, RandomStream(1, "test"));
+    evolution.evaluate(corner);
+    for (int generation = 0; generation < 20; ++generation)
+        evolution.next_generation(corner);
+    CHECK(asked == 8 + 20 * 8);
+    asked = 0;
+    CovarianceAdaptation adaptation(3, 8, 0, RandomStream(1, "test"));
+    for (int generation = 0; generation < 20; ++generation)
+        adaptation.next_generation(corner);
+    CHECK(asked == 20 * 8);
+    CHECK(inside);
+}

@@ -1,0 +1,107 @@
+// Chapter 2: steady flow, oil with air in it, and the P-D loop, beside the thesis and formulas by hand.
+
+#include "tests/experiments/kit/replay_in_memory.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+/// The modulus of oil of 220 000 psi with a share of free air at 14.7 psia, which is compressed at a constant
+/// temperature: the volume over how much of it a psi takes away.
+double isothermal_modulus_psi(double air, double psia) {
+    const double air_volume = air * 14.7 / psia;
+    return (1 - air + air_volume) / ((1 - air) / 220'000 + air_volume / psia);
+}
+
+} // namespace
+
+TEST_CASE("Table 2.6: the spool for three flows at three pressures, and back") {
+    const Replay replay = test::replay_named("table-2-6");
+    const Comparison& table = replay.comparisons.at(0);
+    struct Line {
+        int flow;
+        std::vector<double> spool_in; // at 2030, 1830 and 1630 psi
+    };
+    for (const Line& line :
+         {Line{60, {0.2741, 0.2688, 0.2627}}, Line{50, {0.2650, 0.2592, 0.2527}}, Line{40, {0.2561, 0.2499, 0.2427}}}) {
+        const auto spools = test::row_named(table, fmt::format("spool at {} in^3/s", line.flow)),
+                   flows = test::row_named(table, fmt::format("flow at {} in^3/s", line.flow));
+        REQUIRE(spools.size() == 3);
+        REQUIRE(flows.size() == 3);
+        for (std::size_t i = 0; i < 3; ++i) {
+            CHECK(std::abs(spools[i].simulated - line.spool_in[i]) < 2e-4);
+            CHECK(spools[i].reference == line.spool_in[i]);
+            CHECK(std::abs(flows[i].simulated - line.flow) < 0.15);
+        }
+    }
+}
+
+TEST_CASE(
+    "an error of the spool makes half or a fifth more flow, as the thesis says, the more the less flow there is") {
+    const Replay replay = test::replay_named("table-2-6");
+    const Comparison& table = replay.comparisons.at(0);
+    for (const char* error : {"more flow for +0.02 in", "more flow for +0.01 in"})
+        for (std::size_t i = 0; i < 3; ++i) {
+            auto at = [&](int flow) {
+                return test::row_named(table, fmt::format("{} at {} in^3/s", error, flow)).at(i).simulated;
+            };
+            CHECK(at(40) > at(50));
+            CHECK(at(50) > at(60));
+            CHECK(at(60) > 0);
+        }
+    for (int flow : {40, 50, 60}) // a step of .01 in, by the slope and by the flow itself
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double
+                slope = test::row_named(table, fmt::format("dQ_i/dx at {} in^3/s", flow)).at(i).simulated,
+                more = test::row_named(table, fmt::format("more flow for +0.01 in at {} in^3/s", flow)).at(i).simulated;
+            CHECK(more == doctest::Approx(100 * 0.01 * slope / flow).epsilon(0.01));
+        }
+}
+
+TEST_CASE("oil with air in it is as soft as volumes that are compressed beside each other") {
+    const Replay replay = test::replay_named("figure-2-3");
+    const Comparison& table = replay.comparisons.at(0);
+    for (double percent : {0.1, 1.0, 5.0}) {
+        const auto row = test::row_named(table, fmt::format("{:g} % air, isothermal", percent));
+        REQUIRE(row.size() == 4);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const double psia = std::vector{100.0, 500.0, 1000.0, 2000.0}[i];
+            CHECK(1000 * row[i].simulated ==
+                  doctest::Approx(isothermal_modulus_psi(percent / 100, psia)).epsilon(1e-9));
+        }
+    }
+    for (double percent : {1.0, 2.0, 5.0, 10.0}) { // a compliance is V over the modulus
+        const auto row = test::row_named(table, fmt::format("C over that of oil, {:g} % air", percent));
+        REQUIRE(row.size() == 4);
+        CHECK(row[0].simulated == doctest::Approx(220'000 / isothermal_modulus_psi(percent / 100, 100)).epsilon(1e-9));
+        for (std::size_t i = 1; i < 4; ++i)
+            CHECK(row[i].simulated < row[i - 1].simulated); // pressure dissolves it, as it were
+    }
+}
+
+TEST_CASE("the P-D loop: its margin falls as the compliance grows, and at the limit its pair of poles has no damping") {
+    const Replay replay = test::replay_named("figures-2-8-2-9");
+    const Comparison& loop = replay.comparisons.at(0);
+    const auto margin = test::row_named(loop, "stability margin"), damping = test::row_named(loop, "damping zeta"),
+               frequency = test::row_named(loop, "natural frequency"), real = test::row_named(loop, "real pole"),
+               pair = test::row_named(loop, "pair of poles, real"),
+               imaginary = test::row_named(loop, "pair, imaginary");
+    REQUIRE(margin.size() == 5); // at 1, 2, 4, 6 and 7 times C
+    for (std::size_t i = 0; i < 5; ++i) {
+        const double factor = std::vector{1.0, 2.0, 4.0, 6.0, 7.0}[i];
+        CHECK(margin[i].simulated == doctest::Approx(6 / factor)); // a margin of C alone
+        CHECK(frequency[i].simulated == doctest::Approx(std::hypot(pair[i].simulated, imaginary[i].simulated)));
+        CHECK(damping[i].simulated == doctest::Approx(-pair[i].simulated / frequency[i].simulated));
+        // Terms of s^3 and s^2: the sum of the poles falls with 1 / C.
+        CHECK(real[i].simulated + 2 * pair[i].simulated == doctest::Approx(-30 / factor).epsilon(0.01));
+    }
+    CHECK(damping[3].simulated == doctest::Approx(0));
+    CHECK(test::row_named(loop, "overshoot").size() == 3); // what does not settle has none
+}

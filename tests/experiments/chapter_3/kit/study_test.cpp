@@ -1,0 +1,39 @@
+// What many searches make of scenario A.
+
+#include "experiments/chapter_3/kit/study.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <vector>
+
+using namespace placedpar;
+using namespace placedpar::hydraulics;
+using namespace placedpar::identification;
+
+TEST_CASE("of the errors the lower middle one, the one that nine in ten do not exceed, and how many are within ten") {
+    SearchStudy study;
+    study.error_percent = {20, 1, 4, 2, 3, 12, 7, 5, 9, 40};
+    CHECK(study.median_percent() == 5); // and not the mean of 5 and 7
+    CHECK(study.ninetieth_percent() == 20);
+    CHECK(study.within_ten_percent() == 70);
+}
+
+TEST_CASE("without noise each seed's search ends near the best of all codes, which is the same in SI units") {
+    const std::vector<std::uint64_t> seeds{1, 2, 3};
+    IdentificationWay way = thesis_way();
+    way.coding = Coding::gray;
+    way.search.elite = 1;
+    const Transients transients = measure_transients(no_noise, way.usable, seeds);
+    CHECK(transients.true_in3_per_psi == doctest::Approx(0.0086));
+    REQUIRE(transients.samples.size() == 3);
+    CHECK(transients.samples[0].size() == way.usable.count);
+    CHECK(transients.samples[0].front().links == transients.samples[2].front().links); // no noise, no seed
+    const SearchStudy found = study(transients, way, seeds);
+    CHECK(found.within_ten_percent() == 100);
+    REQUIRE(found.codes_from_optimum.size() == 3);
+    for (double codes : found.codes_from_optimum)
+        CHECK(codes <= 8); // of 1024
+    for (double codes : found.si_codes)
+        CHECK(codes == 0);
+}

@@ -1,0 +1,67 @@
+// How well a search followed the plant's pole, and how the plant's string is read.
+
+#include "experiments/chapter_6/kit/plant_runs.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+using namespace placedpar;
+
+namespace {
+
+/// The outcome of answers whose alpha is off by this much in each generation of Table 5.4; `beta_sign`: of the pole's
+/// two conjugates.
+PlantOutcome outcome_off_by(const std::function<double(int)>& distance, double beta_sign = 1) {
+    PoleTrack track;
+    for (int generation = 0; generation <= 600; ++generation) {
+        const Pole pole = pole_of(a1_at(PlantChange::ramp, generation), Plant().a2);
+        track.add({1, pole.alpha + distance(generation), beta_sign * pole.beta});
+    }
+    return track.outcome();
+}
+
+/// Far from the pole but in these generations.
+std::function<double(int)> near_within(int first, int end) {
+    return [=](int generation) { return generation >= first && generation < end ? 0.05 : 0.5; };
+}
+
+} // namespace
+
+TEST_CASE("the error is the root of the mean square over each of the three stretches") {
+    const PlantOutcome outcome = outcome_off_by([](int generation) {
+        return generation < 200 ? (generation % 2 == 0 ? 0.03 : 0.04) : generation < 400 ? 0.2 : -0.3;
+    });
+    CHECK(outcome.pole_error[0] == doctest::Approx(std::sqrt((0.0009 + 0.0016) / 2)));
+    CHECK(outcome.pole_error[1] == doctest::Approx(0.2));
+    CHECK(outcome.pole_error[2] == doctest::Approx(0.3));
+    CHECK(outcome.converged());
+    CHECK_FALSE(outcome.followed());
+}
+
+TEST_CASE("a pole is found whichever of the two conjugates the string stands for") {
+    const PlantOutcome outcome = outcome_off_by([](int) { return 0; }, -1);
+    for (double error : outcome.pole_error)
+        CHECK(error == doctest::Approx(0));
+    CHECK(outcome.converged_at == 0);
+    CHECK(outcome.followed());
+}
+
+TEST_CASE("a search has converged from the first of ten generations on in which it stays near") {
+    CHECK(outcome_off_by(near_within(50, 601)).converged_at == 50);
+    CHECK(outcome_off_by(near_within(20, 30)).converged_at == 20);
+    CHECK(outcome_off_by(near_within(20, 29)).converged_at == 200); // nine are too few
+    CHECK(outcome_off_by(near_within(190, 601)).converged_at == 190);
+    CHECK(outcome_off_by(near_within(191, 601)).converged_at == 200); // the plant has begun to change
+}
+
+TEST_CASE("the plant's string has the 37 bits of Table 5.1, and a coarse reading so many of each number") {
+    const auto fields = plant_field_bits();
+    CHECK(std::accumulate(fields.begin(), fields.end(), std::size_t{0}) == 37);
+    CHECK(plant_search_problem().bits() == 37);
+    CHECK(plant_reading(7).length() == 37);
+    for (std::size_t bits : {1U, 3U, 6U})
+        CHECK(plant_reading(bits).length() == 2 + 5 * bits);
+}

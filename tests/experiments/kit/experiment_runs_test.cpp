@@ -1,0 +1,42 @@
+// Runs of netlists that an experiment needs to their end.
+
+#include "experiments/kit/experiment_runs.hpp"
+
+#include "tests/experiments/kit/replay_in_memory.hpp"
+#include "text/user_error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+
+using namespace placedpar;
+
+namespace {
+
+const std::filesystem::path own_examples = std::filesystem::path(PLACEDPAR_SOURCE_DIR) / "examples";
+
+/// How the run of this netlist does not come to its end; completed if it does.
+Ending ending_of(const test::ReplayInMemory& replay, const char* netlist) {
+    try {
+        return run_to_the_end(own_examples / netlist, {}, replay.context).result.ending;
+    } catch (const UnfinishedRun& unfinished) {
+        return unfinished.ending;
+    }
+}
+
+} // namespace
+
+TEST_CASE("a run that comes to its end is reported, one that is stuck or interrupted is not") {
+    test::ReplayInMemory replay(0);
+    CHECK(ending_of(replay, "01-commstime/commstime.cfs") == Ending::completed);
+    CHECK(ending_of(replay, "02-deadlock/ring.cfs") == Ending::stuck);
+    replay.interruption.request();
+    CHECK(ending_of(replay, "01-commstime/commstime.cfs") == Ending::interrupted);
+    CHECK(replay.warned.empty());
+}
+
+TEST_CASE("a netlist that is refused with a setting throws what is wrong with it") {
+    const test::ReplayInMemory replay(0);
+    CHECK_THROWS_WITH_AS(run_to_the_end(own_examples / "01-commstime/commstime.cfs", {{"cuont", "5"}}, replay.context),
+                         doctest::Contains("\"cuont\""), RefusedInput);
+}

@@ -1,0 +1,43 @@
+// What is so of the tables of every replay, on those that take no time.
+
+#include "tests/experiments/kit/replay_in_memory.hpp"
+
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+#include <utility>
+
+using namespace placedpar;
+
+TEST_CASE("a table has a figure once, and what is judged has what it is judged by") {
+    for (const char* name : {"table-2-6", "figure-2-3", "figures-2-8-2-9", "links", "processor"}) {
+        CAPTURE(name);
+        const Replay replay = test::replay_named(name);
+        CHECK(replay.within_tolerance());
+        CHECK(is_any_judged(replay.comparisons));
+        std::set<std::string> tables;
+        for (const Comparison& table : replay.comparisons) {
+            CAPTURE(table.name);
+            CHECK(tables.insert(table.name).second);
+            CHECK(table.against.size() <= 7); // the width of its column
+            std::set<std::pair<std::string, std::string>> places;
+            for (const Cell& cell : table.cells) {
+                CAPTURE(cell.row);
+                CAPTURE(cell.column);
+                CHECK(places.emplace(cell.row, cell.column).second);
+                if (cell.is_judged())
+                    CHECK((cell.reference || cell.at_least || cell.at_most));
+            }
+        }
+        for (const NamedPlot& each : replay.plots)
+            for (const Panel& panel : each.plot.panels)
+                for (const Series& series : panel.series)
+                    CHECK_FALSE_MESSAGE(series.points.empty(), panel.title << ": " << series.name);
+    }
+}
+
+TEST_CASE("a replay of the same seed has the same fingerprint") {
+    for (const char* name : {"figure-2-3", "links"})
+        CHECK(test::replay_named(name).fingerprint == test::replay_named(name).fingerprint);
+}

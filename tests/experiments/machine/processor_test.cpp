@@ -1,0 +1,73 @@
+// A transputer's scheduler and memory beside the databook, and messages beside those measured in Poznan.
+
+#include "runtime/hardware/constants.hpp"
+#include "tests/experiments/kit/replay_in_memory.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+using namespace placedpar;
+
+namespace {
+
+/// The only figure of a row in one of a replay's tables.
+double figure_of(const Replay& replay, std::size_t table, const std::string& row) {
+    const auto cells = test::row_named(replay.comparisons.at(table), row);
+    CAPTURE(row);
+    REQUIRE(cells.size() == 1);
+    return cells[0].simulated;
+}
+
+} // namespace
+
+TEST_CASE("clocks tick every microsecond, and every 64 of low priority") {
+    const Replay replay = test::replay_named("processor");
+    CHECK(figure_of(replay, 0, "clock of high priority") == doctest::Approx(1).epsilon(0.001));
+    CHECK(figure_of(replay, 0, "clock of low priority") == doctest::Approx(64).epsilon(0.001));
+}
+
+TEST_CASE("a turn beside another takes one to two periods, and a wait beside n - 1 others 2n - 2 at most") {
+    const Replay replay = test::replay_named("processor");
+    const double shortest = figure_of(replay, 0, "turn beside another, shortest"),
+                 longest = figure_of(replay, 0, "turn beside another, longest");
+    CHECK(shortest >= 1);
+    CHECK(shortest < 1.05);
+    CHECK(longest <= 2);
+    CHECK(longest > 1.95);
+    for (int others : {1, 3, 7}) {
+        const std::string row =
+            "wait beside " + std::to_string(others) + (others == 1 ? " other" : " others") + ", longest";
+        const double periods = figure_of(replay, 0, row);
+        CHECK(periods <= 2.0 * others + 0.01); // some cycles of switching
+        CHECK(periods > 2.0 * others - 0.2);
+    }
+}
+
+TEST_CASE("a byte is copied at a rate of its cycles: 6 a word outside of the chip, 2 on it, of 20 MHz") {
+    const Replay replay = test::replay_named("processor");
+    CHECK(figure_of(replay, 1, "copy outside of the chip") == doctest::Approx(20.0 * 4 / 6).epsilon(0.005));
+    CHECK(figure_of(replay, 1, "copy on the chip") == doctest::Approx(20.0 * 4 / 2).epsilon(0.005));
+    CHECK(figure_of(replay, 1, "crossbar switch, one way") == doctest::Approx(1.75).epsilon(0.01));
+}
+
+TEST_CASE("half a round trip took 11 us and 2.25 us a word in Poznan, 4.30 us a word through three switches") {
+    const Replay replay = test::replay_named("poznan");
+    CHECK(std::abs(figure_of(replay, 0, "half a round trip, to start") - 11) <= 0.2);
+    CHECK(figure_of(replay, 0, "half a round trip, a word") == doctest::Approx(2.25).epsilon(0.01));
+    CHECK(figure_of(replay, 0, "a word through three C004") == doctest::Approx(4.3).epsilon(0.01));
+}
+
+TEST_CASE("the evidence has every published figure of the machine's replays, and a source of every constant") {
+    const Replay evidence = test::replay_named("evidence");
+    std::size_t figures = 0;
+    for (const char* name : {"links", "poznan", "processor"})
+        for (const Comparison& table : test::replay_named(name).comparisons)
+            figures += table.cells.size();
+    CHECK(evidence.comparisons.at(0).cells.size() == figures);
+    CHECK(evidence.within_tolerance());
+    CHECK(evidence.constant_table.size() > hardware::constants().size());
+    for (const hardware::Constant& constant : evidence.constant_table)
+        CHECK_FALSE_MESSAGE(constant.source.empty(), constant.name);
+}

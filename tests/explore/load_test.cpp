@@ -1,0 +1,106 @@
+// Files of the user's: what is warned of, and what is refused with its place.
+
+#include "explore/load.hpp"
+
+#include "gaprocs/problem_registry.hpp"
+#include "hydraulics/data/parameters.hpp"
+#include "hydraulics/data/record_table.hpp"
+#include "text/user_error.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+using namespace placedpar;
+
+namespace {
+
+/// A file with this text, which goes with it.
+class WrittenFile {
+public:
+    explicit WrittenFile(const std::string& text) { std::ofstream(path_) << text; }
+    ~WrittenFile() { std::filesystem::remove(path_); }
+    WrittenFile(const WrittenFile&) = delete;
+    WrittenFile& operator=(const WrittenFile&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_ =
+        std::filesystem::temp_directory_path() / fmt::format("placedpar-load-{}.txt", ::getpid());
+};
+
+/// What reading the text throws, from its first line's place on; "" where it throws nothing.
+template <class Read>
+std::string refusal_from(const std::string& text, Read read) {
+    const WrittenFile file(text);
+    try {
+        read(file.path());
+    } catch (const RefusedInput& refused) {
+        const std::string said = refused.what(), path = file.path().string();
+        return said.starts_with(path) ? said.substr(path.size()) : said;
+    }
+    return "";
+}
+
+void no_warnings(const std::string& warnings) { FAIL("unexpected: " << warnings); }
+
+const char* const header_of_machine = "name,value,unit,mark,source\n";
+
+} // namespace
+
+TEST_CASE("a machine is the excavator but for what its file says, in any unit of the quantity") {
+    const hydraulics::Parameters& excavator = hydraulics::Parameters::excavator();
+    CHECK(load_machine("", no_warnings)["boom.inlet_area"] == excavator["boom.inlet_area"]);
+    const WrittenFile file(std::string(header_of_machine) + "boom.inlet_area,206.4512,cm^2,measured,data sheet\n");
+    const hydraulics::Parameters machine = load_machine(file.path(), no_warnings);
+    CHECK(machine["boom.inlet_area"] == doctest::Approx(32)); // in^2 of 6.4516 cm^2
+    CHECK(machine.find("boom.inlet_area")->source == "data sheet");
+    CHECK(machine["boom.outlet_area"] == excavator["boom.outlet_area"]);
+}
+
+TEST_CASE("a machine's file is refused with the place of each fault and what would be right") {
+    const std::string said = refusal_from(std::string(header_of_machine) +
+                                              "boom.inlet_aera,1,in^2,ours,\nboom.inlet_area,0,in^2,ours,guess\n",
+                                          [](const auto& path) { load_machine(path, no_warnings); });
+    CHECK(said.starts_with(":2:1: error: the machine has no parameter \"boom.inlet_aera\"\n"));
+    CHECK(said.find("hint: placedpar parameters lists them\n") != said.npos);
+    CHECK(said.find(":3:17: error: boom.inlet_area cannot be 0\n") != said.npos);
+}
+
+TEST_CASE("of very many faults twenty are shown, and the others counted") {
+    std::string text = header_of_machine;
+    for (int i = 0; i < 25; ++i)
+        text += "boom.inlet_aera,1,in^2,ours,\n";
+    const std::string said = refusal_from(text, [](const auto& path) { load_machine(path, no_warnings); });
+    std::size_t shown = 0;
+    for (std::size_t at = 0; (at = said.find(": error: ", at)) != said.npos; ++at)
+        ++shown;
+    CHECK(shown == most_faults_shown);
+    CHECK(said.ends_with("... 5 further errors not shown\n"));
+}
+
+TEST_CASE("a record that can be read is warned of, and its warnings go with it") {
+    std::string rows;
+    for (int i = 0; i < 60; ++i)
+        rows += fmt::format("{:.2f},{},7\n", 0.02 * i, i);
+    const WrittenFile file("time [s],boom.angle [deg],boom.mood [deg]\n" + rows);
+    std::string told;
+    const LoadedRecord loaded = load_record(file.path(), {}, [&](const std::string& warnings) { told += warnings; });
+    REQUIRE(loaded.warnings.size() == 1);
+    CHECK(loaded.warnings[0].severity == Severity::warning);
+    CHECK(told.starts_with(file.path().string() + ":1:"));
+    CHECK(told.find("boom.mood") != told.npos);
+}
+
+TEST_CASE("a file that is not there, and a netlist without anything in it, are refused") {
+    CHECK_THROWS_WITH_AS(load_machine("/no/such/file", no_warnings), doctest::Contains("/no/such/file"), RefusedInput);
+    const ProblemRegistry problems;
+    CHECK(
+        refusal_from("/* nothing yet */\n", [&](const auto& path) { load_network(path, {}, problems, no_warnings); }) ==
+        ": error: the netlist is empty\nhint: it declares processors and processes; placedpar generate writes one\n");
+}

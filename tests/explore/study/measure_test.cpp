@@ -1,0 +1,118 @@
+// The figures of a run, and what is said of a measure that no run has.
+
+#include "explore/study/measure.hpp"
+
+#include "explore/problems.hpp"
+#include "gaprocs/problem_registry.hpp"
+#include "netlist/read.hpp"
+#include "netlist/run_report.hpp"
+#include "text/user_error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace placedpar;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// A run of 10 ms on two processors, of which the first computed for a quarter of it.
+RunReport quarter_busy() {
+    RunReport report;
+    report.result.ending = Ending::completed;
+    report.result.time = 10ms;
+    report.processors = {{"t[0]", "T800", 2500us, 0ms, 0, 0ms}, {"t[1]", "T800", 0ms, 0ms, 0, 0ms}};
+    report.measurements = {{"master", "rate", 12.5, "1/s"},
+                           {"master", "state", std::string("idle"), ""},
+                           {"master", "error", std::numeric_limits<double>::infinity(), ""}};
+    return report;
+}
+
+std::vector<std::string> names_in(const StudyFigures& figures) {
+    std::vector<std::string> names;
+    for (const auto& each : figures)
+        names.push_back(each.first);
+    return names;
+}
+
+/// What runs of a farm can measure.
+PossibleMeasures of_a_farm() {
+    const ProblemRegistry problems = known_problems(0);
+    const Catalogue kinds = known_kinds(problems);
+    const ReadResult read = read_netlist(std::string(PLACEDPAR_SOURCE_DIR) + "/examples/36-farms/farm.cfs", kinds);
+    INFO(render(read));
+    REQUIRE(read.network);
+    PossibleMeasures possible;
+    possible.add(*read.network, kinds, problems);
+    return possible;
+}
+
+} // namespace
+
+TEST_CASE("a run's figures are its time, its machine, what was measured in numbers, and how busy processors were") {
+    const StudyFigures figures = figures_of(quarter_busy(), Network());
+    CHECK(names_in(figures) ==
+          std::vector<std::string>{"links", "master.rate", "processors", "t[0].busy", "t[1].busy", "time"});
+    CHECK(figures.at("time").value == 10);
+    CHECK(figures.at("time").unit == "ms");
+    CHECK(figures.at("processors").value == 2);
+    CHECK(figures.at("master.rate").unit == "1/s");
+    CHECK(figures.at("t[0].busy").value == 25);
+    CHECK(figures.at("t[0].busy").unit == "%");
+    CHECK(StudyMeasure("t.busy").of(figures)->value == 12.5);
+}
+
+TEST_CASE("in a deadlock there is no time to be busy a part of") {
+    RunReport stuck = quarter_busy();
+    stuck.result.ending = Ending::stuck;
+    CHECK_FALSE(figures_of(stuck, Network()).contains("t[0].busy"));
+}
+
+TEST_CASE("what a table calls a measure is its last name, whatever is done with it and of which element") {
+    CHECK(StudyMeasure("max(master[0].T_exe)").name_without_subscripts() == "master.T_exe");
+    CHECK(StudyMeasure("max(master[0].T_exe)").last_name() == "T_exe");
+    CHECK(StudyMeasure("cell[1][2].in.bytes").name_without_subscripts() == "cell.bytes");
+    CHECK(StudyMeasure("time").last_name() == "time");
+    for (const char* none : {"", "max()", "max(a,b)", "f(x)", "a)"})
+        CHECK_THROWS_WITH_AS(StudyMeasure{none}, doctest::Contains("is no measure: it takes PROCESS.NAME or time"),
+                             UserError);
+}
+
+TEST_CASE("figures that were not written as they are read are refused") {
+    for (const char* wrong : {"", "{", "[1]", "{\"a\":1}", "{\"a\":[1]}", "{\"a\":[\"1\",\"ms\"]}", "{\"a\":[1,2]}",
+                              "{\"a\":[1,\"\"],\"a\":[2,\"\"]}", "{\"a\":[1e999,\"\"]}"}) {
+        CAPTURE(wrong);
+        CHECK_THROWS(figures_from(wrong));
+    }
+    CHECK(figures_from("{}").empty());
+}
+
+TEST_CASE("what runs can measure is known before any is made: of the machine, of kinds, and of the problem") {
+    const PossibleMeasures possible = of_a_farm();
+    for (const char* measure :
+         {"time", "processors", "links", "t.busy", "max(t[1].busy)", "master.T_exe", "master.C_BOi"})
+        CHECK_MESSAGE(possible.has(StudyMeasure(measure)), measure);
+    for (const char* measure : {"speed", "u.busy", "master.T_ex", "host.T_exe"})
+        CHECK_FALSE_MESSAGE(possible.has(StudyMeasure(measure)), measure);
+    CHECK(possible.there_is_no(StudyMeasure("max(master[0].T_ex)")) ==
+          "there is no measure \"master.T_ex\"; did you mean \"master.T_exe\"?");
+}
+
+TEST_CASE("a measure that a run does not have is refused with the nearest, or with all that it has") {
+    const StudyFigures figures = figures_of(quarter_busy(), Network());
+    CHECK(there_is_no_measure(StudyMeasure("master.rates"), figures) ==
+          "there is no measure \"master.rates\"; did you mean \"master.rate\"?");
+    CHECK(there_is_no_measure(StudyMeasure("wall clock"), figures) ==
+          "there is no measure \"wall clock\"; the runs have links, master.rate, processors, t.busy, time");
+}
+
+TEST_CASE("a measure that a run can have, but has not come to, is said to be that, with what it is") {
+    const StudyFigures host{{"host.estimates", {20, ""}}, {"host.response", {3, "ms"}}};
+    CHECK(there_is_no_measure(StudyMeasure("host.accurate_after"), host) ==
+          "no run has come to a figure for \"host.accurate_after\": from the beginning until the fittest estimate has "
+          "come to be accurate for good; absent where it is not in the end");
+}

@@ -1,0 +1,55 @@
+// One spelling for settings that mean the same.
+
+#include "explore/study/spellings.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+void keep_run(StudyResults& results, const std::string& slaves, std::uint64_t seed, double rate) {
+    results.keep({{{"slaves", slaves}}, seed}, {.ended = "completed", .figures = {{"rate", {rate, ""}}}});
+}
+
+/// Each run as "slaves seed: rate".
+std::vector<std::string> told_by(Spellings& spellings) {
+    std::vector<std::string> told;
+    spellings.for_each([&](const StudyRun& run, const StudyOutcome& outcome) {
+        told.push_back(run.set.at("slaves") + " " + std::to_string(run.seed) + ": " +
+                       std::to_string(static_cast<int>(outcome.figures.at("rate").value)));
+    });
+    return told;
+}
+
+using Told = std::vector<std::string>;
+
+} // namespace
+
+TEST_CASE("settings are spelled as the study spells them, else as the first run does") {
+    StudyResults results(StudySource{});
+    keep_run(results, "4+4", 1, 1);
+    Study study;
+    study.products = {{.axes = {read_axis("slaves=8,9")}}};
+    CHECK(Spellings(results, &study).of({{"slaves", "8.0"}}) == Overrides{{"slaves", "8"}});
+    CHECK(Spellings(results, nullptr).of({{"slaves", "8.0"}}) == Overrides{{"slaves", "4+4"}});
+    CHECK(Spellings(results, nullptr).of({{"slaves", "7.0"}}) == Overrides{{"slaves", "7.0"}});
+    CHECK(Spellings(results, nullptr).of({{"clock", "8.0"}}) == Overrides{{"clock", "8.0"}}); // of another name
+}
+
+TEST_CASE("of runs that are the same, the one that was made in the spelling of the study is told") {
+    StudyResults results(StudySource{});
+    keep_run(results, "8", 1, 1);
+    keep_run(results, "8.0", 1, 2);
+    keep_run(results, "8.0", 2, 3);
+    Study study;
+    study.products = {{.axes = {read_axis("slaves=8")}}};
+    Spellings by_study(results, &study);
+    CHECK(told_by(by_study) == Told{"8 1: 1", "8 2: 3"});
+    study.products = {{.axes = {read_axis("slaves=8.0")}}};
+    Spellings by_other(results, &study);
+    CHECK(told_by(by_other) == Told{"8.0 1: 2", "8.0 2: 3"});
+}

@@ -1,0 +1,90 @@
+// A study's figures as a table for people, and for programs.
+
+#include "explore/study/study_report.hpp"
+
+#include "text/user_error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+StudyCell cell_with(const std::vector<double>& values) {
+    StudyCell cell;
+    for (double each : values)
+        cell.add(each);
+    cell.close();
+    return cell;
+}
+
+/// Two seeds with one slave, of which both completed, and one with two slaves, which did not.
+StudySummary of_two_lines() {
+    StudySummary summary{.netlist = "farm.cfs", .version = "1", .axes = {"slaves"}, .fixed = {{"samples", "12"}}};
+    summary.measures = {"time"};
+    summary.units = {"ms"};
+    summary.lines = {
+        {.values = {"1"}, .runs = 2, .ended = {}, .cells = {cell_with({4, 6})}},
+        {.values = {"2"}, .runs = 1, .ended = {{"refused", 1}}, .refused = "too few", .cells = {StudyCell()}}};
+    return summary;
+}
+
+} // namespace
+
+TEST_CASE("a table of a study has a line a combination, with the interval where there are several seeds") {
+    CHECK(print_summary(of_two_lines()) == "farm.cfs: 3 runs of 2 combinations\n"
+                                           "all with samples = 12\n"
+                                           "\n"
+                                           "slaves  runs  time [ms]   95 %\n"
+                                           "     1     2          5   ± 13\n" // 12.7 of one degree of freedom
+                                           "     2     1          -         refused: too few\n");
+    StudySummary single = of_two_lines();
+    single.lines.erase(single.lines.begin());
+    CHECK(print_summary(single).find("95 %") == std::string::npos);
+}
+
+TEST_CASE("for programs a figure that no run has is empty, and so is an interval of a single run") {
+    StudySummary summary = of_two_lines();
+    summary.lines.push_back({.values = {"3"}, .runs = 1, .ended = {}, .cells = {cell_with({7.5})}});
+    const std::string csv = summary_csv(summary);
+    CHECK(csv.starts_with("slaves,runs,ended,time [ms] mean,time [ms] half_width_95,time [ms] least,time [ms] "
+                          "greatest\n1,2,,5,12.70620"));
+    CHECK(csv.ends_with(",4,6\n2,1,refused: too few,,,,\n3,1,,7.5,,7.5,7.5\n"));
+}
+
+TEST_CASE("what cannot be drawn is refused with the reason") {
+    StudySummary summary = of_two_lines();
+    CHECK_THROWS_WITH_AS(summary_plot(summary, "samples"), "\"samples\" does not have several values in this study",
+                         UserError);
+    summary.lines.front().cells.front() = StudyCell();
+    CHECK_THROWS_WITH_AS(summary_plot(summary), "no run has what was to be measured, so there is nothing to draw",
+                         UserError);
+    summary.lines.front().values = {"few"};
+    CHECK_THROWS_WITH_AS(summary_plot(summary, "slaves"),
+                         "\"slaves\" has values that are no numbers, so nothing can be drawn over it", UserError);
+    CHECK_THROWS_WITH_AS(summary_plot(summary),
+                         "nothing that this study sets has several values that are numbers, so there is no plot",
+                         UserError);
+}
+
+TEST_CASE("a plot is over the axis of most numbers, with a curve for each of the others, eight at most") {
+    StudySummary summary{.netlist = "farm.cfs", .version = "1", .axes = {"kind", "n"}, .measures = {"time"}};
+    summary.units = {""};
+    auto add = [&](const std::string& kind, const std::string& n) {
+        summary.lines.push_back({.values = {kind, n}, .runs = 1, .ended = {}, .cells = {cell_with({1})}});
+    };
+    for (char kind = 'a'; kind < 'i'; ++kind)
+        add(std::string(1, kind), "1");
+    add("a", "2");
+    const Panel panel = summary_plot(summary).panels.at(0);
+    CHECK(panel.x.label == "n");
+    REQUIRE(panel.series.size() == 8);
+    CHECK(panel.series[0].name == "kind = a");
+    CHECK(panel.series[0].points.size() == 2);
+    add("one too many", "1");
+    CHECK_THROWS_WITH_AS(summary_plot(summary), doctest::Contains("more than 8 curves cannot be told apart"),
+                         UserError);
+}
