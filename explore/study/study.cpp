@@ -103,10 +103,6 @@ std::optional<StudyRun> Study::at(std::uint64_t index) const {
     return std::nullopt;
 }
 
-bool Study::has(const Overrides& set) const {
-    return std::ranges::any_of(products, [&](const StudyProduct& product) { return product.has(set); });
-}
-
 std::vector<std::string> Study::names() const {
     std::set<std::string> names;
     for (const StudyProduct& product : products)

@@ -69,9 +69,7 @@ struct Study {
     std::uint64_t count() const;
     /// None where the condition does not hold. The seed counts fastest. REQUIRES: index < count().
     std::optional<StudyRun> at(std::uint64_t index) const;
-    /// Whether it has runs with these settings, however they are spelled.
-    bool has(const Overrides&) const;
-    /// Whether it has some, whatever else they set, were it not for a condition.
+    /// Whether it has runs with these settings, whatever else they set, were it not for a condition.
     bool has_some(const Overrides&) const;
     /// What it sets.
     std::vector<std::string> names() const;
