@@ -87,7 +87,7 @@ private:
         return sum / static_cast<double>(study_.seeds);
     }
 
-    double figure_of(const StudyRow& row, const StudyRun& run, FiguresByName figures) {
+    double figure_of(const StudyRow& row, const StudyRun& run, const FiguresByName& above) {
         const StudyOutcome outcome = outcome_of(run);
         const StudyFigures relative_to =
             row.relative_to.empty() ? StudyFigures() : outcome_of(reference(row, run)).figures;
@@ -97,6 +97,10 @@ private:
         if (!row.measure.empty())
             return value(StudyMeasure(row.measure));
         const std::set<std::string> names = row.figure.names();
+        FiguresByName figures;
+        for (const std::string& name : names)
+            if (auto found = above.find(name); found != above.end())
+                figures.insert(*found);
         for (const std::string& text : study_.figures)
             if (const StudyMeasure measure(text); names.contains(measure.last_name()))
                 figures[measure.last_name()] = value(measure);

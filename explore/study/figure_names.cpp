@@ -43,15 +43,20 @@ void FigureNames::add_measures(const std::vector<std::string>& measures) {
 }
 
 void FigureNames::require(const StudyExpression& expression, const FigureNames& other) const {
-    MeaningsByName all = meanings_;
-    for (const auto& [name, meanings] : other.meanings_)
-        all[name].insert(meanings.begin(), meanings.end());
-    for (const std::string& name : expression.names())
-        if (auto found = all.find(name); found == all.end())
+    for (const std::string& name : expression.names()) {
+        std::set<std::string> meanings;
+        for (const MeaningsByName* known : {&meanings_, &other.meanings_})
+            if (auto found = known->find(name); found != known->end())
+                meanings.insert(found->second.begin(), found->second.end());
+        if (meanings.empty()) {
+            MeaningsByName all = meanings_;
+            all.insert(other.meanings_.begin(), other.meanings_.end());
             refuse_unknown_name(name, all);
-        else if (found->second.size() > 1)
+        }
+        if (meanings.size() > 1)
             throw UserError(fmt::format("\"{}\" stands for {}: a name in an expression stands for one thing", name,
-                                        fmt::join(found->second, " and for ")));
+                                        fmt::join(meanings, " and for ")));
+    }
 }
 
 } // namespace placedpar

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
@@ -76,36 +77,32 @@ bool StudyProduct::has(const Overrides& set) const {
     return set.size() == axes.size() && std::ranges::all_of(axes, agrees) && where.holds(set);
 }
 
-std::uint64_t Study::count() const {
-    require_seeds(first_seed, seeds);
-    std::uint64_t sum = 0;
-    for (const StudyProduct& product : products) {
-        std::uint64_t runs = count_with(seeds, product);
-        if (runs > most - sum)
-            refuse_endless(fmt::format("the {} of [set] and [[also]] together", counted(products.size(), "product")));
-        sum += runs;
+StudyRuns::StudyRuns(const Study& study) : study_(study) {
+    require_seeds(study.first_seed, study.seeds);
+    for (const StudyProduct& product : study.products) {
+        std::uint64_t runs = count_with(study.seeds, product);
+        if (runs > most - count())
+            refuse_endless(
+                fmt::format("the {} of [set] and [[also]] together", counted(study.products.size(), "product")));
+        ends_.push_back(count() + runs);
     }
-    return sum;
 }
 
-std::optional<StudyRun> Study::at(std::uint64_t index) const {
-    for (const StudyProduct& product : products) {
-        std::uint64_t count = product.count() * seeds;
-        if (index >= count) {
-            index -= count;
-            continue;
-        }
-        Overrides set = product.at(index / seeds);
-        if (!product.where.holds(set))
-            return std::nullopt;
-        return StudyRun{std::move(set), first_seed + index % seeds};
-    }
-    return std::nullopt;
+std::optional<StudyRun> StudyRuns::at(std::uint64_t index) const {
+    const auto end = std::ranges::upper_bound(ends_, index);
+    if (end == ends_.end())
+        return std::nullopt;
+    const StudyProduct& product = study_.products[static_cast<std::size_t>(end - ends_.begin())];
+    index -= end == ends_.begin() ? 0 : *std::prev(end);
+    Overrides set = product.at(index / study_.seeds);
+    if (!product.where.holds(set))
+        return std::nullopt;
+    return StudyRun{std::move(set), study_.first_seed + index % study_.seeds};
 }
 
-bool Study::has(const Overrides& set) const {
-    return std::ranges::any_of(products, [&](const StudyProduct& product) { return product.has(set); });
-}
+std::uint64_t Study::count() const { return StudyRuns(*this).count(); }
+
+std::optional<StudyRun> Study::at(std::uint64_t index) const { return StudyRuns(*this).at(index); }
 
 std::vector<std::string> Study::names() const {
     std::set<std::string> names;

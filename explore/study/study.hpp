@@ -69,14 +69,28 @@ struct Study {
     std::uint64_t count() const;
     /// None where the condition does not hold. The seed counts fastest. REQUIRES: index < count().
     std::optional<StudyRun> at(std::uint64_t index) const;
-    /// Whether it has runs with these settings, however they are spelled.
-    bool has(const Overrides&) const;
-    /// Whether it has some, whatever else they set, were it not for a condition.
+    /// Whether it has runs with these settings, whatever else they set, were it not for a condition.
     bool has_some(const Overrides&) const;
     /// What it sets.
     std::vector<std::string> names() const;
     /// Its value of that name that is equal to this one, if it has that.
     std::optional<SettingValue> find(const std::string& name, const SettingValue&) const;
+};
+
+/// The runs of a study by their numbers, for loops over them: a run is found without a look at all products, which are
+/// as many as the cells of its tables. REQUIRES: the study outlives it and keeps its products and seeds.
+class StudyRuns {
+public:
+    /// Throws as Study::count().
+    explicit StudyRuns(const Study&);
+
+    /// As the study's.
+    std::uint64_t count() const { return ends_.empty() ? 0 : ends_.back(); }
+    std::optional<StudyRun> at(std::uint64_t index) const;
+
+private:
+    const Study& study_;
+    std::vector<std::uint64_t> ends_; ///< of the products: how many runs there are up to each
 };
 
 } // namespace placedpar

@@ -2,6 +2,7 @@
 
 #include "explore/study/figure_names.hpp"
 #include "explore/study/measure.hpp"
+#include "explore/study/study_settings.hpp"
 #include "explore/study/toml_reader.hpp"
 #include "explore/time_text.hpp"
 
@@ -70,7 +71,7 @@ private:
             report(top.get("relative_to")->source().begin, "a search compares figures as they are",
                    "leave out relative_to, or [search]");
         if (top.contains("set") || !top.contains("table"))
-            study_.products.push_back(std::move(product));
+            add(std::move(product));
         for (const auto& [line, read_part] : parts_)
             read_part();
     }
@@ -105,6 +106,11 @@ private:
         for (const std::string& name : of_whole_study_)
             handlers.emplace(name, [&](const toml::node& misplaced) { report_misplaced(name, misplaced); });
         read_table(table, handlers);
+        add(std::move(product));
+    }
+
+    void add(StudyProduct product) {
+        settings_.add(product);
         study_.products.push_back(std::move(product));
     }
 
@@ -127,10 +133,11 @@ private:
             report(name->source().begin, fmt::format("another table is called \"{}\"", read.table.name));
         if (read.columns)
             read_columns(*read.columns, read.table);
-        if (read.rows)
-            read_rows(read);
-        if (read.table.columns.empty() || read.table.rows.empty())
+        if (!read.columns || !read.rows)
             return report(source.source().begin, "a table has columns and rows", form_of_variants);
+        if (read.table.columns.empty()) // which has been reported; the rows would be measured against none
+            return;
+        read_rows(read);
         add_runs_of(read.table);
         study_.tables.push_back(std::move(read.table));
     }
@@ -139,10 +146,12 @@ private:
         const toml::node* like = source.get("like");
         if (!like)
             return {};
-        auto found = tables_read_.find(text(*like));
+        const std::string name = text(*like);
+        auto found = tables_read_.find(name);
         if (found != tables_read_.end())
             return found->second;
-        report(like->source().begin, fmt::format("there is no table \"{}\" before it", text(*like)));
+        report(like->source().begin, fmt::format("no table above this one is called \"{}\"", name),
+               "\"like\" takes the name of a table that stands above");
         return {};
     }
 
@@ -287,9 +296,9 @@ private:
             return std::vector(columns.size(), (this->*read)(node, value_text(node)));
         if (array->size() != columns.size())
             report(node.source().begin,
-                   fmt::format("it has {} values than the table has columns: {}, not {}",
+                   fmt::format("the list has {} values than the table has columns: {}, not {}",
                                array->size() > columns.size() ? "more" : "fewer", array->size(), columns.size()),
-                   "one value that is no list is of all columns");
+                   "give one value for each column, or a single value without brackets for all of them");
         std::vector<Read> all;
         for (const toml::node& each : *array)
             all.push_back((this->*read)(each, value_text(each)));
@@ -320,8 +329,8 @@ private:
         for (Origin each : {Origin::outcome, Origin::calibrated, Origin::workload})
             if (text == name_of(each))
                 return each;
-        report(node.source().begin, fmt::format("there is no origin \"{}\"", text),
-               "\"outcome\", \"calibrated\" or \"workload\"");
+        report(node.source().begin, fmt::format("\"{}\" is not an origin", text),
+               "an origin is \"outcome\", \"calibrated\" or \"workload\"");
         return Origin::outcome;
     }
 
@@ -338,12 +347,12 @@ private:
     }
 
     void add_run(const Overrides& set) {
-        if (study_.has(set))
+        if (settings_.has(set))
             return;
         StudyProduct product;
         for (const auto& [name, value] : set)
             product.axes.push_back({name, read_values(name, value)});
-        study_.products.push_back(std::move(product));
+        add(std::move(product));
     }
 
     void read_search(const toml::node& node) {
@@ -460,6 +469,7 @@ private:
 
     std::filesystem::path folder_;
     Study study_;
+    StudySettings settings_; ///< of the study's products
     std::vector<std::string> of_whole_study_;
     /// What [[also]] and [[table]] say, by line, so that runs come in the order of the file.
     std::multimap<toml::source_index, std::function<void()>> parts_;

@@ -1,6 +1,7 @@
 #include "explore/study/summary.hpp"
 
 #include "explore/study/spellings.hpp"
+#include "explore/study/study_settings.hpp"
 #include "runtime/kernel.hpp"
 
 #include <boost/math/distributions/students_t.hpp>
@@ -195,9 +196,10 @@ StudySummary summary_of(StudyResults& results, std::vector<std::string> measures
     summary.units.resize(summary.measures.size());
     std::vector<StudyMeasure> wanted(summary.measures.begin(), summary.measures.end());
     References references(spellings, wanted, summary.relative_to);
+    const StudySettings settings = of_study ? StudySettings(study->products) : StudySettings();
     std::map<Overrides, Gathered> all;
     spellings.for_each([&](const StudyRun& run, const StudyOutcome& outcome) {
-        if (!of_study || study->has(run.set))
+        if (!of_study || settings.has(run.set))
             all[run.set].add(outcome, references.relative(run, outcome, measured(outcome, wanted)), summary.units);
     });
     summary.unrelated = references.without();

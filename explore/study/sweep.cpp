@@ -51,12 +51,13 @@ private:
 /// Reads netlists of a study, with the same kinds.
 class NetworkReader {
 public:
-    explicit NetworkReader(const Study& study) : study_(study), netlist_(study.netlist, study.read) {}
+    explicit NetworkReader(const Study& study)
+        : seeds_(study.seeds), runs_(study), netlist_(study.netlist, study.read) {}
     NetworkReader(const NetworkReader&) = delete; // the kinds know the problems
 
     /// None where the condition does not hold for that combination, or where it is refused, which is noted.
     std::optional<Network> at(std::uint64_t combination, Refusals& refusals) const {
-        std::optional<StudyRun> run = study_.at(combination * study_.seeds);
+        std::optional<StudyRun> run = runs_.at(combination * seeds_);
         try {
             return run ? std::optional(load_network(netlist_, run->set, kinds_, [](const std::string&) {}))
                        : std::nullopt;
@@ -67,7 +68,8 @@ public:
     }
 
 private:
-    const Study& study_;
+    const std::uint64_t seeds_;
+    const StudyRuns runs_;
     const ParsedNetlist netlist_;
     const ProblemRegistry problems_ = known_problems(0);
     const Catalogue kinds_ = known_kinds(problems_);
@@ -265,9 +267,9 @@ std::optional<StudyOutcome> StudySweep::timed_outcome(const StudyRun& run, Inter
 /// Of the first run from there on, or back, that completes. Looks at few.
 std::optional<StudyFigures> StudySweep::figures_near(std::uint64_t index, bool forwards, Interruption& interruption) {
     constexpr int few = 3;
-    std::uint64_t count = study_.count();
+    std::uint64_t count = runs_.count();
     for (int tries = 0; tries < few && index < count && !interruption.requested(); forwards ? ++index : --index) {
-        std::optional<StudyRun> run = study_.at(index);
+        std::optional<StudyRun> run = runs_.at(index);
         if (!run)
             continue;
         ++tries;
@@ -284,7 +286,7 @@ void StudySweep::try_measures(Interruption& interruption) {
     std::vector<StudyMeasure> missing(study_.measures.begin(), study_.measures.end());
     std::optional<StudyFigures> figures;
     for (bool forwards : {true, false}) {
-        std::uint64_t from = forwards ? 0 : study_.count() - 1;
+        std::uint64_t from = forwards ? 0 : runs_.count() - 1;
         if (missing.empty() || interruption.requested())
             return;
         if (auto found = figures_near(from, forwards, interruption)) {
@@ -297,11 +299,11 @@ void StudySweep::try_measures(Interruption& interruption) {
 }
 
 StudySweep::Missing StudySweep::missing() {
-    std::uint64_t count = study_.count(), found = 0;
+    std::uint64_t count = runs_.count(), found = 0;
     if (count > most_counted)
         return {count, false};
     for (std::uint64_t i = 0; i < count; ++i)
-        if (std::optional<StudyRun> run = study_.at(i); run && !results_.has(*run))
+        if (std::optional<StudyRun> run = runs_.at(i); run && !results_.has(*run))
             ++found;
     return {found, true};
 }
@@ -310,8 +312,8 @@ StudySweep::Missing StudySweep::missing() {
 std::optional<double> StudySweep::seconds_a_run(Interruption& interruption) {
     bool was_run = false;
     std::uint64_t refused = 0;
-    for (std::uint64_t i = 0; !was_run && refused < most_read && i < study_.count() && !interruption.requested(); ++i)
-        if (std::optional<StudyRun> run = study_.at(i))
+    for (std::uint64_t i = 0; !was_run && refused < most_read && i < runs_.count() && !interruption.requested(); ++i)
+        if (std::optional<StudyRun> run = runs_.at(i))
             if (std::optional<StudyOutcome> outcome = timed_outcome(*run, interruption)) {
                 was_run = outcome->refused.empty();
                 refused += !was_run;
@@ -332,8 +334,8 @@ void StudySweep::time_another_seed(Interruption& interruption) {
 
 std::optional<StudyRun> StudySweep::next() {
     std::lock_guard lock(mutex_);
-    for (std::uint64_t count = study_.count(); next_ < count && !stop_;) {
-        std::optional<StudyRun> run = study_.at(next_++);
+    for (std::uint64_t count = runs_.count(); next_ < count && !stop_;) {
+        std::optional<StudyRun> run = runs_.at(next_++);
         if (run && !results_.has(*run))
             return run;
     }

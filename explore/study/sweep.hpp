@@ -68,8 +68,8 @@ private:
 /// or beside which others, so neither do the results.
 class StudySweep {
 public:
-    /// REQUIRES: both outlive it.
-    StudySweep(const Study& study, StudyResults& results) : study_(study), results_(results) {}
+    /// REQUIRES: both outlive it. Throws as Study::count().
+    StudySweep(const Study& study, StudyResults& results) : study_(study), runs_(study), results_(results) {}
 
     /// Makes and keeps a run or two, unless they are there, so that a measure that no run has is refused before the
     /// others are made: UserError. None ends the others early.
@@ -100,6 +100,7 @@ private:
     std::optional<StudyFigures> figures_near(std::uint64_t index, bool forwards, Interruption&);
 
     const Study& study_;
+    const StudyRuns runs_;
     StudyResults& results_;
     std::mutex mutex_; ///< of the results and what follows
     std::uint64_t next_ = 0;

@@ -24,6 +24,17 @@ std::string with_executive(const Process& process) {
 
 std::string executive_of(const Process& process) { return process.executive() ? process.executive()->name() : ""; }
 
+bool outputs(const Process& process) { return process.activity() == Activity::outputting; }
+
+/// The channel whose message ends the wait; null where no message does.
+const AnyChannel* channel_of_message(const Process& process) {
+    const auto channels = process.awaited_channels();
+    auto found = std::ranges::find_if(channels, [&](const AnyChannel* channel) {
+        return process.activity() != Activity::alternating || channel->message_waits();
+    });
+    return found == channels.end() ? nullptr : *found;
+}
+
 Time sum_of(const std::vector<PathPart>& parts) {
     return std::accumulate(parts.begin(), parts.end(), Time{0},
                            [](Time sum, const PathPart& part) { return sum + (part.end - part.begin); });
@@ -34,13 +45,6 @@ Time sum_of(const std::vector<PathPart>& parts) {
 CriticalPath::CriticalPath(std::size_t most_points) : points_(most_points) {
     add(0, Time{0}, Activity::starting, "", "");
 }
-
-CriticalPath::Lane* CriticalPath::lane_of(std::uint32_t ordinal) {
-    auto found = lanes_.find(ordinal);
-    return found == lanes_.end() ? nullptr : &found->second;
-}
-
-CriticalPath::Lane* CriticalPath::lane_of(const Process& process) { return lane_of(process.ordinal()); }
 
 std::uint32_t CriticalPath::number_of(const std::string& subject) {
     auto [found, is_new] = numbers_.emplace(subject, static_cast<std::uint32_t>(subjects_.size()));
@@ -105,24 +109,12 @@ void CriticalPath::turn(Lane& lane, Activity to, Time now) {
 
 void CriticalPath::turns(const Process& process, Activity activity, Time now) {
     forget(now);
-    if (activity == Activity::starting)
-        return begin(process, now);
-    Lane* lane = lane_of(process);
-    if (!lane)
-        return;
-    switch (activity) {
-    case Activity::ready: return become_ready(*lane, now);
-    case Activity::executing: return go_on(*lane, now);
-    case Activity::computing:
-    case Activity::moving: return has_turn(*lane, now), turn(*lane, activity, now);
-    case Activity::ended: return end(*lane, now);
-    default: return wait(*lane, activity, now);
-    }
+    sort(process, activity, now);
 }
 
 /// A component of a PAR begins when its process has come to it.
 void CriticalPath::begin(const Process& process, Time now) {
-    Lane* parent = process.parent() ? lane_of(*process.parent()) : nullptr;
+    Lane* parent = lane_of(process.parent());
     Lane lane{add(parent ? parent->last : 0, now, Activity::starting, process), &process};
     turn(lanes_.emplace(process.ordinal(), lane).first->second, Activity::ready, now);
 }
@@ -142,6 +134,11 @@ void CriticalPath::has_turn(Lane& lane, Time now) {
     lane.cause.reset();
 }
 
+void CriticalPath::compute(Lane& lane, Activity activity, Time now) {
+    has_turn(lane, now);
+    turn(lane, activity, now);
+}
+
 void CriticalPath::hold_executive(const Lane& lane) {
     if (const Executive* executive = lane.process->executive())
         held_[executive] = lane.last;
@@ -159,7 +156,7 @@ void CriticalPath::wait(Lane& lane, Activity activity, Time now) {
 
 /// What is left of their waits began when the later one came.
 void CriticalPath::communicated(const AnyChannel& channel, Time) {
-    Lane *from = lane_of(*channel.outputter()), *to = lane_of(*channel.inputter());
+    Lane *from = lane_of(channel.outputter()), *to = lane_of(channel.inputter());
     if (!from || !to)
         return;
     from->together = to->together = later(from->last, to->last);
@@ -174,36 +171,28 @@ void CriticalPath::takes(const PlaceTaken& taken, Time) {
 
 /// Null while an event happens.
 const CriticalPath::Lane* CriticalPath::who_runs(const Process& any, Time now) {
-    const Process* process = any.kernel().who_runs();
-    const Lane* lane = process ? lane_of(*process) : nullptr;
+    const Lane* lane = lane_of(any.kernel().who_runs());
     bool runs = lane && lane->does == Activity::ready && !lane->cause && points_[lane->last].at == now;
     return runs ? lane : nullptr;
 }
 
 /// What comes over a link of its own is over by itself. All else is when a process says so: the partner in a soft
 /// channel, a router with a packet.
-CriticalPath::Number CriticalPath::message_over(const Lane& lane, const AnyChannel& channel, bool outputs, Time now) {
+CriticalPath::Number CriticalPath::message_over(const Lane& lane, const AnyChannel& channel, Time now) {
     if (lane.together && carried_by_.contains(&channel))
         return add_message(*lane.together, lane, channel, now);
     if (const Lane* other = who_runs(*lane.process, now))
         return other->last;
     if (lane.together)
         return add_message(*lane.together, lane, channel, now);
-    auto came = came_.find({&channel, !outputs});
+    auto came = came_.find({&channel, !outputs(*lane.process)});
     return add_message(came == came_.end() ? lane.last : later(lane.last, came->second), lane, channel, now);
 }
 
 CriticalPath::Number CriticalPath::cause_of(const Lane& lane, Time now) {
     const Process& process = *lane.process;
-    Activity activity = process.activity();
-    const auto channels = process.awaited_channels();
-    if (activity == Activity::outputting || activity == Activity::inputting)
-        if (!channels.empty())
-            return message_over(lane, *channels.front(), activity == Activity::outputting, now);
-    if (activity == Activity::alternating)
-        for (const AnyChannel* channel : channels)
-            if (channel->message_waits())
-                return message_over(lane, *channel, false, now);
+    if (const AnyChannel* channel = channel_of_message(process))
+        return message_over(lane, *channel, now);
     if (const Lane* other = process.serves_machine() ? who_runs(process, now) : nullptr)
         return other->last; // has a packet for this router to send
     return add(lane.last, now, Activity::delayed, process);
@@ -216,17 +205,14 @@ void CriticalPath::explain_wait(const Lane& lane, Time now) {
         return;
     std::string partner;
     Time together = now;
-    for (const AnyChannel* channel : process.awaited_channels())
-        if (process.activity() != Activity::alternating || channel->message_waits()) {
-            bool outputs = process.activity() == Activity::outputting;
-            const AnyChannel::User& user = outputs ? channel->last_inputter() : channel->last_outputter();
-            partner = user.outermost ? user.outermost->name() : channel->name();
-            if (const Point& cause = points_[*lane.cause]; lane.together)
-                together = points_[*lane.together].at;
-            else if (cause.activity == Activity::carrying && cause.at == now)
-                together = points_[cause.before].at;
-            break;
-        }
+    if (const AnyChannel* channel = channel_of_message(process)) {
+        const AnyChannel::User& user = outputs(process) ? channel->last_inputter() : channel->last_outputter();
+        partner = user.outermost ? user.outermost->name() : channel->name();
+        if (const Point& cause = points_[*lane.cause]; lane.together)
+            together = points_[*lane.together].at;
+        else if (cause.activity == Activity::carrying && cause.at == now)
+            together = points_[cause.before].at;
+    }
     accounts_.explain(process.outermost().name(), partner, together, now);
 }
 
@@ -253,7 +239,7 @@ void CriticalPath::go_on(Lane& lane, Time now) {
 
 /// Until the bus was its own, the path leads over what held the bus before.
 void CriticalPath::leaves(const PlaceLeft& left, Time now) {
-    Lane* lane = left.moves_for ? lane_of(*left.moves_for) : nullptr;
+    Lane* lane = lane_of(left.moves_for);
     if (!lane)
         return;
     const std::string& bus = left.place;
@@ -271,9 +257,8 @@ void CriticalPath::end(Lane& lane, Time now) {
     turn(lane, Activity::ended, now);
     end_ = later(lane.last, end_);
     const Process& process = *lane.process;
-    if (Lane* parent = process.parent() ? lane_of(*process.parent()) : nullptr; parent)
+    if (Lane* parent = lane_of(process.parent()))
         parent->cause = lane.last;
-    lanes_.erase(process.ordinal());
 }
 
 /// Where the work did not end with a process, the path leads to what was done last.

@@ -2,6 +2,7 @@
 
 #include "observe/critical_path/path_points.hpp"
 #include "observe/critical_path/waits.hpp"
+#include "observe/trace/activity_log.hpp"
 #include "observe/trace/path_part.hpp"
 #include "runtime/process.hpp"
 #include "runtime/trace.hpp"
@@ -20,7 +21,7 @@ namespace placedpar {
 /// it: for a message the later one of the two processes to come to the channel, for a turn on a processor who had it
 /// until then, for the end of a PAR its last component. From the end of the run that leads back to its beginning
 /// without a gap, since each thing begins when the one before it ends.
-class CriticalPath final : public TraceSink {
+class CriticalPath final : public ActivityLog<CriticalPath> {
 public:
     /// Where the path comes to have more points, nothing of it is kept, and what follows of a run takes no more memory.
     explicit CriticalPath(std::size_t most_points = most_path_points);
@@ -42,6 +43,7 @@ public:
     void over(Time) override;
 
 private:
+    friend class ActivityLog<CriticalPath>;
     using Number = PathPoints::Number;
     using Point = PathPoints::Point;
     struct Lane {
@@ -52,8 +54,6 @@ private:
         std::optional<Number> together = {}; ///< of a message: when both were in the channel
     };
 
-    Lane* lane_of(const Process&);
-    Lane* lane_of(std::uint32_t ordinal);
     std::uint32_t number_of(const std::string& subject);
     Number add(Number before, Time at, Activity, const std::string& subject, const std::string& place);
     Number add(Number before, Time at, Activity, const Process&);
@@ -62,12 +62,13 @@ private:
     std::vector<Number*> numbers_in_use();
     void forget(Time now);
     const Lane* who_runs(const Process& any, Time now);
-    Number message_over(const Lane&, const AnyChannel&, bool outputs, Time now);
+    Number message_over(const Lane&, const AnyChannel&, Time now);
     Number cause_of(const Lane&, Time now);
     void begin(const Process&, Time now);
     void wait(Lane&, Activity, Time now);
     void become_ready(Lane&, Time now);
     void go_on(Lane&, Time now);
+    void compute(Lane&, Activity, Time now);
     void end(Lane&, Time now);
     void has_turn(Lane&, Time now);
     void hold_executive(const Lane&);

@@ -12,8 +12,16 @@ const char* name_on_path(Activity activity) {
     case Activity::delayed: return "delayed";
     case Activity::ready: return "ready, not running";
     case Activity::ended: return "nothing more";
-    default: return "";
+    case Activity::executing:
+    case Activity::outputting:
+    case Activity::inputting:
+    case Activity::alternating:
+    case Activity::joining:
+    case Activity::after_work:
+    case Activity::stopped:
+    case Activity::halted: break;
     }
+    return "";
 }
 
 std::string name_on_path(Activity activity, const std::string& subject) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -21,17 +22,6 @@ std::string json_text(const std::string& text) { return as_json(boost::json::ser
 std::string microseconds(Time t) {
     constexpr std::int64_t picoseconds = 1'000'000;
     return fmt::format("{}.{:06}", t.count() / picoseconds, t.count() % picoseconds);
-}
-
-/// The viewers colour slices by their names.
-const char* category(const Slice& slice) {
-    switch (slice.activity) {
-    case Activity::executing: return "processor";
-    case Activity::carrying: return "link";
-    case Activity::ready: return "ready";
-    case Activity::computing: return "compute";
-    default: return "wait";
-    }
 }
 
 /// Where nobody is known yet, the channel.
@@ -52,27 +42,36 @@ std::string name_of_alternation(const Slice& slice) {
 }
 
 /// A process of the machine waits on no channel while it has no packet to send.
-std::string name_of_wait(const Slice& slice) {
-    switch (slice.activity) {
-    case Activity::outputting: return "outputs to " + partners_of(slice, " ");
-    case Activity::inputting:
-        return slice.awaited.empty() ? "waits for packets to send" : "inputs from " + partners_of(slice, " ");
-    case Activity::alternating: return name_of_alternation(slice);
-    case Activity::joining: return "waits for its components";
-    case Activity::after_work: return "waits for the end of the work";
-    case Activity::stopped: return "has stopped";
-    default: return "waits for its timer";
-    }
+std::string name_of_input(const Slice& slice) {
+    return slice.awaited.empty() ? "waits for packets to send" : "inputs from " + partners_of(slice, " ");
 }
 
-std::string name_of(const Slice& slice) {
+/// How a viewer shows a slice, whose colour it takes from the name.
+struct Shown {
+    const char* category;
+    std::string name;
+};
+
+Shown shown(const Slice& slice) {
     switch (slice.activity) {
-    case Activity::executing:
-    case Activity::carrying: return slice.subject;
-    case Activity::ready: return "waits for its processor";
-    case Activity::computing: return "computes";
-    default: return name_of_wait(slice);
+    case Activity::executing: return {"processor", slice.subject};
+    case Activity::carrying: return {"link", slice.subject};
+    case Activity::ready: return {"ready", "waits for its processor"};
+    case Activity::computing: return {"compute", "computes"};
+    case Activity::delayed: return {"wait", "waits for its timer"};
+    case Activity::outputting: return {"wait", "outputs to " + partners_of(slice, " ")};
+    case Activity::inputting: return {"wait", name_of_input(slice)};
+    case Activity::alternating: return {"wait", name_of_alternation(slice)};
+    case Activity::joining: return {"wait", "waits for its components"};
+    case Activity::after_work: return {"wait", "waits for the end of the work"};
+    case Activity::stopped: return {"wait", "has stopped"};
+    case Activity::halted:
+    case Activity::ended:
+    case Activity::starting:
+    case Activity::moving:
+    case Activity::arbitrating: break;
     }
+    throw std::logic_error("a slice is of what no track does");
 }
 
 std::string described(const Awaited& awaited) {
@@ -117,9 +116,9 @@ std::string PerfettoTrace::place(std::size_t track) const {
 }
 
 void PerfettoTrace::write(const Slice& slice) {
-    std::string event =
-        fmt::format(R"({{"ph":"{}","name":{},"cat":"{}",{},"ts":{})", slice.open ? 'B' : 'X', json_text(name_of(slice)),
-                    category(slice), place(slice.track), microseconds(slice.begin));
+    const auto [category, name] = shown(slice);
+    std::string event = fmt::format(R"({{"ph":"{}","name":{},"cat":"{}",{},"ts":{})", slice.open ? 'B' : 'X',
+                                    json_text(name), category, place(slice.track), microseconds(slice.begin));
     if (!slice.open)
         event += fmt::format(R"(,"dur":{})", microseconds(slice.end - slice.begin));
     if (std::string more = arguments(slice); !more.empty())

@@ -59,27 +59,9 @@ bool Timeline::taking(Time now) {
     return !end_;
 }
 
-Timeline::Lane* Timeline::lane_of(const Process& process) {
-    auto found = lanes_.find(process.ordinal());
-    return found == lanes_.end() ? nullptr : &found->second;
-}
-
 void Timeline::turns(const Process& process, Activity activity, Time now) {
-    if (!taking(now))
-        return;
-    if (activity == Activity::starting)
-        return begin(process, now);
-    Lane* lane = lane_of(process);
-    if (!lane)
-        return;
-    switch (activity) {
-    case Activity::ready: return stop(*lane, now);
-    case Activity::executing: return go_on(*lane, now);
-    case Activity::computing:
-    case Activity::moving: return compute(*lane, now);
-    case Activity::ended: return end(*lane, now);
-    default: return turn_to(*lane, activity, now);
-    }
+    if (taking(now))
+        sort(process, activity, now);
 }
 
 void Timeline::begin(const Process& process, Time now) {
@@ -93,7 +75,7 @@ void Timeline::go_on(Lane& lane, Time now) {
         lane.here.push_back({message, true});
 }
 
-void Timeline::compute(Lane& lane, Time now) {
+void Timeline::compute(Lane& lane, Activity, Time now) {
     if (lane.activity == Activity::computing && lane.stopped == now)
         lane.stopped.reset();
     else if (!is_waiting(lane.activity)) // a processor may work for a process before its wait is over
@@ -102,8 +84,7 @@ void Timeline::compute(Lane& lane, Time now) {
         use(processor, tracks_.all()[lane.track].name, now);
 }
 
-/// A wait is drawn until its process goes on.
-void Timeline::stop(Lane& lane, Time now) {
+void Timeline::become_ready(Lane& lane, Time now) {
     if (lane.activity == Activity::computing)
         lane.stopped = now;
     auto use = uses_.find(processor_of(lane));
@@ -114,7 +95,6 @@ void Timeline::stop(Lane& lane, Time now) {
 void Timeline::end(Lane& lane, Time now) {
     settle(lane, now);
     give_up(lane);
-    lanes_.erase(lane.process->ordinal());
 }
 
 std::size_t Timeline::processor_of(const Lane& lane) const {
@@ -127,7 +107,7 @@ std::size_t Timeline::processor_of(const Lane& lane) const {
 void Timeline::communicated(const AnyChannel& channel, Time now) {
     if (!taking(now) || now < window_.from)
         return;
-    Lane *from = lane_of(*channel.outputter()), *to = lane_of(*channel.inputter());
+    Lane *from = lane_of(channel.outputter()), *to = lane_of(channel.inputter());
     if (!from || !to)
         return;
     std::uint64_t message = message_count_++;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "observe/trace/activity_log.hpp"
 #include "observe/trace/trace_writer.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/trace.hpp"
@@ -26,8 +27,8 @@ struct TraceWindow {
 const TraceWindow& require_time_in(const TraceWindow&);
 
 /// Makes slices on tracks of what it is told of a run. A slice ends when a process does something else; one that
-/// computes again at once goes on, unless a message was handed over in between.
-class Timeline final : public TraceSink {
+/// computes again at once goes on, unless a message was handed over in between. A wait lasts until its process goes on.
+class Timeline final : public ActivityLog<Timeline> {
 public:
     /// REQUIRES: the tracks and the writer outlive it.
     Timeline(Tracks&, const TraceWindow&, TraceWriter&);
@@ -47,6 +48,7 @@ public:
     void over(Time) override;
 
 private:
+    friend class ActivityLog<Timeline>;
     /// One end of a message, until the slice in which it lies is known.
     struct MessageEnd {
         std::uint64_t message;
@@ -82,11 +84,11 @@ private:
 
     bool taking(Time now);
     void shut(Time now, const std::string& why);
-    Lane* lane_of(const Process&);
     void begin(const Process&, Time now);
+    void wait(Lane& lane, Activity activity, Time now) { turn_to(lane, activity, now); }
+    void become_ready(Lane&, Time now);
     void go_on(Lane&, Time now);
-    void compute(Lane&, Time now);
-    void stop(Lane&, Time now);
+    void compute(Lane&, Activity, Time now);
     void end(Lane&, Time now);
     std::size_t processor_of(const Lane&) const;
     void turn_to(Lane&, Activity, Time now);

@@ -1,6 +1,7 @@
 #include "explore/study/measure.hpp"
 #include "explore/study/study.hpp"
 #include "explore/study/study_file.hpp"
+#include "explore/study/study_settings.hpp"
 #include "explore/study/summary.hpp"
 #include "text/user_error.hpp"
 
@@ -127,27 +128,32 @@ TEST_CASE("a study is all combinations for which its condition holds, with each 
 TEST_CASE("a study knows its combinations without counting them up") {
     Study study = two_axes("a > 0");
     study.products.push_back({.axes = {read_axis("far=0..999999999999..3,x,0.1..0.3..0.1,1..64..x2")}});
+    study.products.push_back({.axes = {read_axis("a=7.0"), read_axis("only=x")}});
+    const StudySettings settings(study.products);
     for (std::uint64_t i = 0; i < 12; ++i)
         if (std::optional<StudyRun> run = study.at(i))
-            CHECK(study.has(run->set));
+            CHECK(settings.has(run->set));
     for (const char* range :
          {"x=1000000000006..1000000000008..0.5", "x=1..2..x1.0000001", "x=-3..3..0.7", "x=5M..20M..5M"}) {
         Study rounded;
         rounded.products.push_back({.axes = {read_axis(range)}});
         for (std::uint64_t i = 0; i < std::min<std::uint64_t>(rounded.count(), 1000); ++i)
-            CHECK(rounded.has(rounded.at(i)->set));
+            CHECK(StudySettings(rounded.products).has(rounded.at(i)->set));
     }
-    CHECK(study.has({{"a", "1"}, {"b.c", "5M"}}));
-    CHECK_FALSE(study.has({{"a", "0"}, {"b.c", "5M"}})); // the condition
-    CHECK_FALSE(study.has({{"a", "3"}, {"b.c", "5M"}}));
-    CHECK(study.has({{"a", "1.0"}, {"b.c", "5M"}}));
-    CHECK_FALSE(study.has({{"a", "1"}, {"b.c", "5000000"}})); // 5M may be a size, 5242880
-    CHECK_FALSE(study.has({{"a", "1"}}));
-    CHECK_FALSE(study.has({{"a", "1"}, {"b.c", "5M"}, {"d", "1"}}));
+    CHECK(settings.has({{"a", "1"}, {"b.c", "5M"}}));
+    CHECK_FALSE(settings.has({{"a", "0"}, {"b.c", "5M"}})); // the condition
+    CHECK_FALSE(settings.has({{"a", "3"}, {"b.c", "5M"}}));
+    CHECK(settings.has({{"a", "1.0"}, {"b.c", "5M"}}));
+    CHECK_FALSE(settings.has({{"a", "1"}, {"b.c", "5000000"}})); // 5M may be a size, 5242880
+    CHECK_FALSE(settings.has({{"a", "1"}}));
+    CHECK_FALSE(settings.has({{"a", "1"}, {"b.c", "5M"}, {"d", "1"}}));
+    CHECK(settings.has({{"a", "7"}, {"only", "\"x\""}}));
+    CHECK_FALSE(settings.has({{"a", "8"}, {"only", "x"}}));
+    CHECK_FALSE(settings.has({{"a", "7"}}));
     for (const char* value : {"0", "3", "999999999999", "x", "0.1", "0.2", "0.3", "1", "2", "64"})
-        CHECK(study.has({{"far", value}}));
+        CHECK(settings.has({{"far", value}}));
     for (const char* value : {"-3", "5", "1000000000002", "y", "0.4", "0.15", "128", ""})
-        CHECK_FALSE(study.has({{"far", value}}));
+        CHECK_FALSE(settings.has({{"far", value}}));
 }
 
 TEST_CASE("a study of more runs than 64 bits count is refused with what makes it so large") {

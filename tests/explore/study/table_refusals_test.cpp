@@ -103,7 +103,7 @@ TEST_CASE("without a measure figures are made of the time") {
 TEST_CASE("lists have a value for each column, also those of a table that is like another") {
     for (const char* name : {"known", "tolerance", "origin"}) {
         check_farm_refused(farm_head + farm_columns + farm_rows(std::string(name) + " = [\"1\"]"),
-                           "it has fewer values than the table has columns: 1, not 2");
+                           "the list has fewer values than the table has columns: 1, not 2");
         check_farm_refused(farm_head + farm_columns + farm_rows(std::string(name) + " = []"), "0, not 2");
     }
     const std::string first = farm_head + farm_columns + farm_rows("known = 8, tolerance = 1");
@@ -114,6 +114,28 @@ TEST_CASE("lists have a value for each column, also those of a table that is lik
     CHECK(study.tables.at(1).columns.size() == 3);
     CHECK(study.tables.at(1).rows.at(0).known.size() == 3);
     CHECK(study.tables.at(1).rows.at(0).tolerances.size() == 3);
+}
+
+TEST_CASE("where columns or rows are no tables, that is all that is said") {
+    auto said = [](const std::string& text) {
+        try {
+            farm_study(text);
+        } catch (const RefusedInput& refused) {
+            return std::string(refused.what());
+        }
+        return std::string("nothing");
+    };
+    const std::string rows = farm_rows("known = [1, 2, 3]"), form = "it takes a list of tables";
+    for (const std::string& text : {farm_head + "columns = [1, 2]\n" + rows, farm_head + "columns = []\n" + rows,
+                                    farm_head + farm_columns + "rows = [1]\n"}) {
+        const std::string all = said(text);
+        CAPTURE(all);
+        CHECK(all.find(form) != std::string::npos);
+        CHECK(all.find("error:") == all.rfind("error:"));
+    }
+    const std::string all = said(farm_head + rows);
+    CHECK(all.find("a table has columns and rows") != std::string::npos);
+    CHECK(all.find("error:") == all.rfind("error:"));
 }
 
 TEST_CASE("a tolerance is a number that is not negative") {

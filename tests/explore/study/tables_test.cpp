@@ -136,9 +136,16 @@ TEST_CASE("what is wrong in a table is refused with its place") {
     check_study_refused(table + columns + rows + "tolerence = 1\n", "did you mean \"tolerance\"?");
     check_study_refused(table + columns + "rows = [{name = \"a\", figure = \"rate\", knwon = 1}]\n",
                         "a row has no \"knwon\"");
-    check_study_refused(table + columns + rows + "like = \"y\"\n", "there is no table \"y\" before it");
-    check_study_refused(table + columns + rows + "known = [1, 2, 3, 4]\n", "more values than the table has columns");
-    check_study_refused(table + columns + rows + "origin = \"guess\"\n", "there is no origin \"guess\"");
+    check_study_refused(table + columns + rows + "like = \"y\"\n", "no table above this one is called \"y\"");
+    check_study_refused(table + columns + rows + "like = \"y\"\n",
+                        "\"like\" takes the name of a table that stands above");
+    check_study_refused(table + columns + rows + "known = [1, 2, 3, 4]\n",
+                        "the list has more values than the table has columns: 4, not 3");
+    check_study_refused(table + columns + rows + "known = [1, 2, 3, 4]\n",
+                        "give one value for each column, or a single value without brackets for all of them");
+    check_study_refused(table + columns + rows + "origin = \"guess\"\n", "\"guess\" is not an origin");
+    check_study_refused(table + columns + rows + "origin = \"guess\"\n",
+                        "an origin is \"outcome\", \"calibrated\" or \"workload\"");
     check_study_refused(table + columns + "rows = [{name = \"a\", figure = \"rate /\"}]\n", "it cannot be understood");
     check_study_refused(table + "columns = [{name = \"a\", set = {a = \"0..1\"}}]\n" + rows,
                         "\"a\" has several values");

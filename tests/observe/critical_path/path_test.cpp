@@ -4,6 +4,7 @@
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/processor.hpp"
+#include "runtime/hardware/vme_bus.hpp"
 #include "runtime/parallel.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
@@ -29,8 +30,8 @@ struct Sought {
         return simulation.add<hardware::Processor>(name, 1'000'000'000);
     }
     /// "computing: p on t, 0 to 19", in nanoseconds.
-    Lines parts() {
-        simulation.run();
+    Lines parts(Time limit = Time::max()) {
+        simulation.run(limit);
         Lines lines;
         for (const PathPart& part : path.parts())
             lines.push_back(fmt::format("{}, {} to {}", name_on_path(part.activity, part.subject), part.begin / 1ns,
@@ -108,11 +109,37 @@ TEST_CASE("the end of a PAR leads to its last component") {
     CHECK(sought.parts() == Lines{"delayed: p, 0 to 3000"}); // in the name of the process
 }
 
-TEST_CASE("where the work goes on longer than any process nothing more is done") {
+TEST_CASE("where the run ends later than what its processes did, nothing more is done until then") {
+    Sought sought;
+    sought.simulation.process("p", [] { wait_for(1us); });
+    sought.simulation.process("late", [] { wait_for(9us); });
+    CHECK(sought.parts(5us) == Lines{"delayed: p, 0 to 1000", "nothing more, 1000 to 5000"});
+}
+
+TEST_CASE("the path does not lead over a process that never goes on") {
     Sought sought;
     sought.simulation.process("p", [] { wait_for(1us); });
     sought.simulation.process("stuck", [] { stop(); });
     CHECK(sought.parts() == Lines{"delayed: p, 0 to 1000"});
+}
+
+TEST_CASE("a process that moves words over a bus waited for what the bus did before") {
+    Sought sought;
+    struct Memory final : hardware::BusSlave {
+        std::string name = "memory";
+        const std::string& bus_name() const override { return name; }
+    } memory;
+    auto& bus = sought.simulation.add<hardware::VmeBus>("bus", hardware::Arbitration::priority,
+                                                        hardware::VmeTiming{.word = 100ns, .arbitration = 50ns});
+    for (int i = 0; i < 2; ++i) {
+        std::string number = std::to_string(i);
+        auto& m = sought.simulation.add<hardware::VmeMaster>("m" + number, bus, hardware::VmePlace{3, i + 1});
+        sought.simulation.process(
+            "p" + number, [&] { m.move_words(memory, 3); }, &sought.processor(("t" + number).c_str()));
+    }
+    CHECK(sought.parts() == Lines{"arbitrating: bus, 0 to 50", "moving words: p0 on t0 over bus, 50 to 350",
+                                  "arbitrating: bus, 350 to 400", "moving words: p1 on t1 over bus, 400 to 700"});
+    CHECK(sought.path.accounts().at("p1").communicating == 700ns);
 }
 
 TEST_CASE("a path with more points than it may have is given up, the accounts are not") {

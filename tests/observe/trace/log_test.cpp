@@ -2,7 +2,9 @@
 
 #include "observe/trace/trace_fork.hpp"
 
+#include "runtime/hardware/link.hpp"
 #include "runtime/hardware/processor.hpp"
+#include "runtime/hardware/vme_bus.hpp"
 #include "runtime/parallel.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
@@ -10,6 +12,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -36,11 +39,15 @@ struct ToldLines final : TraceSink {
         lines.push_back(fmt::format("{} over {}", now / 1ns, channel.name()));
     }
     void takes(const PlaceTaken& taken, Time now) override {
-        lines.push_back(
-            fmt::format("{} {} takes {} from {}", now / 1ns, taken.subject, taken.place, taken.since / 1ns));
+        lines.push_back(fmt::format("{} {} takes {} from {}{}", now / 1ns, taken.subject, taken.place,
+                                    taken.since / 1ns, taken.channel ? ", for " + taken.channel->name() : ""));
     }
     void leaves(const PlaceLeft& left, Time now) override {
-        lines.push_back(fmt::format("{} {} left at {}, {} bytes", now / 1ns, left.place, left.until / 1ns, left.bytes));
+        std::string line =
+            fmt::format("{} {} left at {}, {} bytes", now / 1ns, left.place, left.until / 1ns, left.bytes);
+        if (left.moves_for)
+            line += fmt::format(", {}'s from {}", left.moves_for->path(), left.since / 1ns);
+        lines.push_back(line);
     }
     void over(Time now) override { lines.push_back(fmt::format("{} over", now / 1ns)); }
 
@@ -87,23 +94,57 @@ TEST_CASE("a PAR joins its components, and what ends it is said of them alone") 
         CHECK(std::ranges::count(notes.lines, line) == 1);
 }
 
-TEST_CASE("several sinks are told the same") {
-    ToldLines alone, one, other;
-    auto run = [](TraceSink& sink) {
-        Simulation simulation;
-        simulation.trace_to(sink);
-        simulation.process("p", [] { wait_for(1us); });
-        simulation.run();
-    };
-    TraceFork fork({&one, &other});
-    run(alone);
-    run(fork);
-    std::string place = "bus", subject = "m";
-    for (TraceSink* sink : std::initializer_list<TraceSink*>{&alone, &fork}) {
-        sink->takes({place, subject, Time{2us}}, Time{1us});
-        sink->leaves({place, Time{4us}, 8}, Time{3us});
+namespace {
+
+/// Two processes on a processor move words over a bus, and the second sends a message over a link to a third.
+void run_on_bus_and_link(TraceSink& sink) {
+    struct Memory final : hardware::BusSlave {
+        std::string name = "memory";
+        const std::string& bus_name() const override { return name; }
+    } memory;
+    Simulation simulation;
+    simulation.trace_to(sink);
+    hardware::Link& link = simulation.add<hardware::Link>();
+    auto& bus = simulation.add<hardware::VmeBus>("bus", hardware::Arbitration::priority,
+                                                 hardware::VmeTiming{.word = 100ns, .arbitration = 50ns});
+    Channel<int> c("c", link.from_a_to_b());
+    for (int i = 0; i < 2; ++i) {
+        std::string number = std::to_string(i);
+        auto& t = simulation.add<hardware::Processor>("t" + number, 1'000'000'000);
+        auto& m = simulation.add<hardware::VmeMaster>("m" + number, bus, hardware::VmePlace{3, i + 1});
+        auto move = [&, i] {
+            m.move_words(memory, 3);
+            if (i == 1)
+                c.out().output(1);
+        };
+        simulation.process("p" + number, move, &t);
     }
-    CHECK(alone.lines.back() == "3000 bus left at 4000, 8 bytes");
+    simulation.process("q", [&] { c.in().input(); });
+    simulation.run();
+}
+
+} // namespace
+
+TEST_CASE("of a bus it is told who waits for it, who has it, and for which process it moved words since when") {
+    ToldLines notes;
+    run_on_bus_and_link(notes);
+    for (const char* line : {"0 waits at BR3 takes bus <- m1 from 0", "350 bus left at 350, 0 bytes, p0's from 50",
+                             "400 bus <- m1 left at 400, 0 bytes", "400 m1 takes bus from 400",
+                             "700 bus left at 700, 0 bytes, p1's from 400"})
+        CHECK_MESSAGE(std::ranges::count(notes.lines, line) == 1, line);
+}
+
+TEST_CASE("several sinks are told the same, all of it") {
+    ToldLines alone, one, other;
+    TraceFork fork({&one, &other});
+    run_on_bus_and_link(alone);
+    run_on_bus_and_link(fork);
+    auto told = [&](const char* what) {
+        return std::ranges::any_of(alone.lines, [&](const std::string& line) { return line.find(what) != line.npos; });
+    };
+    for (const char* what :
+         {" over c", "c takes a -> b from ", ", for c", " a -> b left at ", " 4 bytes", ", p1's from "})
+        CHECK_MESSAGE(told(what), what);
     CHECK(one.lines == alone.lines);
     CHECK(other.lines == alone.lines);
 }

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "runtime/trace.hpp"
+
+#include <stdexcept>
+
+namespace placedpar {
+
+/// Sorts the notices of a run by what they mean for the process that they are of. A Reader keeps its lanes_, by the
+/// ordinals of the processes that live, and has
+///   begin(process, now)           the process exists; adds its lane, or nothing more is said of it;
+///   wait(lane, activity, now)     a wait begins;
+///   become_ready(lane, now)       a wait or a computation is over, and the program does not run yet;
+///   go_on(lane, now)              the program runs again after a wait;
+///   compute(lane, activity, now)  it computes, or moves words;
+///   end(lane, now)                its last notice; the lane is removed afterwards.
+template <class Reader>
+class ActivityLog : public TraceSink {
+protected:
+    ~ActivityLog() = default;
+
+    /// Null where there is no process, or it has none.
+    auto* lane_of(const Process* process) {
+        auto& lanes = reader().lanes_;
+        auto found = process ? lanes.find(process->ordinal()) : lanes.end();
+        return found == lanes.end() ? nullptr : &found->second;
+    }
+
+    void sort(const Process& process, Activity activity, Time now) {
+        if (activity == Activity::starting)
+            return reader().begin(process, now);
+        auto* lane = lane_of(&process);
+        if (!lane)
+            return;
+        switch (activity) {
+        case Activity::ready: return reader().become_ready(*lane, now);
+        case Activity::executing: return reader().go_on(*lane, now);
+        case Activity::computing:
+        case Activity::moving: return reader().compute(*lane, activity, now);
+        case Activity::delayed:
+        case Activity::outputting:
+        case Activity::inputting:
+        case Activity::alternating:
+        case Activity::joining:
+        case Activity::after_work:
+        case Activity::stopped: return reader().wait(*lane, activity, now);
+        case Activity::ended: return reader().end(*lane, now), void(reader().lanes_.erase(process.ordinal()));
+        case Activity::starting:
+        case Activity::carrying:
+        case Activity::arbitrating:
+        case Activity::halted: break;
+        }
+        throw std::logic_error("a process has turned to what none does");
+    }
+
+private:
+    Reader& reader() { return static_cast<Reader&>(*this); }
+};
+
+} // namespace placedpar
