@@ -68,8 +68,9 @@ void StudyReplay::look_at_netlists() const {
             context_.warn(warnings);
     };
     PossibleMeasures possible;
-    for (std::uint64_t i = 0; i < study_.count(); ++i)
-        if (auto run = study_.at(i))
+    const StudyRuns runs(study_);
+    for (std::uint64_t i = 0; i < runs.count(); ++i)
+        if (auto run = runs.at(i))
             possible.add(load_network(netlist, run->set, kinds, warn), kinds, problems);
     for (const std::string& each : study_.figures)
         if (const StudyMeasure measure(each); !possible.has(measure))
@@ -104,8 +105,9 @@ StudyOutcome StudyReplay::outcome_of(const StudyRun& run) const {
 
 Replay StudyReplay::replay() const {
     Fingerprint fingerprint;
-    for (std::uint64_t i = 0; i < study_.count(); ++i)
-        if (auto run = study_.at(i))
+    const StudyRuns runs(study_);
+    for (std::uint64_t i = 0; i < runs.count(); ++i)
+        if (auto run = runs.at(i))
             fingerprint.mix(outcome_of(*run).fingerprint);
     Replay replay{.comparisons = comparisons_of(study_, context_.results),
                   .constants = study_.notes,

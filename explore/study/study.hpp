@@ -77,14 +77,14 @@ struct Study {
     std::optional<SettingValue> find(const std::string& name, const SettingValue&) const;
 };
 
-/// The runs of a study by their numbers, for loops over them: a run is found without a look at all products, which are
-/// as many as the cells of its tables. REQUIRES: the study outlives it and keeps its products and seeds.
+/// Finds the runs of a study by their numbers, for loops over them: each is found by a binary search among the
+/// products, which are as many as the cells of the study's tables. REQUIRES: the study outlives it and keeps its
+/// products and seeds.
 class StudyRuns {
 public:
     /// Throws as Study::count().
     explicit StudyRuns(const Study&);
 
-    /// As the study's.
     std::uint64_t count() const { return ends_.empty() ? 0 : ends_.back(); }
     std::optional<StudyRun> at(std::uint64_t index) const;
 

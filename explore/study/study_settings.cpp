@@ -36,7 +36,7 @@ void StudySettings::add(const StudyProduct& product) {
 }
 
 bool StudySettings::has(const Overrides& set) const {
-    return single_.contains(meanings_of(set)) ||
+    return (!single_.empty() && single_.contains(meanings_of(set))) ||
            std::ranges::any_of(others_, [&](const StudyProduct& product) { return product.has(set); });
 }
 

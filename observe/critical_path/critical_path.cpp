@@ -109,7 +109,7 @@ void CriticalPath::turn(Lane& lane, Activity to, Time now) {
 
 void CriticalPath::turns(const Process& process, Activity activity, Time now) {
     forget(now);
-    sort(process, activity, now);
+    tell(process, activity, now);
 }
 
 /// A component of a PAR begins when its process has come to it.

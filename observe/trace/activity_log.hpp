@@ -6,7 +6,7 @@
 
 namespace placedpar {
 
-/// Sorts the notices of a run by what they mean for the process that they are of. A Reader keeps its lanes_, by the
+/// Calls the reader's function for each kind of notice about a process. A Reader keeps its lanes_, by the
 /// ordinals of the processes that live, and has
 ///   begin(process, now)           the process exists; adds its lane, or nothing more is said of it;
 ///   wait(lane, activity, now)     a wait begins;
@@ -19,14 +19,14 @@ class ActivityLog : public TraceSink {
 protected:
     ~ActivityLog() = default;
 
-    /// Null where there is no process, or it has none.
+    /// Returns null where there is no process, or where the process has no lane.
     auto* lane_of(const Process* process) {
         auto& lanes = reader().lanes_;
         auto found = process ? lanes.find(process->ordinal()) : lanes.end();
         return found == lanes.end() ? nullptr : &found->second;
     }
 
-    void sort(const Process& process, Activity activity, Time now) {
+    void tell(const Process& process, Activity activity, Time now) {
         if (activity == Activity::starting)
             return reader().begin(process, now);
         auto* lane = lane_of(&process);
@@ -50,7 +50,7 @@ protected:
         case Activity::arbitrating:
         case Activity::halted: break;
         }
-        throw std::logic_error("a process has turned to what none does");
+        throw std::logic_error("the kernel has reported an activity that no process can have");
     }
 
 private:

@@ -71,7 +71,7 @@ Shown shown(const Slice& slice) {
     case Activity::moving:
     case Activity::arbitrating: break;
     }
-    throw std::logic_error("a slice is of what no track does");
+    throw std::logic_error("a slice has an activity that no track shows");
 }
 
 std::string described(const Awaited& awaited) {

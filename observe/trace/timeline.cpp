@@ -61,7 +61,7 @@ bool Timeline::taking(Time now) {
 
 void Timeline::turns(const Process& process, Activity activity, Time now) {
     if (taking(now))
-        sort(process, activity, now);
+        tell(process, activity, now);
 }
 
 void Timeline::begin(const Process& process, Time now) {

@@ -36,7 +36,7 @@ TEST_CASE("a run that comes to its end is reported, one that is stuck or interru
 }
 
 TEST_CASE("a netlist that is refused with a setting throws what is wrong with it") {
-    const test::ReplayInMemory replay(0);
+    test::ReplayInMemory replay(0);
     CHECK_THROWS_WITH_AS(run_to_the_end(own_examples / "01-commstime/commstime.cfs", {{"cuont", "5"}}, replay.context),
                          doctest::Contains("\"cuont\""), RefusedInput);
 }

@@ -42,7 +42,7 @@ inline Replay replay_named(std::string_view name, std::optional<std::size_t> see
     const auto& all = experiments();
     const auto found = std::ranges::find(all, name, &Experiment::name);
     REQUIRE(found != all.end());
-    const ReplayInMemory replay(seeds.value_or(found->seeds), std::filesystem::path(PLACEDPAR_SOURCE_DIR) / "examples");
+    ReplayInMemory replay(seeds.value_or(found->seeds), std::filesystem::path(PLACEDPAR_SOURCE_DIR) / "examples");
     return found->run(replay.context);
 }
 

@@ -107,6 +107,12 @@ struct PlayedHelpers {
     }
 };
 
+/// Rank 0 waits for its helpers when it is destroyed: in a test that ends early, too, they leave.
+struct LeavesAtTheEnd {
+    PlayedHelpers& played;
+    ~LeavesAtTheEnd() { played.leave(); }
+};
+
 /// What a helper with one job says to these messages of rank 0.
 std::vector<RankMessage> answers_to(const std::vector<RankMessage>& messages, const Interruption& interruption = {}) {
     PostOffice post(2);
@@ -122,6 +128,7 @@ std::vector<RankMessage> answers_to(const std::vector<RankMessage>& messages, co
 TEST_CASE("rank 0 hands out each run once, keeps what comes back, and says when there are no more") {
     PlayedHelpers played;
     RankZero zero(played.rank);
+    const LeavesAtTheEnd leaves{played};
     zero.begin(played.sweep, source_of_three());
     for (int helper : {1, 2}) {
         const std::vector<RankMessage> first = played.post.collect(helper);
@@ -152,6 +159,7 @@ TEST_CASE("rank 0 hands out each run once, keeps what comes back, and says when 
 TEST_CASE("a run of a helper that goes without having ended it stays in hand") {
     PlayedHelpers played;
     RankZero zero(played.rank);
+    const LeavesAtTheEnd leaves{played};
     zero.begin(played.sweep, StudySource{});
     played.say(1, {RankKind::ask});
     played.leave();
@@ -163,6 +171,7 @@ TEST_CASE("a run of a helper that goes without having ended it stays in hand") {
 TEST_CASE("when rank 0 is stopped it says so once, and hands out nothing more") {
     PlayedHelpers played;
     RankZero zero(played.rank);
+    const LeavesAtTheEnd leaves{played};
     zero.begin(played.sweep, StudySource{});
     played.post.collect(1);
     played.say(1, {RankKind::ask});
@@ -177,6 +186,7 @@ TEST_CASE("what a helper cannot go on for is said with its rank, and the others 
     PlayedHelpers played;
     {
         RankZero zero(played.rank);
+        const LeavesAtTheEnd leaves{played};
         zero.begin(played.sweep, StudySource{});
         played.say(2, {RankKind::failed, "no such file"});
         CHECK_THROWS_WITH_AS(zero.serve(false), "rank 2: no such file", UserError);
@@ -226,7 +236,7 @@ TEST_CASE("a sweep that is shared among ranks comes to the results of one that i
     StudyResults alone{StudySource{}}, shared{StudySource{}};
     StudySweep(study, alone).run(1, never, [](std::uint64_t) {});
     PostOffice post(3);
-    std::vector<std::thread> helpers;
+    std::vector<std::jthread> helpers;
     for (int own : {1, 2})
         helpers.emplace_back([&, own] {
             RankByPost rank(post, own);
@@ -238,11 +248,13 @@ TEST_CASE("a sweep that is shared among ranks comes to the results of one that i
     zero.begin(sweep, source_of_three());
     sweep.run(
         0, never, [](std::uint64_t) {}, [&](bool stopped) { return zero.serve(stopped); });
-    for (std::thread& each : helpers)
+    for (std::jthread& each : helpers)
         each.join();
-    CHECK(shared.count() == 3);
+    REQUIRE(shared.count() == 3);
     alone.for_each([&](const StudyRun& run, const StudyOutcome& outcome) {
-        CHECK(shared.find(run)->fingerprint == outcome.fingerprint);
-        CHECK(figures_text(shared.find(run)->figures) == figures_text(outcome.figures));
+        const std::optional<StudyOutcome> found = shared.find(run);
+        REQUIRE(found);
+        CHECK(found->fingerprint == outcome.fingerprint);
+        CHECK(figures_text(found->figures) == figures_text(outcome.figures));
     });
 }
