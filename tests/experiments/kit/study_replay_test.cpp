@@ -133,7 +133,7 @@ TEST_CASE("what a replay shows beside its study's tables has to be in the study"
                          doctest::Contains("there is no measure \"tim\"; did you mean \"time\"?"), UserError);
 }
 
-TEST_CASE("a replay whose machine is stuck, or cannot be built, has nothing to show") {
+TEST_CASE("a replay whose machine is stuck has nothing to show") {
     const std::string table = "[[table]]\nname = \"ring\"\ncolumns = [{name = \"all\", set = {n = 3}}]\n"
                               "rows = [{name = \"time\", figure = \"time\"}]\n";
     const EditedStudy stuck("measure = \"time\"\n" + table, "02-deadlock/ring.cfs");

@@ -41,12 +41,15 @@ TEST_CASE("Figure 3.3 is of the record: a voltage that is held between its steps
     const Plot plot = plot_of_record("record", data, 1);
     REQUIRE(plot.panels.size() == 4);
     const std::vector<Point>& volts = plot.panels[1].series.at(0).points;
+    REQUIRE(volts.size() > 2);
     for (std::size_t i = 1; i < volts.size(); ++i) // either time or voltage stands still
         CHECK((volts[i].x == volts[i - 1].x || volts[i].y == volts[i - 1].y));
     CHECK(plot.panels[2].series.size() == 2);
     for (const Panel& panel : plot.panels)
-        for (const Series& series : panel.series)
+        for (const Series& series : panel.series) {
+            REQUIRE_FALSE(series.points.empty());
             CHECK(series.points.back().x <= 1);
+        }
 }
 
 TEST_CASE("Figures 3.5 and 3.6 begin their angle at 0, and keep the last answer to the end") {
@@ -61,7 +64,7 @@ TEST_CASE("Figures 3.5 and 3.6 begin their angle at 0, and keep the last answer 
     CHECK(answers.points.back().x == 2);
     CHECK(answers.points.back().y == 1000 * identified.compliance_in3_per_psi);
     CHECK(plot.panels[3].marks.at(0).y == doctest::Approx(8.6));
-    CHECK(plot.panels[4].series[0].points.size() == generations.size());
+    REQUIRE(plot.panels[4].series[0].points.size() == generations.size());
     for (std::size_t i = 1; i < generations.size(); ++i) // those of one sample stand side by side
         CHECK(plot.panels[4].series[0].points[i].x > plot.panels[4].series[0].points[i - 1].x);
 }
@@ -84,7 +87,7 @@ TEST_CASE("Figure 3.11 counts generations, five a sample, and marks both true co
     CHECK(states.panels.at(1).series.size() == 8); // and four flows, each simulated and identified
 }
 
-TEST_CASE("block diagrams have a box around each of their blocks, and every wire ends in an arrow") {
+TEST_CASE("block diagrams have wires, and at least one text inside of each block") {
     for (const std::string& svg : {draw_figure_3_4(), draw_figure_3_7()}) {
         CHECK(svg.starts_with("<svg "));
         CHECK(count_of_text(svg, "<rect ") >= 4);
