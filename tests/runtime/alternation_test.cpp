@@ -109,9 +109,11 @@ TEST_CASE("SKIP is taken only when nothing before it is ready; a polling process
     int polls = 0;
     auto chosen = run_with_outputs({Time{0}, Time{0}}, [&](auto c, std::string& log) {
         int received = 0;
-        for (; received < 2; ++polls)
+        while (received < 2) {
             alt(on(c[1]->in(), [&](int x) { log += fmt::format("{}", x), ++received; }),
                 on(c[0]->in(), [&](int x) { log += fmt::format("{}", x), ++received; }), skip([] {}));
+            ++polls;
+        }
     });
     CHECK(chosen == "10");
     CHECK(polls >= 2);
