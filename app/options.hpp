@@ -14,7 +14,7 @@ namespace placedpar {
 // What commands say of their options, and what can be read of it. CLI11, the library behind it, takes seconds to
 // compile: only options.cpp and command_line.cpp include it.
 
-/// An option of a command, or an argument. Refers to it: a copy is the same option.
+/// Stands for an option of a command, or for an argument. A copy is the same option.
 class Option {
 public:
     explicit Option(CLI::Option& option) : option_(&option) {}
@@ -41,7 +41,7 @@ struct DeclaredOption {
     bool takes_value;
 };
 
-/// A command, or the program.
+/// Describes a command, or the program itself.
 struct DeclaredCommand {
     std::string name, about, footer;
     std::vector<DeclaredOption> options;
@@ -49,15 +49,15 @@ struct DeclaredCommand {
 
     std::vector<std::string> names_of_commands() const;
     std::vector<std::string> names_of_options() const;
-    // Null where there is none.
+    // These return null where there is none.
     const DeclaredCommand* command(const std::string& called) const;
     const DeclaredOption* option(const std::string& typed) const;
 };
 
-/// What has been declared so far.
+/// Describes what has been declared so far.
 DeclaredCommand declared(const CLI::App&);
 
-/// The options of a command, in the order of help. Refers to the command, as an Option does.
+/// Declares the options of a command, in the order in which help shows them. A copy declares for the same command.
 class Options {
 public:
     explicit Options(CLI::App& command) : command_(&command) {}
@@ -72,9 +72,9 @@ public:
     Option add_flag(const std::string& name, bool& value, const std::string& about);
     void add_footer(const std::string& text); ///< in help, below the options
 
-    /// Whether it was typed. REQUIRES: the command line has been read.
+    /// Says whether the option was typed. REQUIRES: the command line has been read.
     bool is_given(const std::string& name) const;
-    /// What has the command. REQUIRES: all commands have been declared.
+    /// Describes the program that has the command. REQUIRES: all commands have been declared.
     DeclaredCommand program() const;
 
 private:

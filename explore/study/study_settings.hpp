@@ -7,8 +7,8 @@
 
 namespace placedpar {
 
-/// Which settings a study has runs with. Thousands of products with one combination, as the cells of tables are, are
-/// looked up by what their values mean; only the others are asked one by one.
+/// Knows with which settings a study has runs. Thousands of products with one combination, as the cells of tables are,
+/// are looked up by what their values mean; only the others are asked one by one.
 class StudySettings {
 public:
     StudySettings() = default;

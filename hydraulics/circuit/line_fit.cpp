@@ -9,7 +9,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-// Of fixed size: sums of a dynamic one could depend on where the memory is aligned.
+// The matrices have a fixed size: sums over a dynamic one could depend on where its memory is aligned.
 using Points = Eigen::Matrix<double, line_fit_points, 1>;
 
 } // namespace

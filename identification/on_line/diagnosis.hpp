@@ -36,7 +36,7 @@ struct OpenSample {
     friend bool operator==(const OpenSample&, const OpenSample&) = default;
 };
 
-/// All that a restart of a Diagnosis needs.
+/// Holds all that a restart of a Diagnosis needs.
 struct DiagnosisState {
     std::string name; ///< the excavator's
     ExcavatorParameters parameters;

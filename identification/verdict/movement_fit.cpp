@@ -38,14 +38,15 @@ constexpr double prior_units = 10;
 
 Eigen::Index row_of(std::size_t junction) { return ways * static_cast<Eigen::Index>(junction); }
 
-/// Where the spool of the boom's valve stands by the inlet that it opens: A.5 and A.6 the other way round.
+/// Returns where the spool of the boom's valve stands, from the area of the inlet that it opens: the inverse of A.5 and
+/// A.6.
 double spool_in_of(double inlet_in2) {
     constexpr double steep_in2 = 1.247 * (boom_bypass_shut_in - boom_dead_band_in);
     return inlet_in2 <= steep_in2 ? boom_dead_band_in + inlet_in2 / 1.247
                                   : boom_bypass_shut_in + (inlet_in2 - steep_in2) / 3.927;
 }
 
-/// The areas of a spool that stands elsewhere by `moved_in`. Of links whose orifices are not the boom's, too: by as
+/// Returns the areas after the spool has moved by `moved_in`. The areas of other links are assumed to change by as
 /// much as the boom's would change.
 LinkSample with_spool_moved(LinkSample link, double moved_in) {
     double spool = spool_in_of(link.inlet_in2);
@@ -136,7 +137,7 @@ ReadingNoise reading_noise(const MovementSamples& movement, std::size_t junction
             of([](const LinkSample& link) { return spool_in_of(link.inlet_in2); }, white_gain)};
 }
 
-/// Of every moving sample a column: what changes the flows that are missed at all junctions.
+/// Has a column for every moving sample: by how much it changes the flows that are missed at all junctions.
 template <class Change>
 MatrixXd by_sample(const MovementSamples& movement, std::size_t junctions, const Change& change) {
     MatrixXd columns(static_cast<Eigen::Index>(junctions), static_cast<Eigen::Index>(movement.moving.size()));

@@ -11,7 +11,7 @@
 
 namespace placedpar::monitor {
 
-/// What every such table says, whatever its rows are.
+/// These functions write what every such table has, whatever its rows are.
 class HistoryText {
 protected:
     /// The statement of the table with this name, in place of its {}.

@@ -48,7 +48,7 @@ columns = [{name = "10 packets", set = {count = 10}}, {name = "20 packets", set 
 rows = [{name = "time", figure = "time", unit = "ms", decimals = 4, known = [1, nan], tolerance = "1 %"}]
 )";
 
-/// Of a replay of that study, from its beginning on.
+/// Checks that a replay of this study is refused with the message, which begins with the file's name.
 void check_refused(const std::string& text, const std::string& why) {
     const EditedStudy study(text);
     test::ReplayInMemory replay(0, study.folder());

@@ -2,6 +2,7 @@
 
 #include "explore/study/study_report.hpp"
 
+#include "tests/explore/study/cell_of.hpp"
 #include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
@@ -13,21 +14,13 @@ using namespace placedpar;
 
 namespace {
 
-StudyCell cell_with(const std::vector<double>& values) {
-    StudyCell cell;
-    for (double each : values)
-        cell.add(each);
-    cell.close();
-    return cell;
-}
-
 /// Two seeds with one slave, of which both completed, and one with two slaves, which did not.
 StudySummary of_two_lines() {
     StudySummary summary{.netlist = "farm.cfs", .version = "1", .axes = {"slaves"}, .fixed = {{"samples", "12"}}};
     summary.measures = {"time"};
     summary.units = {"ms"};
     summary.lines = {
-        {.values = {"1"}, .runs = 2, .ended = {}, .cells = {cell_with({4, 6})}},
+        {.values = {"1"}, .runs = 2, .ended = {}, .cells = {test::cell_of({4, 6})}},
         {.values = {"2"}, .runs = 1, .ended = {{"refused", 1}}, .refused = "too few", .cells = {StudyCell()}}};
     return summary;
 }
@@ -48,7 +41,7 @@ TEST_CASE("a table of a study has a line a combination, with the interval where 
 
 TEST_CASE("for programs a figure that no run has is empty, and so is an interval of a single run") {
     StudySummary summary = of_two_lines();
-    summary.lines.push_back({.values = {"3"}, .runs = 1, .ended = {}, .cells = {cell_with({7.5})}});
+    summary.lines.push_back({.values = {"3"}, .runs = 1, .ended = {}, .cells = {test::cell_of({7.5})}});
     const std::string csv = summary_csv(summary);
     CHECK(csv.starts_with("slaves,runs,ended,time [ms] mean,time [ms] half_width_95,time [ms] least,time [ms] "
                           "greatest\n1,2,,5,12.70620"));
@@ -74,7 +67,7 @@ TEST_CASE("a plot is over the axis of most numbers, with a curve for each of the
     StudySummary summary{.netlist = "farm.cfs", .version = "1", .axes = {"kind", "n"}, .measures = {"time"}};
     summary.units = {""};
     auto add = [&](const std::string& kind, const std::string& n) {
-        summary.lines.push_back({.values = {kind, n}, .runs = 1, .ended = {}, .cells = {cell_with({1})}});
+        summary.lines.push_back({.values = {kind, n}, .runs = 1, .ended = {}, .cells = {test::cell_of({1})}});
     };
     for (char kind = 'a'; kind < 'i'; ++kind)
         add(std::string(1, kind), "1");

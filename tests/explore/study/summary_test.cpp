@@ -3,6 +3,7 @@
 #include "explore/study/summary.hpp"
 
 #include "explore/study/summary_cells.hpp"
+#include "tests/explore/study/cell_of.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,14 +14,6 @@
 using namespace placedpar;
 
 namespace {
-
-StudyCell cell_of(const std::vector<double>& values) {
-    StudyCell cell;
-    for (double each : values)
-        cell.add(each);
-    cell.close();
-    return cell;
-}
 
 /// Results in memory of a function: rate = slaves + seed / 10, a deadlock with 9 slaves.
 StudyResults& add_runs(StudyResults& results, const std::vector<std::string>& slaves, std::uint64_t seeds) {
@@ -45,18 +38,18 @@ const StudyLine& line_with(const StudySummary& summary, const std::string& slave
 } // namespace
 
 TEST_CASE("a cell has the mean, the ends, and Student's interval") {
-    const StudyCell cell = cell_of({1, 2, 3, 4, 5});
+    const StudyCell cell = test::cell_of({1, 2, 3, 4, 5});
     CHECK(cell.mean == doctest::Approx(3));
     CHECK(cell.least == 1);
     CHECK(cell.greatest == 5);
     CHECK(cell.half_width == doctest::Approx(2.776445 * std::sqrt(2.5 / 5)).epsilon(1e-6)); // t of 4, 97.5 %
-    CHECK(cell_of({7}).half_width == 0);
-    CHECK(shown_interval(cell_of({7})).empty());
+    CHECK(test::cell_of({7}).half_width == 0);
+    CHECK(shown_interval(test::cell_of({7})).empty());
     CHECK(shown_mean(StudyCell{}) == "-");
 }
 
 TEST_CASE("a mean of far numbers that lie close together keeps its digits") {
-    const StudyCell cell = cell_of({1e9 + 1, 1e9 + 2, 1e9 + 3});
+    const StudyCell cell = test::cell_of({1e9 + 1, 1e9 + 2, 1e9 + 3});
     CHECK(cell.mean == doctest::Approx(1e9 + 2).epsilon(1e-15));
     CHECK(cell.half_width == doctest::Approx(4.302653 / std::sqrt(3)).epsilon(1e-6));
 }
