@@ -53,6 +53,10 @@ TEST_CASE("a search has converged from the first of ten generations on in which 
     CHECK(outcome_off_by(near_within(50, 601)).converged_at == 50);
     CHECK(outcome_off_by(near_within(20, 30)).converged_at == 20);
     CHECK(outcome_off_by(near_within(20, 29)).converged_at == 200); // nine are too few
+    const auto interrupted = [](int generation) {
+        return generation >= 20 && generation < 40 && generation != 29 ? 0.05 : 0.5;
+    };
+    CHECK(outcome_off_by(interrupted).converged_at == 30);
     CHECK(outcome_off_by(near_within(190, 601)).converged_at == 190);
     CHECK(outcome_off_by(near_within(191, 601)).converged_at == 200); // the plant has begun to change
 }
