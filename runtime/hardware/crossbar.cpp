@@ -94,9 +94,10 @@ void Crossbar::make_all_ready() {
 }
 
 void Crossbar::change(int output, const Choice& choice) {
+    std::deque<Link::WayChange> changes;
     for (Way& way : ways_)
         if (way.at_a == output || way.at_b == output)
-            way.link.way_changes();
+            changes.emplace_back(way.link);
     Choice before = std::exchange(choices_[static_cast<std::size_t>(output)], choice);
     if (kernel_.trace())
         trace_change(output, before);

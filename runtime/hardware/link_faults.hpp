@@ -43,7 +43,7 @@ struct FaultEffect {
 };
 
 /// Something on the way of a link that does not always lead its packets on, such as a switch that is set during the
-/// run. It says by Link::way_changes() that it is about to lead on what it has not, or no more what it has.
+/// run. It says by a Link::WayChange when it begins or ceases to lead them on.
 class Passage {
 public:
     /// Whether it leads what leaves a, or what leaves b, to the other end now.

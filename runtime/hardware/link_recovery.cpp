@@ -9,128 +9,156 @@
 
 namespace placedpar::hardware {
 
-/// REQUIRES: the link has faults, and the packet begins now.
-bool LinkDirection::is_lost(bool acknowledge) {
+using Phase = LinkState::Phase;
+using Ends = LinkState::Ends;
+
+/// REQUIRES: the link has faults. A byte of a message that was given up at the other end gets no further whatever they
+/// do.
+bool LinkDirection::is_lost(LinkStep step) {
     using Message = FaultEffect::Hit::Message;
+    const bool acknowledge = step == LinkStep::acknowledge_begins;
+    if (!acknowledge && state().directions[number_].ends != Ends::agree)
+        return false;
     const AnyChannel::Cargo& cargo = channel_->cargo();
     FaultEffect::Hit hit{kernel_.now(), cargo.channel ? cargo.channel->name() : channel_->name(), acknowledge,
-                         bytes_before_part_ + part_bytes() - part_.bytes_left};
+                         bytes_before_part_ + bytes_started() + std::uint64_t{!acknowledge}};
     if (cargo.channel)
         hit.message = cargo.acknowledges ? Message::acknowledging_packet : Message::packet;
     return faults_->take(hit, acknowledge != (number_ == 0));
 }
 
-void LinkDirection::stall() {
-    stalled_ = true;
-    if (kernel_.trace() && trace_carries_)
-        trace_break(part_.last_start);
+/// The message under way does: something of it is lost, or its receiver has left and the next byte has not been sent.
+bool LinkDirection::gets_no_further() const {
+    const Phase now = phase();
+    return now == Phase::byte_lost || now == Phase::acknowledge_lost || now == Phase::broken_off ||
+           (ends() == Ends::receiver_left && now != Phase::travels);
+}
+
+bool LinkDirection::input_is_lost(const AnyChannel& channel) const {
+    return input_must_be_reset(channel) || (gets_no_further() && bytes_taken() > 0);
+}
+
+bool LinkDirection::output_must_be_reset(const AnyChannel&) const {
+    return sender_ && state().directions[number_].ends == Ends::receiver_left;
+}
+
+bool LinkDirection::input_must_be_reset(const AnyChannel&) const {
+    return state().directions[number_].ends == Ends::sender_left;
 }
 
 /// By the receiving end, of the message under way. A byte for which no process has asked counts when it waits there
-/// whole. REQUIRES, here and below: the closed form is not ahead.
+/// whole.
 std::uint64_t LinkDirection::bytes_taken() const {
-    if (left_over_)
+    const LinkState::Direction& direction = state().directions[number_];
+    const LinkPackets::Stream& stream = state().packets.streams[number_];
+    if (direction.ends == Ends::sender_left)
         return bytes_left_over_;
-    if (!channel_ || !channel_->output_waits() || receiver_left_)
+    if (!channel_ || !channel_->output_waits() || direction.ends == Ends::receiver_left)
         return 0;
-    if (first_byte_waits_)
+    if (first_byte_waits())
         return bytes_before_part_ + 1;
-    if ((acknowledge_owed_ && !reader_) || waits_for_receiver())
-        return bytes_before_part_;
-    bool on_its_way = unacknowledged_ && (!byte_comes_over_ || is_unnoticed());
-    std::uint32_t started = part_bytes() - part_.bytes_left;
-    return bytes_before_part_ + started - (started > 0 && on_its_way);
+    const bool on_its_way = direction.phase == Phase::byte_lost || direction.phase == Phase::unnoticed ||
+                            (direction.phase == Phase::owed && !reader_) ||
+                            (stream.acknowledge && stream.flows() && kernel_.now() < stream.due);
+    return bytes_before_part_ + bytes_started() - std::uint64_t{on_its_way};
 }
 
 std::uint64_t LinkDirection::bytes_acknowledged() const {
-    std::uint32_t started = part_bytes() - part_.bytes_left;
-    return bytes_before_part_ + started - (started > 0 && unacknowledged_);
+    if (phase() == Phase::broken_off)
+        return acknowledged_when_left_;
+    return bytes_before_part_ + bytes_started() - std::uint64_t{state().is_unacknowledged(number_)};
 }
 
-/// An engine whose receiver has been given his message may still wait for the arrival of the last byte.
-void LinkDirection::withdraw_acknowledge() {
-    if (back_.acknowledge_waits(*this))
-        back_.withdraw_acknowledge(has_asked_early());
-    if (reader_ || !last_byte_is_on_its_way())
-        taken_ = false;
-}
-
-/// And nothing of the part under way is acknowledged any more. The last byte of the part before may still be on a long
-/// wire, and its receiver waits for it.
-void LinkDirection::drop_bytes_on_their_way() {
-    drop(LinkStep::first_byte_arrives);
-    if (part_bytes() > 0 && part_.bytes_left == 0 && byte_comes_over_)
-        drop(arrival_of_last());
-    withdraw_acknowledge();
-    acknowledge_owed_ = readable_ = false;
+/// Nothing of the part under way is acknowledged any more, and the arrivals of its bytes are no news. The last byte of
+/// the part before may still be on a long wire, and its receiver waits for it.
+void LinkDirection::break_off(LinkCourse::Touch& touch) {
+    touch->drop_first_byte(number_);
+    const bool last_byte_has_begun = bytes_started() > 0 && touch->packets.streams[number_].bytes_left == 0;
+    if (last_byte_has_begun && touch->directions[number_].phase != Phase::byte_lost)
+        touch->drop_last_byte(number_);
 }
 
 /// The sender stops in the middle of its message, if it is in one.
-void LinkDirection::drop_output() {
+void LinkDirection::drop_output(LinkCourse::Touch& touch) {
+    LinkState::Direction& direction = touch->directions[number_];
     if (channel_->output_waits()) {
         bytes_left_over_ = bytes_taken();
-        left_over_ = bytes_left_over_ > 0;
-        drop_bytes_on_their_way();
-    } else {
-        withdraw_acknowledge();
+        if (bytes_left_over_ > 0)
+            direction.ends = Ends::sender_left;
+        else if (direction.ends == Ends::sender_left)
+            direction.ends = Ends::agree;
+        break_off(touch);
     }
-    drop(LinkStep::sending_ends);
-    out_.withdraw_byte(has_asked_early());
-    await_no_more();
-    writable_ = true;
-    stall();
+    touch->drop_end_of_sending(number_);
+    direction.at = touch->may_start(number_);
+    touch->withdraw_packet(number_);
+    direction.phase = Phase::idle;
+    trace_standstill();
 }
 
 bool LinkDirection::give_up_output(AnyChannel& channel) {
     if (!sender_ && !channel.output_waits())
         return false;
-    closed_form_.leave();
-    output_given_up_ = true;
-    sent_when_given_up_ = bytes_acknowledged();
-    drop_output();
-    if (sender_) {
-        leave_memories();
-        Process& sender = *std::exchange(sender_, nullptr);
-        if (!writer_)
-            kernel_.make_ready(sender);
+    Process* sender = nullptr;
+    {
+        LinkCourse::Touch touch(course_);
+        output_given_up_ = true;
+        sent_when_given_up_ = bytes_acknowledged();
+        drop_output(touch);
+        if (sender_)
+            end_part(*touch);
+        sender = std::exchange(sender_, nullptr);
     }
-    agenda_.settle();
     if (writer_)
         writer_->register_ready(); // it may sleep until then
+    else if (sender)
+        kernel_.make_ready(*sender);
     return true;
 }
 
 /// The receiving end is in no message any more. If the sender is in one, it gets no further.
-void LinkDirection::receiver_leaves() {
-    bool in_message = bytes_taken() > 0;
-    if (in_message && !left_over_) {
-        drop_bytes_on_their_way();
-        out_.withdraw_byte(has_asked_early());
-        await_no_more();
-        receiver_left_ = true;
-        stall();
+void LinkDirection::receiver_leaves(LinkCourse::Touch& touch) {
+    LinkState::Direction& direction = touch->directions[number_];
+    const bool in_message = bytes_taken() > 0;
+    if (in_message && direction.ends == Ends::agree) {
+        acknowledged_when_left_ = bytes_acknowledged();
+        break_off(touch);
+        direction.ends = Ends::receiver_left;
+        const bool is_between_parts = direction.phase == Phase::idle || touch->expects_end_of_sending(number_);
+        if (!is_between_parts && direction.phase != Phase::byte_lost && direction.phase != Phase::acknowledge_lost) {
+            direction.at = touch->may_start(number_);
+            touch->withdraw_packet(number_);
+            direction.phase = Phase::broken_off;
+        }
+        trace_standstill();
     }
-    if (in_message) { // the end of a part of it may still be on the wire
-        for (LinkStep step : arrivals_of_last)
-            drop(step);
-        taken_ = false;
-    }
-    first_byte_waits_ = false;
+    if (in_message) // the end of a part of it may still be on the wire
+        touch->drop_last_bytes(number_);
+    direction.first_byte = LinkState::FirstByte::asked_for;
 }
 
 bool LinkDirection::give_up_input(AnyChannel& channel) {
     if (!channel.input_waits())
         return false;
-    closed_form_.leave();
-    input_given_up_ = true;
-    take_back_early_acknowledge();
-    taken_when_given_up_ = bytes_taken();
-    bool first_byte_unnoticed = byte_comes_over_ && is_unnoticed() && part_.bytes_left + 1 == part_bytes();
-    if (first_byte_unnoticed && arrives_noticed() && !has(LinkStep::first_byte_arrives))
-        enter(LinkStep::first_byte_arrives, arrival(part_.last_start));
-    receiver_leaves();
-    Process* receiver = std::exchange(receiver_, nullptr);
-    agenda_.settle();
+    Process* receiver = nullptr;
+    {
+        LinkCourse::Touch touch(course_);
+        LinkState::Direction& direction = touch->directions[number_];
+        LinkPackets::Stream& stream = touch->packets.streams[number_];
+        input_given_up_ = true;
+        direction.receiver = LinkState::Receiver::absent;
+        const bool unnoticed =
+            direction.phase == Phase::travels && stream.acknowledge && kernel_.now() < stream.due;
+        if (unnoticed) {
+            direction.phase = Phase::unnoticed;
+            direction.at = std::exchange(stream.due, never);
+            if (bytes_started() == 1 && times_.overlaps())
+                touch->expect_first_byte(number_, times_);
+        }
+        taken_when_given_up_ = bytes_taken();
+        receiver_leaves(touch);
+        receiver = std::exchange(receiver_, nullptr);
+    }
     if (receiver)
         kernel_.make_ready(*receiver);
     if (reader_)
@@ -141,11 +169,11 @@ bool LinkDirection::give_up_input(AnyChannel& channel) {
 std::uint64_t LinkDirection::reset_output(AnyChannel&) { return std::exchange(sent_when_given_up_, 0); }
 
 std::uint64_t LinkDirection::reset_input(AnyChannel&) {
-    closed_form_.leave();
+    LinkCourse::Touch touch(course_);
     std::uint64_t taken = std::max(std::exchange(taken_when_given_up_, 0), bytes_taken());
-    receiver_leaves();
-    agenda_.settle();
-    left_over_ = false;
+    receiver_leaves(touch);
+    if (LinkState::Direction& direction = touch->directions[number_]; direction.ends == Ends::sender_left)
+        direction.ends = Ends::agree;
     return taken;
 }
 

@@ -1,0 +1,168 @@
+#include "runtime/hardware/link_course.hpp"
+
+#include "runtime/kernel.hpp"
+
+#include <algorithm>
+
+namespace placedpar::hardware {
+
+namespace {
+
+constexpr Time end_of_time = Time::max() - std::chrono::hours{1}; // later moments are rounded to it
+
+bool begins_packet(LinkStep step) { return step == LinkStep::byte_begins || step == LinkStep::acknowledge_begins; }
+
+} // namespace
+
+LinkCourse::LinkCourse(Kernel& kernel, const PacketTimes& times, LinkObserver& observer)
+    : kernel_(kernel), times_(times), observer_(observer), first_rank_(kernel.new_ranks(LinkState::ranks)) {}
+
+void LinkCourse::Touch::begin_if_free(std::size_t direction) {
+    LinkState::Next next = course_.state_.next_packet(direction);
+    if (next.at <= course_.kernel_.now())
+        course_.take(next);
+}
+
+/// With those who are to know.
+Process* LinkCourse::take(const LinkState::Next& next) {
+    LinkState::Fate fate =
+        state_.may_lose_packets && begins_packet(next.step) ? observer_.packet_begins(next) : LinkState::Fate::comes_over;
+    LinkState::Outcome outcome = state_.take(next, times_, fate);
+    return observer_.taken(state_, next, outcome);
+}
+
+void LinkCourse::happen() noexcept {
+    if (next_is_ == Ahead::after_others)
+        state_ = ahead_;
+    period_.forget();
+    quiet_until_ = later(kernel_.now(), Time{1});
+    Process* woken = take(next_);
+    look_ahead();
+    if (woken)
+        kernel_.make_ready(*woken);
+}
+
+/// Takes the steps up to now that nobody sees.
+void LinkCourse::catch_up() {
+    const Time now = kernel_.now();
+    if (now < quiet_until_)
+        return;
+    if (period_.since <= now) {
+        take_unseen_steps(runs_from_);
+        LinkPackets packets = state_.packets.now < period_.since ? period_.first : state_.packets;
+        period_.pass_periods(packets, later(std::min(now, runs_until_), Time{1}));
+        state_.go_on_to(packets, times_);
+    }
+    take_unseen_steps(now);
+}
+
+void LinkCourse::take_unseen_steps(Time until) {
+    LinkState::Next next = state_.next();
+    for (; next.at <= until && !is_visible(state_, next); next = state_.next())
+        state_.take(next, times_);
+    quiet_until_ = next.at;
+}
+
+void LinkCourse::catch_up_and_stay() {
+    catch_up();
+    state_.packets.now = kernel_.now();
+    period_.forget();
+    quiet_until_ = later(kernel_.now(), Time{1});
+}
+
+void LinkCourse::look_ahead() {
+    if (state_.may_lose_packets)
+        steady_until_ = observer_.steady_until();
+    for (std::size_t direction : {0u, 1u})
+        period_.part_bytes[direction] = state_.directions[direction].part_bytes;
+    const LinkState::Next next = state_.next();
+    quiet_until_ = next.at;
+    if (next.at == never || is_visible(state_, next)) {
+        next_is_ = next.at == never ? Ahead::nowhere : Ahead::at_once;
+        schedule(next);
+    } else {
+        run_ahead(next);
+    }
+}
+
+/// From the state, whose next step nobody sees, to one that is seen. If none is, the link falls silent with the last.
+void LinkCourse::run_ahead(LinkState::Next next) {
+    ahead_ = state_;
+    next_is_ = Ahead::after_others;
+    LinkState::Next last;
+    for (; next.at != never && !is_visible(ahead_, next); next = ahead_.next()) {
+        last = next;
+        ahead_.take(next, times_);
+        if (period_.since == never && may_run()) {
+            runs_from_ = ahead_.packets.now;
+            run(ahead_);
+            last.at = runs_until_ = ahead_.packets.now;
+        }
+    }
+    if (next.at == never)
+        next = {LinkStep::falls_silent, last.direction, last.order, last.at};
+    schedule(next);
+}
+
+bool LinkCourse::may_run() const {
+    if (!kernel_.trace())
+        return true;
+    auto is_told = [this](std::size_t direction) {
+        const LinkPackets::Stream& stream = ahead_.packets.streams[direction];
+        return trace_carries_[direction] || stream.bytes_left == 0 || !stream.flows();
+    };
+    return is_told(0) && is_told(1);
+}
+
+/// Lets the packets begin that call for nothing but their times.
+void LinkCourse::run(LinkState& state) {
+    Time before = std::min({end_of_time, steady_until_, state.first_arrival()});
+    for (std::size_t direction : {0u, 1u})
+        before = std::min(before, state.runs_before(direction, times_));
+    LinkPackets packets = state.packets;
+    period_.find(packets, times_, {.before = before, .last_bytes_stop = kernel_.trace() != nullptr});
+    state.go_on_to(packets, times_);
+}
+
+void LinkCourse::schedule(const LinkState::Next& next) {
+    EventQueue& future = kernel_.future();
+    if (next.at == never)
+        return future.cancel(*this);
+    if (scheduled() && next.at == next_.at && next.order == next_.order) {
+        next_ = next;
+        return;
+    }
+    next_ = next;
+    future.reschedule(*this, next.at, next.priority(), first_rank_ + next.rank());
+}
+
+bool LinkCourse::is_visible(const LinkState& state, const LinkState::Next& next) const {
+    using Phase = LinkState::Phase;
+    if (shows_every_step_)
+        return true;
+    const LinkState::Direction& direction = state.directions[next.direction];
+    switch (next.step) {
+    case LinkStep::byte_begins: return next.at >= steady_until_ || trace_sees_byte(state, next.direction);
+    case LinkStep::acknowledge_begins:
+        return next.at >= steady_until_ ||
+               (state.packets.streams[next.direction].bytes_left == 0 && direction.phase != Phase::taken);
+    case LinkStep::byte_is_noticed:
+        return direction.receiver_is == LinkState::User::program ||
+               (kernel_.trace() && state.packets.streams[next.direction].bytes_left > 0);
+    case LinkStep::first_byte_arrives: return direction.receiver == LinkState::Receiver::absent;
+    case LinkStep::last_byte_arrives: return direction.receiver == LinkState::Receiver::waits;
+    case LinkStep::register_is_free:
+    case LinkStep::sending_ends: return true;
+    case LinkStep::falls_silent: return false;
+    }
+    return true;
+}
+
+bool LinkCourse::trace_sees_byte(const LinkState& state, std::size_t d) const {
+    const LinkState::Direction& direction = state.directions[d];
+    return kernel_.trace() && (!trace_carries_[d] || state.packets.streams[d].bytes_left == 1 ||
+                               direction.sender_is == LinkState::User::program ||
+                               direction.ends != LinkState::Ends::agree);
+}
+
+} // namespace placedpar::hardware

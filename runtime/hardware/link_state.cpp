@@ -1,0 +1,234 @@
+#include "runtime/hardware/link_state.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace placedpar::hardware {
+
+namespace {
+
+constexpr std::uint8_t order_of(EventQueue::Priority priority, std::size_t rank) {
+    return static_cast<std::uint8_t>(priority * LinkState::ranks + rank);
+}
+
+/// What stands in LinkState::arrivals.
+struct Arrival {
+    LinkStep step;
+    std::uint8_t direction, order;
+};
+constexpr std::array<Arrival, 8> kinds_of_arrivals{{
+    {LinkStep::first_byte_arrives, 0, order_of(EventQueue::arrival, 1)},
+    {LinkStep::last_byte_arrives, 0, order_of(EventQueue::arrival, 2)},
+    {LinkStep::last_byte_arrives, 0, order_of(EventQueue::arrival, 2)},
+    {LinkStep::sending_ends, 0, order_of(EventQueue::arrival, 3)},
+    {LinkStep::first_byte_arrives, 1, order_of(EventQueue::arrival, 5)},
+    {LinkStep::last_byte_arrives, 1, order_of(EventQueue::arrival, 6)},
+    {LinkStep::last_byte_arrives, 1, order_of(EventQueue::arrival, 6)},
+    {LinkStep::sending_ends, 1, order_of(EventQueue::arrival, 7)},
+}};
+
+/// Ranks of directions and wires within a priority.
+constexpr std::size_t rank_of_direction(std::size_t direction) { return 4 * direction + 1; }
+constexpr std::size_t rank_of_wire(std::size_t wire) { return 4 * wire; }
+
+/// Of two packets that wait for one wire the acknowledge goes first.
+bool comes_before(const LinkState::Next& a, const LinkState::Next& b) {
+    if (a.at != b.at)
+        return a.at < b.at;
+    return a.order != b.order ? a.order < b.order : a.step == LinkStep::acknowledge_begins;
+}
+
+} // namespace
+
+LinkState::Next LinkState::next_packet(std::size_t d) const {
+    const LinkPackets::Stream& stream = packets.streams[d];
+    const auto direction = static_cast<std::uint8_t>(d);
+    if (stream.flows()) {
+        const std::size_t wire = packets.wire_of(d);
+        const LinkStep step = stream.acknowledge ? LinkStep::acknowledge_begins : LinkStep::byte_begins;
+        if (stream.due < packets.free_at[wire])
+            return {step, direction, order_of(EventQueue::start, rank_of_wire(wire)), packets.free_at[wire]};
+        const EventQueue::Priority priority = stream.acknowledge ? EventQueue::request : EventQueue::start;
+        return {step, direction, order_of(priority, rank_of_direction(d)), stream.due};
+    }
+    const Time at = directions[d].at;
+    switch (directions[d].phase) {
+    case Phase::unnoticed:
+        return {LinkStep::byte_is_noticed, direction, order_of(EventQueue::request, rank_of_direction(d)), at};
+    case Phase::restarts:
+        return {LinkStep::register_is_free, direction, order_of(EventQueue::start, rank_of_direction(d)), at};
+    default: return {.direction = direction};
+    }
+}
+
+LinkState::Next LinkState::next() const {
+    Next forth = next_packet(0), back = next_packet(1);
+    Next next = comes_before(back, forth) ? back : forth;
+    const auto arrival = static_cast<std::size_t>(std::ranges::min_element(arrivals) - arrivals.begin());
+    if (arrivals[arrival] < next.at) {
+        const Arrival& kind = kinds_of_arrivals[arrival];
+        next = {kind.step, kind.direction, kind.order, arrivals[arrival]};
+    }
+    for (std::size_t wire : {0u, 1u})
+        if (silent_at[wire] < next.at)
+            next = {LinkStep::falls_silent, static_cast<std::uint8_t>(wire),
+                    order_of(EventQueue::start, rank_of_wire(wire)), silent_at[wire]};
+    return next;
+}
+
+LinkState::Outcome LinkState::take(const Next& next, const PacketTimes& times, Fate fate) {
+    const std::size_t d = next.direction;
+    Direction& direction = directions[d];
+    packets.now = std::max(packets.now, next.at);
+    switch (next.step) {
+    case LinkStep::byte_begins: return begin_byte(d, times, fate);
+    case LinkStep::acknowledge_begins: return begin_acknowledge(d, times, fate);
+    case LinkStep::byte_is_noticed: direction.phase = Phase::owed; break;
+    case LinkStep::register_is_free: direction.phase = Phase::idle; break;
+    case LinkStep::first_byte_arrives:
+        drop_first_byte(d);
+        if (direction.receiver == Receiver::absent)
+            direction.first_byte = FirstByte::waits;
+        break;
+    case LinkStep::last_byte_arrives: return last_byte_arrives(d);
+    case LinkStep::sending_ends: drop_end_of_sending(d); break;
+    case LinkStep::falls_silent: silent_at[d] = never; break;
+    }
+    return {};
+}
+
+/// A first byte whose receiver waits is noticed before it has arrived, if nothing can be lost: then its arrival makes
+/// no difference to anybody.
+LinkState::Outcome LinkState::begin_byte(std::size_t d, const PacketTimes& times, Fate fate) {
+    Direction& direction = directions[d];
+    LinkPackets::Stream& stream = packets.streams[d];
+    packets.begin(times, d);
+    if (fate == Fate::is_lost || direction.ends != Ends::agree) {
+        direction.phase = Phase::byte_lost;
+        stream.due = never;
+        return {.loses = true};
+    }
+    const bool is_first = stream.bytes_left + 1 == direction.part_bytes;
+    if (is_first && is_first_byte_foreseen(d, times))
+        drop_first_byte(d); // of the part before
+    else if (is_first)
+        expect_first_byte(d, times);
+    if (direction.receiver_is == User::program || (is_first && !is_sure_of_receiver(d))) {
+        direction.phase = Phase::unnoticed;
+        direction.at = std::exchange(stream.due, never);
+    }
+    if (stream.bytes_left == 0)
+        expect_last_byte(d, times);
+    return {};
+}
+
+LinkState::Outcome LinkState::begin_acknowledge(std::size_t d, const PacketTimes& times, Fate fate) {
+    Direction& direction = directions[d];
+    LinkPackets::Stream& stream = packets.streams[d];
+    const bool is_last = stream.bytes_left == 0;
+    const bool delivers = is_last && direction.phase != Phase::taken;
+    packets.begin(times, d);
+    if (fate == Fate::is_lost) {
+        direction.phase = Phase::acknowledge_lost;
+        stream.due = never;
+        return {.delivers = delivers, .loses = true};
+    }
+    if (is_last)
+        arrivals[end_of_sending(d)] = later(packets.now, times.wire_delay + times.acknowledge().carried);
+    direction.phase = Phase::travels;
+    if (is_last || direction.sender_is == User::program) {
+        direction.phase = direction.sender_is == User::program ? Phase::restarts : Phase::idle;
+        direction.at = std::exchange(stream.due, never);
+    }
+    return {.delivers = delivers};
+}
+
+/// The part was delivered before, if its acknowledge has begun: certainly if the next part is under way.
+LinkState::Outcome LinkState::last_byte_arrives(std::size_t d) {
+    Direction& direction = directions[d];
+    const LinkPackets::Stream& stream = packets.streams[d];
+    arrivals[last(d)] = std::exchange(arrivals[last(d) + 1], never);
+    if (direction.receiver == Receiver::absent)
+        return {};
+    direction.receiver = Receiver::absent;
+    const bool waits_for_acknowledge =
+        direction.phase == Phase::travels && stream.acknowledge && stream.bytes_left == 0 && !expects_last_byte(d);
+    if (waits_for_acknowledge)
+        direction.phase = Phase::taken;
+    return {.delivers = waits_for_acknowledge, .wakes = true};
+}
+
+void LinkState::go_on_to(const LinkPackets& later, const PacketTimes& times) {
+    const LinkPackets before = std::exchange(packets, later);
+    for (std::size_t d : {0u, 1u})
+        if (before.streams[d].bytes_left > 0 && packets.streams[d].bytes_left == 0)
+            expect_last_byte(d, times);
+}
+
+void LinkState::ask_for_byte(std::size_t d, Time due) {
+    LinkPackets::Stream& stream = packets.streams[d];
+    directions[d].phase = Phase::travels;
+    stream.acknowledge = false;
+    stream.due = due;
+}
+
+void LinkState::ask_for_acknowledge(std::size_t d, Phase phase, Time due) {
+    LinkPackets::Stream& stream = packets.streams[d];
+    directions[d].phase = phase;
+    stream.acknowledge = true;
+    stream.due = due;
+}
+
+Time LinkState::may_start(std::size_t d) const {
+    const Phase phase = directions[d].phase;
+    if (phase == Phase::idle || phase == Phase::restarts || phase == Phase::broken_off)
+        return directions[d].at;
+    const LinkPackets::Stream& stream = packets.streams[d];
+    return phase == Phase::travels && !stream.acknowledge ? stream.due : stream.last_start;
+}
+
+/// One that was due leaves the moment at which its wire is free: the link is busy until then.
+void LinkState::withdraw_packet(std::size_t d) {
+    LinkPackets::Stream& stream = packets.streams[d];
+    const std::size_t wire = packets.wire_of(d);
+    if (stream.due <= packets.now && packets.free_at[wire] > packets.now)
+        silent_at[wire] = packets.free_at[wire];
+    stream.due = never;
+}
+
+void LinkState::expect_last_byte(std::size_t d, const PacketTimes& times) {
+    arrivals[last(d) + std::size_t{expects_last_byte(d)}] = arrival(packets.streams[d].last_start, times);
+}
+
+void LinkState::drop_last_byte(std::size_t d) {
+    Time& younger = arrivals[last(d) + 1];
+    (younger != never ? younger : arrivals[last(d)]) = never;
+}
+
+bool LinkState::is_unacknowledged(std::size_t d) const {
+    switch (directions[d].phase) {
+    case Phase::taken:
+    case Phase::unnoticed:
+    case Phase::owed:
+    case Phase::byte_lost:
+    case Phase::acknowledge_lost: return true;
+    case Phase::travels: return packets.streams[d].acknowledge;
+    default: return false;
+    }
+}
+
+Time LinkState::runs_before(std::size_t d, const PacketTimes& times) const {
+    const Direction& direction = directions[d];
+    const LinkPackets::Stream& stream = packets.streams[d];
+    if (!stream.flows())
+        return direction.phase == Phase::unnoticed || direction.phase == Phase::restarts ? direction.at : never;
+    if (direction.sender_is == User::program || direction.receiver_is == User::program ||
+        direction.ends != Ends::agree)
+        return stream.due;
+    const bool first_byte_is_next = !stream.acknowledge && stream.bytes_left == direction.part_bytes;
+    return first_byte_is_next && !is_first_byte_foreseen(d, times) ? stream.due : never;
+}
+
+Time LinkState::first_arrival() const { return std::ranges::min(arrivals); }
+
+} // namespace placedpar::hardware
