@@ -3,6 +3,7 @@
 #include "runtime/kernel.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace placedpar::hardware {
 
@@ -18,7 +19,7 @@ LinkCourse::LinkCourse(Kernel& kernel, const PacketTimes& times, LinkObserver& o
     : kernel_(kernel), times_(times), observer_(observer), first_rank_(kernel.new_ranks(LinkState::ranks)) {}
 
 void LinkCourse::Touch::begin_if_free(std::size_t direction) {
-    LinkState::Next next = course_.state_.next_packet(direction);
+    LinkState::Next next = course_.state_->next_packet(direction);
     if (next.at <= course_.kernel_.now())
         course_.take(next);
 }
@@ -26,14 +27,14 @@ void LinkCourse::Touch::begin_if_free(std::size_t direction) {
 /// With those who are to know.
 Process* LinkCourse::take(const LinkState::Next& next) {
     LinkState::Fate fate =
-        state_.may_lose_packets && begins_packet(next.step) ? observer_.packet_begins(next) : LinkState::Fate::comes_over;
-    LinkState::Outcome outcome = state_.take(next, times_, fate);
-    return observer_.taken(state_, next, outcome);
+        state_->may_lose_packets && begins_packet(next.step) ? observer_.packet_begins(next) : LinkState::Fate::comes_over;
+    LinkState::Outcome outcome = state_->take(next, times_, fate);
+    return observer_.taken(*state_, next, outcome);
 }
 
 void LinkCourse::happen() noexcept {
     if (next_is_ == Ahead::after_others)
-        state_ = ahead_;
+        std::swap(state_, ahead_);
     period_.forget();
     quiet_until_ = later(kernel_.now(), Time{1});
     Process* woken = take(next_);
@@ -49,35 +50,37 @@ void LinkCourse::catch_up() {
         return;
     if (period_.since <= now) {
         take_unseen_steps(runs_from_);
-        LinkPackets packets = state_.packets.now < period_.since ? period_.first : state_.packets;
-        period_.pass_periods(packets, later(std::min(now, runs_until_), Time{1}));
-        state_.go_on_to(packets, times_);
+        const std::array<std::uint32_t, 2> before = state_->bytes_left();
+        if (state_->packets.now < period_.since)
+            state_->packets = period_.first;
+        period_.pass_periods(state_->packets, later(std::min(now, runs_until_), Time{1}));
+        state_->note_last_bytes(before, times_);
     }
     take_unseen_steps(now);
 }
 
 void LinkCourse::take_unseen_steps(Time until) {
-    LinkState::Next next = state_.next();
-    for (; next.at <= until && !is_visible(state_, next); next = state_.next())
-        state_.take(next, times_);
+    LinkState::Next next = state_->next();
+    for (; next.at <= until && !is_visible(*state_, next); next = state_->next())
+        state_->take(next, times_);
     quiet_until_ = next.at;
 }
 
 void LinkCourse::catch_up_and_stay() {
     catch_up();
-    state_.packets.now = kernel_.now();
+    state_->packets.now = kernel_.now();
     period_.forget();
     quiet_until_ = later(kernel_.now(), Time{1});
 }
 
 void LinkCourse::look_ahead() {
-    if (state_.may_lose_packets)
+    if (state_->may_lose_packets)
         steady_until_ = observer_.steady_until();
     for (std::size_t direction : {0u, 1u})
-        period_.part_bytes[direction] = state_.directions[direction].part_bytes;
-    const LinkState::Next next = state_.next();
+        period_.part_bytes[direction] = state_->directions[direction].part_bytes;
+    const LinkState::Next next = state_->next();
     quiet_until_ = next.at;
-    if (next.at == never || is_visible(state_, next)) {
+    if (next.at == never || is_visible(*state_, next)) {
         next_is_ = next.at == never ? Ahead::nowhere : Ahead::at_once;
         schedule(next);
     } else {
@@ -87,16 +90,16 @@ void LinkCourse::look_ahead() {
 
 /// From the state, whose next step nobody sees, to one that is seen. If none is, the link falls silent with the last.
 void LinkCourse::run_ahead(LinkState::Next next) {
-    ahead_ = state_;
+    *ahead_ = *state_;
     next_is_ = Ahead::after_others;
     LinkState::Next last;
-    for (; next.at != never && !is_visible(ahead_, next); next = ahead_.next()) {
+    for (; next.at != never && !is_visible(*ahead_, next); next = ahead_->next()) {
         last = next;
-        ahead_.take(next, times_);
+        ahead_->take(next, times_);
         if (period_.since == never && may_run()) {
-            runs_from_ = ahead_.packets.now;
-            run(ahead_);
-            last.at = runs_until_ = ahead_.packets.now;
+            runs_from_ = ahead_->packets.now;
+            run(*ahead_);
+            last.at = runs_until_ = ahead_->packets.now;
         }
     }
     if (next.at == never)
@@ -108,7 +111,7 @@ bool LinkCourse::may_run() const {
     if (!kernel_.trace())
         return true;
     auto is_told = [this](std::size_t direction) {
-        const LinkPackets::Stream& stream = ahead_.packets.streams[direction];
+        const LinkPackets::Stream& stream = ahead_->packets.streams[direction];
         return trace_carries_[direction] || stream.bytes_left == 0 || !stream.flows();
     };
     return is_told(0) && is_told(1);
@@ -116,12 +119,12 @@ bool LinkCourse::may_run() const {
 
 /// Lets the packets begin that call for nothing but their times.
 void LinkCourse::run(LinkState& state) {
-    Time before = std::min({end_of_time, steady_until_, state.first_arrival()});
+    Time before = std::min({end_of_time, steady_until_, state.arrivals[state.first_arrival()]});
     for (std::size_t direction : {0u, 1u})
         before = std::min(before, state.runs_before(direction, times_));
-    LinkPackets packets = state.packets;
-    period_.find(packets, times_, {.before = before, .last_bytes_stop = kernel_.trace() != nullptr});
-    state.go_on_to(packets, times_);
+    const std::array<std::uint32_t, 2> bytes_left_before = state.bytes_left();
+    period_.find(state.packets, times_, {.before = before, .last_bytes_stop = kernel_.trace() != nullptr});
+    state.note_last_bytes(bytes_left_before, times_);
 }
 
 void LinkCourse::schedule(const LinkState::Next& next) {

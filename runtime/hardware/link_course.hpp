@@ -47,8 +47,8 @@ public:
         ~Touch() { course_.look_ahead(); }
         Touch(const Touch&) = delete;
         Touch& operator=(const Touch&) = delete;
-        LinkState* operator->() { return &course_.state_; }
-        LinkState& operator*() { return course_.state_; }
+        LinkState* operator->() { return course_.state_; }
+        LinkState& operator*() { return *course_.state_; }
         /// Lets the packet that was asked for begin, if its wire is free.
         void begin_if_free(std::size_t direction);
 
@@ -57,11 +57,11 @@ public:
     };
 
     /// As it was touched last: what changes only then, it holds at any time.
-    const LinkState& touched() const { return state_; }
+    const LinkState& touched() const { return *state_; }
     /// As it is now; what begins in this instant may have begun or not.
     const LinkState& state() {
         catch_up();
-        return state_;
+        return *state_;
     }
 
     /// Begins to fetch what bytes_begun_before looks at.
@@ -72,8 +72,8 @@ public:
         if (period_.is_simple_around(now)) [[likely]]
             return period_.part_bytes[direction] - period_.bytes_left(direction, now - Time{1});
         catch_up();
-        const LinkPackets::Stream& stream = state_.packets.streams[direction];
-        std::uint32_t bytes = state_.directions[direction].part_bytes - stream.bytes_left;
+        const LinkPackets::Stream& stream = state_->packets.streams[direction];
+        std::uint32_t bytes = state_->directions[direction].part_bytes - stream.bytes_left;
         return bytes > 0 && stream.last_start >= now ? bytes - 1 : bytes;
     }
 
@@ -81,7 +81,7 @@ public:
     /// Every step is, as the reference by which all that saves events is tested.
     void show_every_step() { shows_every_step_ = true; }
     /// Packets are that faults may strike.
-    void show_faults() { state_.may_lose_packets = true; }
+    void show_faults() { state_->may_lose_packets = true; }
     /// Of a direction that is traced, the byte after which the trace knows that bytes follow each other is the first,
     /// and then the last one.
     void trace_knows(std::size_t direction, bool carries) { trace_carries_[direction] = carries; }
@@ -103,7 +103,7 @@ private:
 
     // In the order of use, in lines of the cache.
     LinkPeriod period_; ///< of the packets between the state and the next visible step
-    LinkState state_;   ///< when it was touched last
+    LinkState* state_ = &states_[0]; ///< when it was touched last
     Time quiet_until_{}; ///< until then it is the state of now
     Time runs_from_{}, runs_until_{}; ///< between these packets ran by themselves, of which the period is known
     Kernel& kernel_;
@@ -116,7 +116,8 @@ private:
     enum class Ahead : std::uint8_t { nowhere, at_once, after_others };
     Ahead next_is_ = Ahead::nowhere; ///< the visible step: none, that of `state_`, that of `ahead_`
     LinkState::Next next_;           ///< the visible step
-    LinkState ahead_;                ///< just before that
+    LinkState* ahead_ = &states_[1]; ///< just before that
+    std::array<LinkState, 2> states_;
 };
 
 } // namespace placedpar::hardware

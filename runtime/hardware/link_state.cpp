@@ -11,12 +11,21 @@ constexpr std::uint8_t order_of(EventQueue::Priority priority, std::size_t rank)
     return static_cast<std::uint8_t>(priority * LinkState::ranks + rank);
 }
 
+/// The order of an instant in which a direction's packets ask for their wires, and its own wire becomes free.
+struct Orders {
+    std::uint8_t acknowledge_asks, byte_asks, wire_is_free;
+};
+constexpr std::array<Orders, 2> orders{{
+    {order_of(EventQueue::request, 1), order_of(EventQueue::start, 1), order_of(EventQueue::start, 0)},
+    {order_of(EventQueue::request, 5), order_of(EventQueue::start, 5), order_of(EventQueue::start, 4)},
+}};
+
 /// What stands in LinkState::arrivals.
 struct Arrival {
     LinkStep step;
     std::uint8_t direction, order;
 };
-constexpr std::array<Arrival, 8> kinds_of_arrivals{{
+constexpr std::array<Arrival, LinkState::most_arrivals> kinds_of_arrivals{{
     {LinkStep::first_byte_arrives, 0, order_of(EventQueue::arrival, 1)},
     {LinkStep::last_byte_arrives, 0, order_of(EventQueue::arrival, 2)},
     {LinkStep::last_byte_arrives, 0, order_of(EventQueue::arrival, 2)},
@@ -25,15 +34,13 @@ constexpr std::array<Arrival, 8> kinds_of_arrivals{{
     {LinkStep::last_byte_arrives, 1, order_of(EventQueue::arrival, 6)},
     {LinkStep::last_byte_arrives, 1, order_of(EventQueue::arrival, 6)},
     {LinkStep::sending_ends, 1, order_of(EventQueue::arrival, 7)},
+    {LinkStep::falls_silent, 0, order_of(EventQueue::arrival, 0)},
+    {LinkStep::falls_silent, 1, order_of(EventQueue::arrival, 4)},
 }};
-
-/// Ranks of directions and wires within a priority.
-constexpr std::size_t rank_of_direction(std::size_t direction) { return 4 * direction + 1; }
-constexpr std::size_t rank_of_wire(std::size_t wire) { return 4 * wire; }
 
 /// Of two packets that wait for one wire the acknowledge goes first.
 bool comes_before(const LinkState::Next& a, const LinkState::Next& b) {
-    if (a.at != b.at)
+    if (a.at != b.at) [[likely]]
         return a.at < b.at;
     return a.order != b.order ? a.order < b.order : a.step == LinkStep::acknowledge_begins;
 }
@@ -43,37 +50,42 @@ bool comes_before(const LinkState::Next& a, const LinkState::Next& b) {
 LinkState::Next LinkState::next_packet(std::size_t d) const {
     const LinkPackets::Stream& stream = packets.streams[d];
     const auto direction = static_cast<std::uint8_t>(d);
-    if (stream.flows()) {
-        const std::size_t wire = packets.wire_of(d);
-        const LinkStep step = stream.acknowledge ? LinkStep::acknowledge_begins : LinkStep::byte_begins;
-        if (stream.due < packets.free_at[wire])
-            return {step, direction, order_of(EventQueue::start, rank_of_wire(wire)), packets.free_at[wire]};
-        const EventQueue::Priority priority = stream.acknowledge ? EventQueue::request : EventQueue::start;
-        return {step, direction, order_of(priority, rank_of_direction(d)), stream.due};
+    if (!stream.flows()) {
+        const Phase phase = directions[d].phase;
+        if (phase == Phase::unnoticed)
+            return {LinkStep::byte_is_noticed, direction, orders[d].acknowledge_asks, directions[d].at};
+        if (phase == Phase::restarts)
+            return {LinkStep::register_is_free, direction, orders[d].byte_asks, directions[d].at};
+        return {.direction = direction};
     }
-    const Time at = directions[d].at;
-    switch (directions[d].phase) {
-    case Phase::unnoticed:
-        return {LinkStep::byte_is_noticed, direction, order_of(EventQueue::request, rank_of_direction(d)), at};
-    case Phase::restarts:
-        return {LinkStep::register_is_free, direction, order_of(EventQueue::start, rank_of_direction(d)), at};
-    default: return {.direction = direction};
-    }
+    const std::size_t wire = packets.wire_of(d);
+    const bool waited = stream.due < packets.free_at[wire];
+    const std::uint8_t asks = stream.acknowledge ? orders[d].acknowledge_asks : orders[d].byte_asks;
+    return {stream.acknowledge ? LinkStep::acknowledge_begins : LinkStep::byte_begins, direction,
+            waited ? orders[wire].wire_is_free : asks, packets.begin_of_next(d)};
 }
 
 LinkState::Next LinkState::next() const {
     Next forth = next_packet(0), back = next_packet(1);
     Next next = comes_before(back, forth) ? back : forth;
-    const auto arrival = static_cast<std::size_t>(std::ranges::min_element(arrivals) - arrivals.begin());
+    const std::size_t arrival = first_arrival();
     if (arrivals[arrival] < next.at) {
         const Arrival& kind = kinds_of_arrivals[arrival];
         next = {kind.step, kind.direction, kind.order, arrivals[arrival]};
     }
-    for (std::size_t wire : {0u, 1u})
-        if (silent_at[wire] < next.at)
-            next = {LinkStep::falls_silent, static_cast<std::uint8_t>(wire),
-                    order_of(EventQueue::start, rank_of_wire(wire)), silent_at[wire]};
     return next;
+}
+
+/// Without branches, since the processor cannot foresee the outcome.
+std::size_t LinkState::first_arrival() const {
+    Time earliest = arrivals[0];
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < arrivals.size(); ++i) {
+        const bool is_earlier = arrivals[i] < earliest;
+        first = is_earlier ? i : first;
+        earliest = is_earlier ? arrivals[i] : earliest;
+    }
+    return first;
 }
 
 LinkState::Outcome LinkState::take(const Next& next, const PacketTimes& times, Fate fate) {
@@ -92,7 +104,7 @@ LinkState::Outcome LinkState::take(const Next& next, const PacketTimes& times, F
         break;
     case LinkStep::last_byte_arrives: return last_byte_arrives(d);
     case LinkStep::sending_ends: drop_end_of_sending(d); break;
-    case LinkStep::falls_silent: silent_at[d] = never; break;
+    case LinkStep::falls_silent: arrivals[silence(d)] = never; break;
     }
     return {};
 }
@@ -158,10 +170,9 @@ LinkState::Outcome LinkState::last_byte_arrives(std::size_t d) {
     return {.delivers = waits_for_acknowledge, .wakes = true};
 }
 
-void LinkState::go_on_to(const LinkPackets& later, const PacketTimes& times) {
-    const LinkPackets before = std::exchange(packets, later);
+void LinkState::note_last_bytes(const std::array<std::uint32_t, 2>& bytes_left_before, const PacketTimes& times) {
     for (std::size_t d : {0u, 1u})
-        if (before.streams[d].bytes_left > 0 && packets.streams[d].bytes_left == 0)
+        if (bytes_left_before[d] > 0 && packets.streams[d].bytes_left == 0)
             expect_last_byte(d, times);
 }
 
@@ -192,7 +203,7 @@ void LinkState::withdraw_packet(std::size_t d) {
     LinkPackets::Stream& stream = packets.streams[d];
     const std::size_t wire = packets.wire_of(d);
     if (stream.due <= packets.now && packets.free_at[wire] > packets.now)
-        silent_at[wire] = packets.free_at[wire];
+        arrivals[silence(wire)] = packets.free_at[wire];
     stream.due = never;
 }
 
@@ -228,7 +239,5 @@ Time LinkState::runs_before(std::size_t d, const PacketTimes& times) const {
     const bool first_byte_is_next = !stream.acknowledge && stream.bytes_left == direction.part_bytes;
     return first_byte_is_next && !is_first_byte_foreseen(d, times) ? stream.due : never;
 }
-
-Time LinkState::first_arrival() const { return std::ranges::min(arrivals); }
 
 } // namespace placedpar::hardware

@@ -65,9 +65,9 @@ struct LinkState {
     bool may_lose_packets = false; ///< it has faults, or leads through something that may stop packets
     /// Of each direction, in the order of an instant: first byte, last byte, last byte of the part after that (which
     /// can start before the last byte of this one has arrived), end of sending.
-    static constexpr std::size_t arrivals_of_a_direction = 4;
-    std::array<Time, 2 * arrivals_of_a_direction> arrivals = {never, never, never, never, never, never, never, never};
-    std::array<Time, 2> silent_at{never, never}; ///< a packet was withdrawn that waited for the end of another, then
+    /// At the end, of each wire: when a packet ends for which another waited that was withdrawn.
+    static constexpr std::size_t arrivals_of_a_direction = 4, most_arrivals = 10;
+    std::array<Time, most_arrivals> arrivals = {never, never, never, never, never, never, never, never, never, never};
 
     /// A step that is to come: when, and its order among those of an instant.
     struct Next {
@@ -95,8 +95,11 @@ struct LinkState {
     /// Takes the step. REQUIRES: it is next(), or the next packet of its direction.
     Outcome take(const Next&, const PacketTimes&, Fate = Fate::comes_over);
 
-    /// Its packets have run by themselves: up to the last byte of a part at most.
-    void go_on_to(const LinkPackets&, const PacketTimes&);
+    /// Its packets have run by themselves, up to the last byte of a part at most, since these were left.
+    void note_last_bytes(const std::array<std::uint32_t, 2>& bytes_left_before, const PacketTimes&);
+    std::array<std::uint32_t, 2> bytes_left() const {
+        return {packets.streams[0].bytes_left, packets.streams[1].bytes_left};
+    }
 
     // What the two ends do to it, at the moment packets.now.
 
@@ -131,11 +134,13 @@ struct LinkState {
     /// Up to when packets may run by themselves, of those that this direction has yet to send: to the first that calls
     /// for more than its times.
     Time runs_before(std::size_t direction, const PacketTimes&) const;
-    Time first_arrival() const;
+    /// Its place.
+    std::size_t first_arrival() const;
 
 private:
     static constexpr std::size_t first(std::size_t direction) { return direction * arrivals_of_a_direction; }
     static constexpr std::size_t last(std::size_t direction) { return first(direction) + 1; }
+    static constexpr std::size_t silence(std::size_t wire) { return 2 * arrivals_of_a_direction + wire; }
     static constexpr std::size_t end_of_sending(std::size_t direction) { return first(direction) + 3; }
     static Time arrival(Time started, const PacketTimes& times) {
         return later(started, times.wire_delay + times.byte().carried);
