@@ -61,14 +61,24 @@ std::array<Course, 2> BitModel::run_until_quiet(std::int64_t limit) {
 }
 
 void BitModel::step() {
+    for (std::size_t d : {0u, 1u})
+        if (receiver_[d].notice_at == now_)
+            notice(d);
     for (std::size_t end : {0u, 1u})
-        notice(end);
-    for (std::size_t end : {0u, 1u})
-        transmit(end);
-    for (std::size_t direction : {0u, 1u})
-        processes(direction);
-    for (std::size_t direction : {0u, 1u})
-        timers(direction);
+        if (transmitter_[end].idle_from <= now_)
+            transmit(end);
+    for (std::size_t d : {0u, 1u}) {
+        if (receiver_[d].arrives_at == now_)
+            byte_arrived(d);
+        if (sender_[d].ends_at == now_)
+            given(d);
+    }
+    for (std::size_t d : {0u, 1u}) {
+        if (sender_[d].wakes_at == now_)
+            begin_output(d);
+        if (receiver_[d].wakes_at == now_)
+            begin_input(d);
+    }
     for (std::size_t end : {0u, 1u})
         drive(end);
     for (std::size_t end : {0u, 1u})
@@ -110,15 +120,15 @@ bool BitModel::over() const {
 /// Nothing travels, is about to be sent or noticed, or wakes.
 bool BitModel::is_quiet() const {
     for (std::size_t d : {0u, 1u}) {
-        const Transmitter& transmitter = transmitter_[d];
         const Sender& sender = sender_[d];
         const Receiver& receiver = receiver_[d];
-        bool sends = transmitter.acknowledge_wanted || (sender.to_start > 0 && !sender.awaits_acknowledge);
+        if (now_ < transmitter_[d].idle_from + delay_ || decoder_[d].in_packet)
+            return false;
+        bool sends = transmitter_[d].acknowledge_wanted || (sender.to_start > 0 && !sender.awaits_acknowledge);
+        bool arrives = receiver.notice_at >= now_ || receiver.arrives_at >= now_ || sender.ends_at >= now_;
         bool wakes = (!sender.is_done() && !sender.sending && sender.wakes_at >= now_) ||
                      (!receiver.is_done() && !receiver.receiving && receiver.wakes_at >= now_);
-        bool travels = now_ < transmitter.idle_from + delay_ || decoder_[d].in_packet;
-        bool arrives = receiver.notice_at >= now_ || receiver.arrives_at >= now_ || sender.ends_at >= now_;
-        if (sends || wakes || travels || arrives)
+        if (sends || arrives || wakes)
             return false;
     }
     return true;
@@ -160,8 +170,6 @@ void BitModel::packet_known(std::size_t end, bool data) {
 /// Direction `d` has had a byte for long enough to acknowledge it, if its process has asked for it.
 void BitModel::notice(std::size_t d) {
     Receiver& receiver = receiver_[d];
-    if (receiver.notice_at != now_)
-        return;
     if (receiver.asked >= receiver.seen)
         transmitter_[1 - d].acknowledge_wanted = true;
     else
@@ -197,7 +205,6 @@ void BitModel::transmit(std::size_t end) {
 }
 
 void BitModel::drive(std::size_t end) {
-    transmit(end); // what a process asked for in this nanosecond
     Transmitter& transmitter = transmitter_[end];
     if (now_ >= transmitter.idle_from)
         return transmitter.level.push_back(false);
@@ -208,26 +215,20 @@ void BitModel::drive(std::size_t end) {
     transmitter.level.push_back(transmitter.packet[transmitter.bit_sent]);
 }
 
-void BitModel::processes(std::size_t d) {
+void BitModel::byte_arrived(std::size_t d) {
     Receiver& receiver = receiver_[d];
-    if (receiver.arrives_at == now_) {
-        ++receiver.arrived;
-        if (receiver.arrived > receiver.asked)
-            receiver.byte_waited.push_back(now_);
-        if (receiver.receiving && receiver.arrived == receiver.asked)
-            taken(d);
-        else if (receiver.alternating)
-            take(d);
-    }
-    if (sender_[d].ends_at == now_)
-        given(d);
+    ++receiver.arrived;
+    if (receiver.arrived > receiver.asked)
+        receiver.byte_waited.push_back(now_);
+    if (receiver.receiving && receiver.arrived == receiver.asked)
+        taken(d);
+    else if (receiver.alternating)
+        take(d);
 }
 
-void BitModel::timers(std::size_t d) {
-    if (!sender_[d].sending && !sender_[d].is_done() && sender_[d].wakes_at == now_)
+void BitModel::begin_output(std::size_t d) {
+    if (!sender_[d].sending && !sender_[d].is_done())
         give(d);
-    if (!receiver_[d].receiving && !receiver_[d].is_done() && receiver_[d].wakes_at == now_)
-        begin_input(d);
 }
 
 void BitModel::give(std::size_t d) {
@@ -253,6 +254,8 @@ void BitModel::given(std::size_t d) {
 
 void BitModel::begin_input(std::size_t d) {
     Receiver& receiver = receiver_[d];
+    if (receiver.receiving || receiver.is_done())
+        return;
     receiver.alternating = receiver.transfers[receiver.transfer].alternates && receiver.arrived == receiver.asked;
     if (!receiver.alternating)
         take(d);

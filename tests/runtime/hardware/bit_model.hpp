@@ -111,8 +111,8 @@ private:
     void notice(std::size_t end);
     void transmit(std::size_t end);
     void drive(std::size_t end);
-    void processes(std::size_t direction);
-    void timers(std::size_t direction);
+    void byte_arrived(std::size_t direction);
+    void begin_output(std::size_t direction);
     void give(std::size_t direction);
     void begin_input(std::size_t direction);
     void take(std::size_t direction);
