@@ -51,6 +51,7 @@ public:
         bool operator==(const Packet&) const = default;
     };
 
+    /// REQUIRES: the wire's delay and the edges of the faults are whole nanoseconds, and so are the latencies.
     BitModel(const hardware::LinkTiming&, const std::array<Traffic, 2>&, const std::vector<hardware::LinkFault>& = {});
     /// Steps until all traffic has passed. Throws when that takes longer than the limit.
     std::array<Course, 2> run(std::int64_t limit);
