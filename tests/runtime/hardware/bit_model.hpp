@@ -72,6 +72,8 @@ public:
     const std::vector<std::int64_t>& byte_waited(std::size_t direction) const {
         return receiver_[direction].byte_waited;
     }
+    /// Whether such a byte is there now.
+    bool byte_waits(std::size_t direction) const { return receiver_[direction].arrived > receiver_[direction].asked; }
     /// Bytes whose acknowledge has come back to the sender, and bytes that have arrived whole.
     std::uint64_t bytes_acknowledged(std::size_t direction) const { return sender_[direction].acknowledged; }
     std::uint64_t bytes_arrived(std::size_t direction) const { return receiver_[direction].arrived; }

@@ -37,6 +37,7 @@ TEST_CASE("bit model: an alternation sees the first byte for which nothing has a
     CHECK(model.byte_waited(0) == Nanoseconds{560 + 550});
     CHECK(course.input_ended == Nanoseconds{550, 1110 + 300 + 550});
     CHECK(course.output_ended == Nanoseconds{1110 + 300 + 260 + 100});
+    CHECK(!model.byte_waits(0));
 }
 
 TEST_CASE("bit model: what is left of a transfer when the other end has done with its own stays under way") {
@@ -47,6 +48,7 @@ TEST_CASE("bit model: what is left of a transfer when the other end has done wit
     CHECK(course.input_ended == Nanoseconds{550});
     CHECK(model.bytes_acknowledged(0) == 1);
     CHECK(model.bytes_arrived(0) == 2);
+    CHECK(model.byte_waits(0));
     Traffic takes_more{.messages = {}, .given = {{0, 1}}, .taken = {{0, 3}}};
     course = BitModel({}, {Traffic{}, takes_more}).run_until_quiet(10'000)[1];
     CHECK(course.output_ended == Nanoseconds{360});
