@@ -155,10 +155,12 @@ public:
     /// and a picosecond after it, which is as a nanosecond after it. REQUIRES: pass().
     void check_picoseconds() {
         for (const auto& packet : ahead_.packets()) {
-            if (packet.began <= first_ || packet.began >= last())
+            if (packet.began < first_ || packet.began >= last())
                 continue;
-            fault_.*edge_ = in_ns(packet.began) - Time{1};
-            check(fate_at(packet.began));
+            if (packet.began > first_) {
+                fault_.*edge_ = in_ns(packet.began) - Time{1};
+                check(fate_at(packet.began));
+            }
             fault_.*edge_ = in_ns(packet.began) + Time{1};
             check(fate_at(packet.began + 1));
         }
