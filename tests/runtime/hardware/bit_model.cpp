@@ -7,17 +7,33 @@ namespace placedpar::test {
 
 namespace {
 std::int64_t whole_ns(Time t) { return t.count() / 1000; }
+
+/// What the sender, or the receiver, does for these messages.
+std::vector<Traffic::Transfer> transfers_of(const std::vector<Traffic::Message>& messages, bool sender) {
+    std::vector<Traffic::Transfer> transfers;
+    for (const auto& message : messages)
+        for (std::size_t part = 0; part < message.parts.size(); ++part) {
+            std::int64_t pause = sender ? message.sender_pause : message.receiver_pause;
+            transfers.push_back({.pause = part == 0 ? pause : 0,
+                                 .bytes = message.parts[part],
+                                 .alternates = message.alternates && part == 0,
+                                 .ends_message = part + 1 == message.parts.size()});
+        }
+    return transfers;
+}
 } // namespace
 
 BitModel::BitModel(const hardware::LinkTiming& timing, const std::array<Traffic, 2>& traffic,
                    const std::vector<hardware::LinkFault>& faults)
     : bit_(1'000'000'000 / timing.bits_per_second), delay_(whole_ns(timing.wire_delay)),
-      overlapped_(timing.overlapped_acknowledge), faults_(faults), traffic_(traffic) {
-    for (std::size_t direction : {0u, 1u})
-        if (!traffic_[direction].messages.empty()) {
-            sender_[direction].wakes_at = traffic_[direction].messages[0].sender_pause;
-            receiver_[direction].wakes_at = traffic_[direction].messages[0].receiver_pause;
-        }
+      overlapped_(timing.overlapped_acknowledge), faults_(faults) {
+    for (std::size_t d : {0u, 1u}) {
+        const auto& [messages, given, taken] = traffic[d];
+        sender_[d].transfers = messages.empty() ? given : transfers_of(messages, true);
+        receiver_[d].transfers = messages.empty() ? taken : transfers_of(messages, false);
+        sender_[d].wakes_at = sender_[d].is_done() ? 0 : sender_[d].transfers[0].pause;
+        receiver_[d].wakes_at = receiver_[d].is_done() ? 0 : receiver_[d].transfers[0].pause;
+    }
 }
 
 std::array<Course, 2> BitModel::run(std::int64_t limit) {
@@ -35,15 +51,35 @@ std::array<Course, 2> BitModel::run_until(std::int64_t end) {
     return course_;
 }
 
+std::array<Course, 2> BitModel::run_until_quiet(std::int64_t limit) {
+    while (!is_quiet()) {
+        if (now_ > limit)
+            throw std::runtime_error("the link never falls quiet");
+        for (int i = 0; i < 20; ++i) // asked less often, since to ask takes as long as a step
+            step();
+    }
+    return course_;
+}
+
 void BitModel::step() {
+    for (std::size_t d : {0u, 1u})
+        if (receiver_[d].notice_at == now_)
+            notice(d);
     for (std::size_t end : {0u, 1u})
-        notice(end);
-    for (std::size_t end : {0u, 1u})
-        transmit(end);
-    for (std::size_t direction : {0u, 1u})
-        processes(direction);
-    for (std::size_t direction : {0u, 1u})
-        timers(direction);
+        if (transmitter_[end].idle_from <= now_)
+            transmit(end);
+    for (std::size_t d : {0u, 1u}) {
+        if (receiver_[d].arrives_at == now_)
+            byte_arrived(d);
+        if (sender_[d].ends_at == now_)
+            given(d);
+    }
+    for (std::size_t d : {0u, 1u}) {
+        if (sender_[d].wakes_at == now_)
+            begin_output(d);
+        if (receiver_[d].wakes_at == now_)
+            begin_input(d);
+    }
     for (std::size_t end : {0u, 1u})
         drive(end);
     for (std::size_t end : {0u, 1u})
@@ -77,8 +113,25 @@ bool BitModel::loses_packet(std::size_t end, bool acknowledge) {
 
 bool BitModel::over() const {
     for (std::size_t d : {0u, 1u})
-        if (sender_[d].message < traffic_[d].messages.size() || receiver_[d].message < traffic_[d].messages.size())
+        if (!sender_[d].is_done() || !receiver_[d].is_done())
             return false;
+    return true;
+}
+
+/// Nothing travels, is about to be sent or noticed, or wakes.
+bool BitModel::is_quiet() const {
+    for (std::size_t d : {0u, 1u}) {
+        const Sender& sender = sender_[d];
+        const Receiver& receiver = receiver_[d];
+        if (now_ < transmitter_[d].idle_from + delay_ || decoder_[d].in_packet)
+            return false;
+        bool sends = transmitter_[d].acknowledge_wanted || (sender.to_start > 0 && !sender.awaits_acknowledge);
+        bool arrives = receiver.notice_at >= now_ || receiver.arrives_at >= now_ || sender.ends_at >= now_;
+        bool wakes = (!sender.is_done() && !sender.sending && sender.wakes_at >= now_) ||
+                     (!receiver.is_done() && !receiver.receiving && receiver.wakes_at >= now_);
+        if (sends || arrives || wakes)
+            return false;
+    }
     return true;
 }
 
@@ -109,6 +162,7 @@ void BitModel::packet_known(std::size_t end, bool data) {
     }
     Sender& sender = sender_[1 - end]; // the acknowledge of the other direction's byte
     sender.awaits_acknowledge = false;
+    ++sender.acknowledged;
     sender.may_start = began + bit * 36 / 10 + 120 + (overlapped_ ? 0 : 2 * bit);
     if (sender.to_start == 0)
         sender.ends_at = began + 2 * bit;
@@ -117,8 +171,6 @@ void BitModel::packet_known(std::size_t end, bool data) {
 /// Direction `d` has had a byte for long enough to acknowledge it, if its process has asked for it.
 void BitModel::notice(std::size_t d) {
     Receiver& receiver = receiver_[d];
-    if (receiver.notice_at != now_)
-        return;
     if (receiver.asked >= receiver.seen)
         transmitter_[1 - d].acknowledge_wanted = true;
     else
@@ -143,96 +195,96 @@ void BitModel::transmit(std::size_t end) {
     } else {
         return;
     }
-    if (loses_packet(end, transmitter.packet.size() == 2))
+    bool acknowledge = transmitter.packet.size() == 2, lost = loses_packet(end, acknowledge);
+    packets_.push_back({now_, end, acknowledge, lost});
+    if (lost)
         transmitter.packet.assign(transmitter.packet.size(), false);
-    transmitter.packet_began = now_;
+    transmitter.bit_sent = 0;
     transmitter.bit = bit_at(now_);
+    transmitter.bit_ends = now_ + transmitter.bit;
     transmitter.idle_from = now_ + transmitter.bit * static_cast<std::int64_t>(transmitter.packet.size());
 }
 
 void BitModel::drive(std::size_t end) {
-    transmit(end); // what a process asked for in this nanosecond
     Transmitter& transmitter = transmitter_[end];
-    bool level = now_ < transmitter.idle_from &&
-                 transmitter.packet[static_cast<std::size_t>((now_ - transmitter.packet_began) / transmitter.bit)];
-    transmitter.level.push_back(level);
-}
-
-void BitModel::processes(std::size_t d) {
-    Receiver& receiver = receiver_[d];
-    if (receiver.arrives_at == now_) {
-        ++receiver.arrived;
-        if (receiver.receiving && receiver.arrived == receiver.asked)
-            next_input(d);
-        else if (receiver.alternating)
-            ask_part(d);
+    if (now_ >= transmitter.idle_from)
+        return transmitter.level.push_back(false);
+    if (now_ == transmitter.bit_ends) {
+        ++transmitter.bit_sent;
+        transmitter.bit_ends += transmitter.bit;
     }
-    if (sender_[d].ends_at == now_)
-        next_output(d);
+    transmitter.level.push_back(transmitter.packet[transmitter.bit_sent]);
 }
 
-void BitModel::timers(std::size_t d) {
-    if (!sender_[d].sending && sender_[d].message < traffic_[d].messages.size() && sender_[d].wakes_at == now_)
-        begin_part(d);
-    if (!receiver_[d].receiving && receiver_[d].message < traffic_[d].messages.size() && receiver_[d].wakes_at == now_)
-        begin_input(d);
+void BitModel::byte_arrived(std::size_t d) {
+    Receiver& receiver = receiver_[d];
+    ++receiver.arrived;
+    if (receiver.arrived > receiver.asked)
+        receiver.byte_waited.push_back(now_);
+    if (receiver.receiving && receiver.arrived == receiver.asked)
+        taken(d);
+    else if (receiver.alternating)
+        take(d);
 }
 
-void BitModel::begin_part(std::size_t d) {
+void BitModel::begin_output(std::size_t d) {
+    if (!sender_[d].sending && !sender_[d].is_done())
+        give(d);
+}
+
+void BitModel::give(std::size_t d) {
     Sender& sender = sender_[d];
     sender.sending = true;
     sender.ends_at = -1;
-    sender.to_start = traffic_[d].messages[sender.message].parts[sender.part];
+    sender.to_start = sender.transfers[sender.transfer].bytes;
     transmit(d);
 }
 
-void BitModel::next_output(std::size_t d) {
+void BitModel::given(std::size_t d) {
     Sender& sender = sender_[d];
-    const auto& messages = traffic_[d].messages;
-    if (++sender.part < messages[sender.message].parts.size())
-        return begin_part(d);
-    course_[d].output_ended.push_back(now_);
     sender.sending = false;
-    sender.part = 0;
-    if (++sender.message == messages.size())
+    if (sender.transfers[sender.transfer].ends_message)
+        course_[d].output_ended.push_back(now_);
+    ++sender.transfer;
+    if (sender.is_done())
         return;
-    sender.wakes_at = now_ + messages[sender.message].sender_pause;
+    sender.wakes_at = now_ + sender.transfers[sender.transfer].pause;
     if (sender.wakes_at == now_)
-        begin_part(d);
+        give(d);
 }
 
 void BitModel::begin_input(std::size_t d) {
     Receiver& receiver = receiver_[d];
-    receiver.alternating = traffic_[d].messages[receiver.message].alternates && receiver.arrived == receiver.asked;
+    if (receiver.receiving || receiver.is_done())
+        return;
+    receiver.alternating = receiver.transfers[receiver.transfer].alternates && receiver.arrived == receiver.asked;
     if (!receiver.alternating)
-        ask_part(d);
+        take(d);
 }
 
-void BitModel::ask_part(std::size_t d) {
+void BitModel::take(std::size_t d) {
     Receiver& receiver = receiver_[d];
     receiver.alternating = false;
     receiver.receiving = true;
-    receiver.asked += traffic_[d].messages[receiver.message].parts[receiver.part];
+    receiver.asked += receiver.transfers[receiver.transfer].bytes;
     if (receiver.owed) {
         receiver.owed = false;
         transmitter_[1 - d].acknowledge_wanted = true;
         transmit(1 - d);
     }
     if (receiver.arrived == receiver.asked)
-        next_input(d);
+        taken(d);
 }
 
-void BitModel::next_input(std::size_t d) {
+void BitModel::taken(std::size_t d) {
     Receiver& receiver = receiver_[d];
-    const auto& messages = traffic_[d].messages;
-    if (++receiver.part < messages[receiver.message].parts.size())
-        return ask_part(d);
-    course_[d].input_ended.push_back(now_);
     receiver.receiving = false;
-    receiver.part = 0;
-    if (++receiver.message == messages.size())
+    if (receiver.transfers[receiver.transfer].ends_message)
+        course_[d].input_ended.push_back(now_);
+    ++receiver.transfer;
+    if (receiver.is_done())
         return;
-    receiver.wakes_at = now_ + messages[receiver.message].receiver_pause;
+    receiver.wakes_at = now_ + receiver.transfers[receiver.transfer].pause;
     if (receiver.wakes_at == now_)
         begin_input(d);
 }
