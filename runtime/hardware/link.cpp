@@ -140,13 +140,11 @@ void LinkDirection::begin_reading(AnyChannel& channel) {
     input_given_up_ = false;
 }
 
-void LinkDirection::begin_part_of(LinkCourse::Touch& touch, Process& sender, std::uint32_t bytes, bool last_part) {
-    sender_ = &sender;
-    last_part_ = last_part;
+void LinkDirection::begin_part_of(LinkState& state, std::uint32_t bytes) {
     for (MemoryOfEngines* memory : memories_)
         if (memory)
             ++memory->parts_under_way;
-    touch->directions[number_].part_bytes = touch->packets.streams[number_].bytes_left = bytes;
+    state.directions[number_].part_bytes = state.packets.streams[number_].bytes_left = bytes;
 }
 
 void LinkDirection::end_part(LinkState& state) {
@@ -163,25 +161,33 @@ void LinkDirection::end_part(LinkState& state) {
 
 void LinkDirection::send(Process& sender, std::uint32_t bytes, bool last_part) {
     LinkCourse::Touch touch(course_);
-    begin_part_of(touch, sender, bytes, last_part);
+    sender_ = &sender;
+    last_part_ = last_part;
+    begin_part_of(*touch, bytes);
     touch->ask_for_byte(number_, std::max(touch->may_start(number_), kernel_.now()));
     touch.begin_if_free(number_);
 }
 
 /// Returns whether the part is there already: then it is taken.
 bool LinkDirection::receive(Process& receiver) {
-    using Phase = LinkState::Phase;
     LinkCourse::Touch touch(course_);
+    const bool all_here = receiver_asks(touch);
+    receiver_ = all_here ? nullptr : &receiver;
+    return all_here;
+}
+
+/// For a part; returns the same.
+bool LinkDirection::receiver_asks(LinkCourse::Touch& touch) {
+    using Phase = LinkState::Phase;
     LinkState::Direction& direction = touch->directions[number_];
-    const bool all_here = std::exchange(direction.first_byte, LinkState::FirstByte::asked_for) ==
-                              LinkState::FirstByte::waits &&
-                          direction.ends != LinkState::Ends::sender_left &&
-                          touch->packets.streams[number_].bytes_left == 0;
+    const bool has_come =
+        std::exchange(direction.first_byte, LinkState::FirstByte::asked_for) == LinkState::FirstByte::waits;
+    const bool all_here =
+        has_come && direction.ends != LinkState::Ends::sender_left && touch->packets.streams[number_].bytes_left == 0;
     if (all_here) {
         touch->drop_last_bytes(number_); // of this moment, if the arrival of the first byte woke an alternation
         deliver();
     } else {
-        receiver_ = &receiver;
         direction.receiver = LinkState::Receiver::waits;
     }
     const Phase phase = all_here ? Phase::taken : Phase::travels;
@@ -197,7 +203,7 @@ bool LinkDirection::receive(Process& receiver) {
 /// The receiver has the part, before its process or the sender's goes on.
 void LinkDirection::deliver() {
     took_last_part_ = last_part_;
-    if (last_part_)
+    if (last_part_) // a part of a message
         channel_->hand_over();
 }
 
@@ -213,8 +219,9 @@ void LinkDirection::is_read_by(RegisterUser& user) {
 
 void LinkDirection::begin_part(AnyChannel& channel, std::uint32_t bytes, bool last_part) {
     serve(channel);
-    LinkCourse::Touch touch(course_);
-    begin_part_of(touch, kernel_.running(), bytes, last_part);
+    sender_ = &kernel_.running();
+    last_part_ = last_part;
+    begin_part_of(*LinkCourse::Touch(course_), bytes);
 }
 
 void LinkDirection::write_byte() {
@@ -236,6 +243,8 @@ LinkDirection::Ended LinkDirection::read_byte() {
 }
 
 Process* LinkDirection::taken(LinkState& state, LinkStep step, const LinkState::Outcome& outcome) {
+    if (counts_)
+        return taken_by_counts(state, step, outcome), nullptr;
     if (outcome.delivers)
         deliver();
     switch (step) {

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -37,6 +38,17 @@ public:
 
 protected:
     ~RegisterUser() = default;
+};
+
+/// Is told what becomes of bytes that a link moves by counts. It must not wait and must not throw.
+class ByteUser {
+public:
+    virtual void sent() {}       ///< the acknowledge of the last byte given has come
+    virtual void taken() {}      ///< the last byte asked for has arrived
+    virtual void byte_waits() {} ///< a byte has arrived for which nobody has asked
+
+protected:
+    ~ByteUser() = default;
 };
 
 /// One direction of a link, for the messages of one channel: the two engines that the instructions `out` and
@@ -79,6 +91,16 @@ public:
     enum class Ended { nothing, part, message };
     /// REQUIRES: can_be_read().
     Ended read_byte();
+
+    // For ends that move bytes by counts, which need not agree: each says how many it will give or take, and goes on
+    // when they are done, while the other goes on with the rest.
+    /// REQUIRES: before the run, and no channel uses the direction; the users outlive the run.
+    void move_by_counts(ByteUser& sender, ByteUser& receiver);
+    /// REQUIRES: bytes > 0, and what was given before is sent().
+    void give(std::uint32_t bytes);
+    /// REQUIRES: bytes > 0, and what was asked for before is taken().
+    void take(std::uint32_t bytes);
+    bool byte_waits() const { return first_byte_waits(); }
 
     bool output_is_lost(const AnyChannel&) const override { return sender_ && gets_no_further(); }
     bool input_is_lost(const AnyChannel&) const override;
@@ -153,10 +175,23 @@ private:
     bool gets_no_further() const;
     std::uint32_t bytes_started() const;
 
-    void begin_part_of(LinkCourse::Touch&, Process& sender, std::uint32_t bytes, bool last_part);
+    void begin_part_of(LinkState&, std::uint32_t bytes);
     void end_part(LinkState&);
+    bool receiver_asks(LinkCourse::Touch&);
     void deliver();
     Process* sending_ended(LinkState&);
+
+    // By counts (link_counts.cpp).
+    struct Counts {
+        ByteUser &sender, &receiver;
+        std::uint32_t to_give = 0; ///< beyond the part under way
+        std::uint32_t to_take = 0; ///< the same
+    };
+    void begin_part_by_counts(LinkState&);
+    bool agree_on_part(LinkState&);
+    void ask_by_counts();
+    void end_of_taking();
+    void taken_by_counts(LinkState&, LinkStep, const LinkState::Outcome&);
 
     // What is given up (link_recovery.cpp).
     std::uint64_t bytes_taken() const;
@@ -194,6 +229,7 @@ private:
 
     // ... and what few do.
     RegisterUser *writer_ = nullptr, *reader_ = nullptr; ///< null: an engine is at that end
+    std::unique_ptr<Counts> counts_;                     ///< null: it carries messages
     std::uint64_t bytes_left_over_ = 0; ///< how many came of the message that its sender has given up
     std::uint64_t acknowledged_when_left_ = 0; ///< bytes of the message that its receiver has given up
     std::uint64_t sent_when_given_up_ = 0, taken_when_given_up_ = 0; ///< bytes; until the end is reset

@@ -80,8 +80,11 @@ void LinkCourse::look_ahead() {
         period_.part_bytes[direction] = state_->directions[direction].part_bytes;
     const LinkState::Next next = state_->next();
     quiet_until_ = next.at;
-    if (next.at == never || is_visible(*state_, next)) {
-        next_is_ = next.at == never ? Ahead::nowhere : Ahead::at_once;
+    if (next.at == never) {
+        next_is_ = Ahead::nowhere;
+        stand_still();
+    } else if (is_visible(*state_, next)) {
+        next_is_ = Ahead::at_once;
         schedule(next);
     } else {
         run_ahead(next);
@@ -127,10 +130,17 @@ void LinkCourse::run(LinkState& state) {
     state.note_last_bytes(bytes_left_before, times_);
 }
 
+/// Nothing is to come, or nothing before the end of virtual time, which the kernel reports.
+void LinkCourse::stand_still() {
+    next_ = {};
+    if (state_->lasts_too_long)
+        kernel_.future().reschedule(*this, Time::max(), EventQueue::arrival, first_rank_);
+    else
+        kernel_.future().cancel(*this);
+}
+
 void LinkCourse::schedule(const LinkState::Next& next) {
     EventQueue& future = kernel_.future();
-    if (next.at == never)
-        return future.cancel(*this);
     if (scheduled() && next.at == next_.at && next.order == next_.order) {
         next_ = next;
         return;

@@ -97,6 +97,7 @@ private:
     void run_ahead(LinkState::Next);
     void run(LinkState&);
     void schedule(const LinkState::Next&);
+    void stand_still();
     bool is_visible(const LinkState&, const LinkState::Next&) const;
     bool trace_sees_byte(const LinkState&, std::size_t direction) const;
     bool may_run() const;

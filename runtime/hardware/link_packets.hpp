@@ -46,8 +46,8 @@ struct LinkPackets {
         const bool acknowledge = stream.acknowledge;
         const PacketTimes::Packet& packet = times.packets[acknowledge];
         const Time last_start = stream.last_start, start_before = stream.start_before;
-        free_at[wire_of(direction)] = now + packet.carried;
-        stream.due = now + packet.to_answer;
+        free_at[wire_of(direction)] = later(now, packet.carried);
+        stream.due = later(now, packet.to_answer);
         stream.bytes_left -= std::uint32_t{!acknowledge};
         stream.last_start = acknowledge ? last_start : now;
         stream.start_before = acknowledge ? start_before : last_start;

@@ -115,6 +115,7 @@ LinkState::Outcome LinkState::begin_byte(std::size_t d, const PacketTimes& times
     Direction& direction = directions[d];
     LinkPackets::Stream& stream = packets.streams[d];
     packets.begin(times, d);
+    lasts_too_long = lasts_too_long || stream.due == never;
     if (fate == Fate::is_lost || direction.ends != Ends::agree) {
         direction.phase = Phase::byte_lost;
         stream.due = never;
@@ -140,13 +141,14 @@ LinkState::Outcome LinkState::begin_acknowledge(std::size_t d, const PacketTimes
     const bool is_last = stream.bytes_left == 0;
     const bool delivers = is_last && direction.phase != Phase::taken;
     packets.begin(times, d);
+    lasts_too_long = lasts_too_long || stream.due == never;
     if (fate == Fate::is_lost) {
         direction.phase = Phase::acknowledge_lost;
         stream.due = never;
         return {.delivers = delivers, .loses = true};
     }
     if (is_last)
-        arrivals[end_of_sending(d)] = later(packets.now, times.wire_delay + times.acknowledge().carried);
+        expect(end_of_sending(d), later(packets.now, times.acknowledge_arrival()));
     direction.phase = Phase::travels;
     if (is_last || direction.sender_is == User::program) {
         direction.phase = direction.sender_is == User::program ? Phase::restarts : Phase::idle;
@@ -208,7 +210,7 @@ void LinkState::withdraw_packet(std::size_t d) {
 }
 
 void LinkState::expect_last_byte(std::size_t d, const PacketTimes& times) {
-    arrivals[last(d) + std::size_t{expects_last_byte(d)}] = arrival(packets.streams[d].last_start, times);
+    expect(last(d) + std::size_t{expects_last_byte(d)}, later(packets.streams[d].last_start, times.arrival()));
 }
 
 void LinkState::drop_last_byte(std::size_t d) {

@@ -62,6 +62,7 @@ struct LinkState {
 
     LinkPackets packets;
     std::array<Direction, 2> directions;
+    bool lasts_too_long = false;   ///< something would come after the end of virtual time
     bool may_lose_packets = false; ///< it has faults, or leads through something that may stop packets
     /// Of each direction, in the order of an instant: first byte, last byte, last byte of the part after that (which
     /// can start before the last byte of this one has arrived), end of sending.
@@ -112,7 +113,7 @@ struct LinkState {
     void withdraw_packet(std::size_t direction);
     /// The last byte begun will arrive, and the end waits for it.
     void expect_first_byte(std::size_t direction, const PacketTimes& times) {
-        arrivals[first(direction)] = arrival(packets.streams[direction].last_start, times);
+        expect(first(direction), later(packets.streams[direction].last_start, times.arrival()));
     }
     void expect_last_byte(std::size_t direction, const PacketTimes&);
     void drop_first_byte(std::size_t direction) { arrivals[first(direction)] = never; }
@@ -142,8 +143,9 @@ private:
     static constexpr std::size_t last(std::size_t direction) { return first(direction) + 1; }
     static constexpr std::size_t silence(std::size_t wire) { return 2 * arrivals_of_a_direction + wire; }
     static constexpr std::size_t end_of_sending(std::size_t direction) { return first(direction) + 3; }
-    static Time arrival(Time started, const PacketTimes& times) {
-        return later(started, times.wire_delay + times.byte().carried);
+    void expect(std::size_t arrival, Time at) {
+        arrivals[arrival] = at;
+        lasts_too_long = lasts_too_long || at == never;
     }
     bool is_first_byte_foreseen(std::size_t direction, const PacketTimes& times) const {
         return is_sure_of_receiver(direction) && times.overlaps() && !may_lose_packets;

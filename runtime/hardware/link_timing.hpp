@@ -61,8 +61,11 @@ struct PacketTimes {
 
     const Packet& byte() const { return packets[0]; }
     const Packet& acknowledge() const { return packets[1]; }
+    /// From the start of a byte, or of an acknowledge, until the whole of it has arrived.
+    Time arrival() const { return later(wire_delay, byte().carried); }
+    Time acknowledge_arrival() const { return later(wire_delay, acknowledge().carried); }
     /// Whether a byte is noticed before the whole of it has arrived.
-    bool overlaps() const { return byte().to_answer < later(wire_delay, byte().carried); }
+    bool overlaps() const { return byte().to_answer < arrival(); }
 
     std::array<Packet, 2> packets; ///< a byte, an acknowledge
     Time wire_delay;

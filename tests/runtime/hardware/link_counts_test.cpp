@@ -1,0 +1,264 @@
+// Bytes that a link moves by counts which need not agree at its ends, against the circuit of bits: all pairs of counts
+// from 1 to 8, whichever end comes first.
+
+#include "bit_model.hpp"
+
+#include "runtime/event.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/kernel.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+#include "tests/sanitized.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <numeric>
+#include <vector>
+
+using namespace placedpar;
+using namespace placedpar::hardware;
+using namespace placedpar::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// One end of a direction: it does transfer after transfer, each after its pause. What an end does first, it does in an
+/// event or in a process; what follows without a pause, it does within the call that tells it that it can go on.
+class CountingEnd : public ByteUser, private Event {
+public:
+    using Transfers = std::vector<Traffic::Transfer>;
+    CountingEnd(Kernel& kernel, LinkDirection& direction, const Transfers& transfers)
+        : direction_(direction), kernel_(kernel), transfers_(transfers) {}
+    virtual ~CountingEnd() = default;
+
+    void begin_in_event() { pause(); }
+    /// REQUIRES: called by a process.
+    void begin_in_process() {
+        if (is_done())
+            return;
+        wait_for(std::chrono::nanoseconds{transfers_[0].pause});
+        act();
+    }
+    /// When its transfers ended, in nanoseconds.
+    const std::vector<std::int64_t>& ended() const { return ended_; }
+
+protected:
+    const Traffic::Transfer& transfer() const { return transfers_[ended_.size()]; }
+    std::int64_t now_in_ns() const {
+        CHECK(kernel_.now() % 1ns == Time{0});
+        return kernel_.now() / 1ns;
+    }
+    /// Begins its next transfer.
+    virtual void act() noexcept = 0;
+    void has_ended() {
+        CHECK(!is_done());
+        ended_.push_back(now_in_ns());
+        pause();
+    }
+    LinkDirection& direction_;
+
+private:
+    bool is_done() const { return ended_.size() == transfers_.size(); }
+    void pause() {
+        if (is_done())
+            return;
+        Time pause = std::chrono::nanoseconds{transfer().pause};
+        if (pause == Time{0} && !ended_.empty())
+            act();
+        else
+            kernel_.future().schedule(*this, kernel_.now() + pause, EventQueue::timer);
+    }
+    void happen() noexcept override { act(); }
+
+    Kernel& kernel_;
+    Transfers transfers_;
+    std::vector<std::int64_t> ended_;
+};
+
+class Giver final : public CountingEnd {
+public:
+    using CountingEnd::CountingEnd;
+
+private:
+    void act() noexcept override { direction_.give(transfer().bytes); }
+    void sent() override { has_ended(); }
+    void taken() override { FAIL_CHECK("a sender is told that its bytes were taken"); }
+    void byte_waits() override { FAIL_CHECK("a sender is told that a byte waits"); }
+};
+
+class Taker final : public CountingEnd {
+public:
+    using CountingEnd::CountingEnd;
+    const std::vector<std::int64_t>& byte_waited() const { return byte_waited_; }
+
+private:
+    void act() noexcept override {
+        alternates_ = transfer().alternates && !direction_.byte_waits();
+        if (!alternates_)
+            direction_.take(transfer().bytes);
+    }
+    void taken() override { has_ended(); }
+    void byte_waits() override {
+        CHECK(direction_.byte_waits());
+        byte_waited_.push_back(now_in_ns());
+        if (alternates_)
+            act();
+    }
+    void sent() override { FAIL_CHECK("a receiver is told that its bytes were sent"); }
+
+    bool alternates_ = false; ///< it waits for a byte, for which it will ask then
+    std::vector<std::int64_t> byte_waited_;
+};
+
+enum class Begins { in_event, in_process };
+
+/// What is to be seen of one direction.
+struct CountedCourse {
+    Course course;
+    std::vector<std::int64_t> byte_waited;
+    bool byte_waits; ///< at the end
+    bool operator==(const CountedCourse&) const = default;
+};
+using CountedCourses = std::array<CountedCourse, 2>;
+
+CountedCourses count_on_runtime(const LinkTiming& timing, const std::array<Traffic, 2>& traffic, Begins begins,
+                                bool every_byte) {
+    Simulation simulation;
+    Link& link = simulation.add<Link>(timing);
+    std::array<LinkDirection*, 2> directions = {&link.from_a_to_b(), &link.from_b_to_a()};
+    std::array<Giver*, 2> givers;
+    std::array<Taker*, 2> takers;
+    for (std::size_t d : {0u, 1u}) {
+        if (every_byte)
+            directions[d]->simulate_every_byte();
+        givers[d] = &simulation.add<Giver>(*directions[d], traffic[d].given);
+        takers[d] = &simulation.add<Taker>(*directions[d], traffic[d].taken);
+        directions[d]->move_by_counts(*givers[d], *takers[d]);
+        for (CountingEnd* end : std::initializer_list<CountingEnd*>{givers[d], takers[d]})
+            if (begins == Begins::in_event)
+                end->begin_in_event();
+            else
+                simulation.process("begins", [end] { end->begin_in_process(); });
+    }
+    simulation.process("lets the run go on", [] { wait_until(1ms); });
+    CHECK(simulation.run().ending == Ending::completed);
+    CountedCourses courses;
+    for (std::size_t d : {0u, 1u})
+        courses[d] = {{givers[d]->ended(), takers[d]->ended()}, takers[d]->byte_waited(), directions[d]->byte_waits()};
+    return courses;
+}
+
+CountedCourses count_in_model(const LinkTiming& timing, const std::array<Traffic, 2>& traffic) {
+    BitModel model(timing, traffic);
+    std::array<Course, 2> course = model.run_until_quiet(1'000'000);
+    CountedCourses courses;
+    for (std::size_t d : {0u, 1u})
+        courses[d] = {course[d], model.byte_waited(d), model.byte_waits(d)};
+    return courses;
+}
+
+/// In nanoseconds.
+struct Pauses {
+    std::int64_t giver_first, taker_first, giver = 0, taker = 0;
+};
+
+/// Transfers of m bytes against transfers of n: until the ends of two coincide, or for 24 bytes, and one more byte at
+/// least, which nothing takes.
+Traffic counts(std::uint32_t m, std::uint32_t n, const Pauses& pauses, bool alternates) {
+    std::uint32_t takes = (std::min(std::lcm(m, n), 24u) + n - 1) / n, gives = takes * n / m + 1;
+    Traffic traffic;
+    for (std::uint32_t i = 0; i < gives; ++i)
+        traffic.given.push_back({.pause = i == 0 ? pauses.giver_first : pauses.giver, .bytes = m});
+    for (std::uint32_t i = 0; i < takes; ++i)
+        traffic.taken.push_back(
+            {.pause = i == 0 ? pauses.taker_first : pauses.taker, .bytes = n, .alternates = alternates});
+    return traffic;
+}
+
+/// When the ends come first: at 20 Mbit/s, over a wire of 35 ns, a byte arrives 585 ns after it began. It is noticed
+/// after 295 ns, or without overlapped acknowledges after 845.
+constexpr std::array orders{
+    Pauses{300, 0}, // the receiver comes first
+    Pauses{0, 0},   // both come at once
+    Pauses{0, 20},  // nothing has come to the receiver yet
+    Pauses{0, 185}, // the first byte is on the wire
+    Pauses{0, 295}, // it is noticed, with overlap
+    Pauses{0, 435}, // it has been noticed, with overlap
+    Pauses{0, 585}, // it arrives
+    Pauses{0, 700}, // it has arrived, and without overlap is not noticed yet
+    Pauses{0, 900}, // it has been noticed, and waits
+};
+
+enum class Busy { from_a, from_b, both };
+
+LinkTiming at(std::int64_t bits_per_second, bool overlapped) {
+    return {.bits_per_second = bits_per_second, .wire_delay = 35ns, .overlapped_acknowledge = overlapped};
+}
+
+void compare_all_pairs(const LinkTiming& timing, const Pauses& pauses, Busy busy, bool alternates,
+                       Begins begins = Begins::in_event) {
+    Pauses later = pauses; // of the other direction
+    later.giver_first += 131;
+    later.taker_first += 131;
+    CAPTURE(timing.overlapped_acknowledge);
+    CAPTURE(alternates);
+    CAPTURE(pauses.giver_first);
+    CAPTURE(pauses.taker_first);
+    CAPTURE(static_cast<int>(busy));
+    for (std::uint32_t m = 1; m <= 8; ++m)
+        for (std::uint32_t n = 1; n <= 8; ++n) {
+            CAPTURE(m);
+            CAPTURE(n);
+            std::array<Traffic, 2> traffic;
+            if (busy != Busy::from_b)
+                traffic[0] = counts(m, n, pauses, alternates);
+            if (busy != Busy::from_a)
+                traffic[1] = counts(n, m, later, alternates);
+            CountedCourses expected = count_in_model(timing, traffic);
+            REQUIRE(expected[busy == Busy::from_b].byte_waits);
+            REQUIRE(count_on_runtime(timing, traffic, begins, true) == expected);
+            REQUIRE(count_on_runtime(timing, traffic, begins, false) == expected);
+        }
+}
+
+} // namespace
+
+TEST_CASE("bytes by counts, all pairs from 1 to 8, whichever end comes first: as on a circuit of bits") {
+    EveryNth some(9);
+    for (bool overlapped : {true, false})
+        for (bool alternates : {false, true})
+            for (Busy busy : {Busy::from_a, Busy::from_b, Busy::both})
+                for (const Pauses& pauses : orders)
+                    if (!some.passes_over())
+                        compare_all_pairs(at(20'000'000, overlapped), pauses, busy, alternates);
+}
+
+// At 10 Mbit/s an acknowledge and a byte may wait for the same wire. Where both directions are busy only the receivers
+// pause: a give and a take at one instant would compete for a wire, in the order in which the test scheduled them.
+TEST_CASE("bytes by counts with pauses between the transfers: as on a circuit of bits") {
+    EveryNth some(5);
+    for (bool overlapped : {true, false})
+        for (bool alternates : {false, true}) {
+            LinkTiming timing = at(10'000'000, overlapped);
+            for (const Pauses& pauses : {Pauses{0, 0, 0, 0}, Pauses{0, 0, 0, 700}, Pauses{0, 0, 0, 2000}})
+                for (Busy busy : {Busy::from_a, Busy::both})
+                    if (!some.passes_over())
+                        compare_all_pairs(timing, pauses, busy, alternates);
+            for (const Pauses& pauses : {Pauses{0, 0, 1800, 0}, Pauses{0, 0, 230, 370}})
+                if (!some.passes_over())
+                    compare_all_pairs(timing, pauses, Busy::from_a, alternates);
+        }
+}
+
+TEST_CASE("processes begin transfers by counts: as on a circuit of bits") {
+    EveryNth some(9);
+    for (const Pauses& pauses : orders)
+        if (!some.passes_over())
+            compare_all_pairs(at(20'000'000, true), pauses, Busy::both, false, Begins::in_process);
+}
