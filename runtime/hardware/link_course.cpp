@@ -35,7 +35,7 @@ Process* LinkCourse::take(const LinkState::Next& next) {
 void LinkCourse::happen() noexcept {
     if (next_is_ == Ahead::after_others)
         std::swap(state_, ahead_);
-    period_.forget();
+    forget_run();
     quiet_until_ = later(kernel_.now(), Time{1});
     Process* woken = take(next_);
     look_ahead();
@@ -48,12 +48,12 @@ void LinkCourse::catch_up() {
     const Time now = kernel_.now();
     if (now < quiet_until_)
         return;
-    if (period_.since <= now) {
-        take_unseen_steps(runs_from_);
+    if (runs_from_ <= now) {
+        if (state_->packets.now < runs_from_)
+            take_unseen_steps(runs_from_);
         const std::array<std::uint32_t, 2> before = state_->bytes_left();
-        if (state_->packets.now < period_.since)
-            state_->packets = period_.first;
-        period_.pass_periods(state_->packets, later(std::min(now, runs_until_), Time{1}));
+        period_.run(state_->packets, times_, {.before = later(std::min(now, runs_until_), Time{1}),
+                                                .last_bytes_stop = kernel_.trace() != nullptr});
         state_->note_last_bytes(before, times_);
     }
     take_unseen_steps(now);
@@ -69,7 +69,7 @@ void LinkCourse::take_unseen_steps(Time until) {
 void LinkCourse::catch_up_and_stay() {
     catch_up();
     state_->packets.now = kernel_.now();
-    period_.forget();
+    forget_run();
     quiet_until_ = later(kernel_.now(), Time{1});
 }
 
@@ -96,15 +96,15 @@ void LinkCourse::run_ahead(LinkState::Next next) {
     *ahead_ = *state_;
     next_is_ = Ahead::after_others;
     LinkState::Next last;
-    for (; next.at != never && !is_visible(*ahead_, next); next = ahead_->next()) {
-        last = next;
-        ahead_->take(next, times_);
-        if (period_.since == never && may_run()) {
-            runs_from_ = ahead_->packets.now;
-            run(*ahead_);
-            last.at = runs_until_ = ahead_->packets.now;
+    do {
+        if (period_.since == never && may_run() && run(*ahead_)) {
+            last.at = ahead_->packets.now;
+        } else {
+            last = next;
+            ahead_->take(next, times_);
         }
-    }
+        next = ahead_->next();
+    } while (next.at != never && !is_visible(*ahead_, next));
     if (next.at == never)
         next = {LinkStep::falls_silent, last.direction, last.order, last.at};
     schedule(next);
@@ -120,14 +120,19 @@ bool LinkCourse::may_run() const {
     return is_told(0) && is_told(1);
 }
 
-/// Lets the packets begin that call for nothing but their times.
-void LinkCourse::run(LinkState& state) {
+/// Lets the packets begin that call for nothing but their times. Returns whether there are any.
+bool LinkCourse::run(LinkState& state) {
     Time before = std::min({end_of_time, steady_until_, state.arrivals[state.first_arrival()]});
     for (std::size_t direction : {0u, 1u})
         before = std::min(before, state.runs_before(direction, times_));
     const std::array<std::uint32_t, 2> bytes_left_before = state.bytes_left();
-    period_.find(state.packets, times_, {.before = before, .last_bytes_stop = kernel_.trace() != nullptr});
+    const Time from = state.packets.now;
+    if (!period_.find(state.packets, times_, {.before = before, .last_bytes_stop = kernel_.trace() != nullptr}))
+        return false;
+    runs_from_ = from;
+    runs_until_ = state.packets.now;
     state.note_last_bytes(bytes_left_before, times_);
+    return true;
 }
 
 /// Nothing is to come, or nothing before the end of virtual time, which the kernel reports.

@@ -93,9 +93,13 @@ private:
     void catch_up();
     void catch_up_and_stay();
     void take_unseen_steps(Time until);
+    void forget_run() {
+        runs_from_ = never;
+        period_.forget();
+    }
     void look_ahead();
     void run_ahead(LinkState::Next);
-    void run(LinkState&);
+    bool run(LinkState&);
     void schedule(const LinkState::Next&);
     void stand_still();
     bool is_visible(const LinkState&, const LinkState::Next&) const;
@@ -106,7 +110,7 @@ private:
     LinkPeriod period_; ///< of the packets between the state and the next visible step
     LinkState* state_ = &states_[0]; ///< when it was touched last
     Time quiet_until_{}; ///< until then it is the state of now
-    Time runs_from_{}, runs_until_{}; ///< between these packets ran by themselves, of which the period is known
+    Time runs_from_ = never, runs_until_{}; ///< when packets run by themselves, within what was looked at
     Kernel& kernel_;
     const PacketTimes& times_;
     LinkObserver& observer_;

@@ -50,7 +50,7 @@ bool is_in_phase(const LinkPackets& now, const LinkPackets& then, std::size_t ot
 bool has_begun_last_byte(const LinkPackets::Stream& stream) { return stream.acknowledge && stream.bytes_left == 0; }
 
 /// All packets within the limit, up to the last byte of a part.
-void run(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) {
+void run_each(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) {
     for (std::size_t next; (next = begin_next(packets, times, limit)) != none;)
         if (has_begun_last_byte(packets.streams[next]))
             return;
@@ -58,18 +58,29 @@ void run(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit)
 
 } // namespace
 
+void LinkPeriod::run(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) const {
+    if (since < limit.before) {
+        if (packets.now < since)
+            packets = first;
+        pass_periods(packets, limit.before);
+    }
+    run_each(packets, times, limit);
+}
+
 /// The present is compared with one moment that was noted: a later one each time that twice as many bytes began.
-void LinkPeriod::find(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) {
+bool LinkPeriod::find(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) {
     since = never;
     LinkPackets noted;
     std::uint32_t bytes_until_note = 1, bytes_between_notes = 1;
+    bool any = false;
     for (std::size_t next; (next = begin_next(packets, times, limit)) != none;) {
+        any = true;
         const bool marks = packets.streams[next].acknowledge && (next == 0 || !packets.streams[0].flows());
         if (marks && bytes_between_notes > 1 && is_in_phase(packets, noted, 1 - next)) {
             begin(noted, packets);
             pass_periods(packets, limit.before);
             if (!has_begun_last_byte(packets.streams[next]))
-                run(packets, times, limit);
+                run_each(packets, times, limit);
             break;
         }
         if (has_begun_last_byte(packets.streams[next]))
@@ -80,6 +91,7 @@ void LinkPeriod::find(LinkPackets& packets, const PacketTimes& times, const Link
         }
     }
     until = needs_no_passing() ? std::min(end_of_a_part(packets), packets.now) : Time{-1};
+    return any;
 }
 
 /// Everything is as it was then, so that it has repeated itself since: short periods are known from there on.

@@ -80,10 +80,13 @@ struct alignas(64) LinkPeriod {
     LinkPackets first;                         ///< all that the link does at that moment
 
     /// Lets all packets within the limit begin, up to the last byte of a part, and notes what they repeat from some
-    /// moment on.
-    void find(LinkPackets&, const PacketTimes&, const LinkLimit&);
+    /// moment on. Returns whether there are any.
+    bool find(LinkPackets&, const PacketTimes&, const LinkLimit&);
     void forget() { since = never; }
 
+    /// Does the same once more, of packets that find() has been given or gone through, up to another limit within that
+    /// one.
+    void run(LinkPackets&, const PacketTimes&, const LinkLimit&) const;
     /// Passes as many whole periods as end before that moment and before the last byte of a part. REQUIRES: the period
     /// is known at the moment of the packets.
     void pass_periods(LinkPackets&, Time before) const;
