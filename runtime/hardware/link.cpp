@@ -170,6 +170,10 @@ void LinkDirection::send(Process& sender, std::uint32_t bytes, bool last_part) {
 
 /// Returns whether the part is there already: then it is taken.
 bool LinkDirection::receive(Process& receiver) {
+    if (course_.waits_idly(number_)) {
+        receiver_ = &receiver;
+        return false;
+    }
     LinkCourse::Touch touch(course_);
     const bool all_here = receiver_asks(touch);
     receiver_ = all_here ? nullptr : &receiver;

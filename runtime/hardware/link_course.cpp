@@ -97,7 +97,7 @@ void LinkCourse::run_ahead(LinkState::Next next) {
     next_is_ = Ahead::after_others;
     LinkState::Next last;
     do {
-        if (period_.since == never && may_run() && run(*ahead_)) {
+        if (period_.since == never && begins_packet(next.step) && may_run(next) && run(*ahead_)) {
             last.at = ahead_->packets.now;
         } else {
             last = next;
@@ -110,7 +110,10 @@ void LinkCourse::run_ahead(LinkState::Next next) {
     schedule(next);
 }
 
-bool LinkCourse::may_run() const {
+/// Packets may run by themselves from the next one on.
+bool LinkCourse::may_run(const LinkState::Next& next) const {
+    if (next.at >= ahead_->runs_before(next.direction, times_))
+        return false;
     if (!kernel_.trace())
         return true;
     auto is_told = [this](std::size_t direction) {

@@ -77,6 +77,17 @@ public:
         return bytes > 0 && stream.last_start >= now ? bytes - 1 : bytes;
     }
 
+    /// The receiver of a direction in which nothing is under way asks: that is a step towards nothing, so that nobody
+    /// need look ahead. Returns whether it is such a direction.
+    bool waits_idly(std::size_t direction) {
+        catch_up();
+        if (state_->directions[direction].phase != LinkState::Phase::idle ||
+            state_->directions[direction].first_byte == LinkState::FirstByte::waits)
+            return false;
+        state_->directions[direction].receiver = ahead_->directions[direction].receiver = LinkState::Receiver::waits;
+        return true;
+    }
+
     // What is visible besides what processes see. REQUIRES: before the run, except for the last.
     /// Every step is, as the reference by which all that saves events is tested.
     void show_every_step() { shows_every_step_ = true; }
@@ -104,7 +115,7 @@ private:
     void stand_still();
     bool is_visible(const LinkState&, const LinkState::Next&) const;
     bool trace_sees_byte(const LinkState&, std::size_t direction) const;
-    bool may_run() const;
+    bool may_run(const LinkState::Next&) const;
 
     // In the order of use, in lines of the cache.
     LinkPeriod period_; ///< of the packets between the state and the next visible step
