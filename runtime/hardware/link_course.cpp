@@ -16,7 +16,15 @@ bool begins_packet(LinkStep step) { return step == LinkStep::byte_begins || step
 } // namespace
 
 LinkCourse::LinkCourse(Kernel& kernel, const PacketTimes& times, LinkObserver& observer)
-    : kernel_(kernel), times_(times), observer_(observer), first_rank_(kernel.new_ranks(LinkState::ranks)) {}
+    : first_rank_(kernel.new_ranks(LinkState::ranks)), kernel_(kernel), times_(times), observer_(observer) {}
+
+/// In a large machine they are in no near cache.
+void LinkCourse::fetch_states() const {
+    constexpr std::size_t line = 64;
+    const char* first = reinterpret_cast<const char*>(states_.data());
+    for (std::size_t at = 0; at < sizeof states_; at += line)
+        __builtin_prefetch(first + at, 1);
+}
 
 void LinkCourse::Touch::begin_if_free(std::size_t direction) {
     LinkState::Next next = course_.state_->next_packet(direction);
@@ -33,6 +41,7 @@ Process* LinkCourse::take(const LinkState::Next& next) {
 }
 
 void LinkCourse::happen() noexcept {
+    fetch_states();
     if (next_is_ == Ahead::after_others)
         std::swap(state_, ahead_);
     forget_run();
@@ -43,11 +52,22 @@ void LinkCourse::happen() noexcept {
         kernel_.make_ready(*woken);
 }
 
+const LinkState& LinkCourse::state() {
+    catch_up(kernel_.now());
+    return *state_;
+}
+
+bool LinkCourse::waits_idly(std::size_t direction) {
+    const LinkState::Direction& now = state().directions[direction];
+    if (now.phase != LinkState::Phase::idle || now.first_byte == LinkState::FirstByte::waits)
+        return false;
+    for (LinkState& each : states_)
+        each.directions[direction].receiver = LinkState::Receiver::waits;
+    return true;
+}
+
 /// Takes the steps up to now that nobody sees.
-void LinkCourse::catch_up() {
-    const Time now = kernel_.now();
-    if (now < quiet_until_)
-        return;
+void LinkCourse::take_steps_until(Time now) {
     if (runs_from_ <= now) {
         if (state_->packets.now < runs_from_)
             take_unseen_steps(runs_from_);
@@ -67,7 +87,8 @@ void LinkCourse::take_unseen_steps(Time until) {
 }
 
 void LinkCourse::catch_up_and_stay() {
-    catch_up();
+    fetch_states();
+    catch_up(kernel_.now());
     state_->packets.now = kernel_.now();
     forget_run();
     quiet_until_ = later(kernel_.now(), Time{1});

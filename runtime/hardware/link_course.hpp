@@ -59,10 +59,7 @@ public:
     /// As it was touched last: what changes only then, it holds at any time.
     const LinkState& touched() const { return *state_; }
     /// As it is now; what begins in this instant may have begun or not.
-    const LinkState& state() {
-        catch_up();
-        return *state_;
-    }
+    const LinkState& state();
 
     /// Begins to fetch what bytes_begun_before looks at.
     void fetch() const { __builtin_prefetch(&period_); }
@@ -71,7 +68,7 @@ public:
     std::uint32_t bytes_begun_before(Time now, std::size_t direction) {
         if (period_.is_simple_around(now)) [[likely]]
             return period_.part_bytes[direction] - period_.bytes_left(direction, now - Time{1});
-        catch_up();
+        catch_up(now);
         const LinkPackets::Stream& stream = state_->packets.streams[direction];
         std::uint32_t bytes = state_->directions[direction].part_bytes - stream.bytes_left;
         return bytes > 0 && stream.last_start >= now ? bytes - 1 : bytes;
@@ -79,14 +76,7 @@ public:
 
     /// The receiver of a direction in which nothing is under way asks: that is a step towards nothing, so that nobody
     /// need look ahead. Returns whether it is such a direction.
-    bool waits_idly(std::size_t direction) {
-        catch_up();
-        if (state_->directions[direction].phase != LinkState::Phase::idle ||
-            state_->directions[direction].first_byte == LinkState::FirstByte::waits)
-            return false;
-        state_->directions[direction].receiver = ahead_->directions[direction].receiver = LinkState::Receiver::waits;
-        return true;
-    }
+    bool waits_idly(std::size_t direction);
 
     // What is visible besides what processes see. REQUIRES: before the run, except for the last.
     /// Every step is, as the reference by which all that saves events is tested.
@@ -100,8 +90,13 @@ public:
 
 private:
     void happen() noexcept override;
+    void fetch_states() const;
     Process* take(const LinkState::Next&);
-    void catch_up();
+    void catch_up(Time now) {
+        if (now >= quiet_until_) [[unlikely]]
+            take_steps_until(now);
+    }
+    void take_steps_until(Time now);
     void catch_up_and_stay();
     void take_unseen_steps(Time until);
     void forget_run() {
@@ -118,22 +113,22 @@ private:
     bool may_run(const LinkState::Next&) const;
 
     // In the order of use, in lines of the cache.
-    LinkPeriod period_; ///< of the packets between the state and the next visible step
-    LinkState* state_ = &states_[0]; ///< when it was touched last
-    Time quiet_until_{}; ///< until then it is the state of now
+    Time quiet_until_{};                   ///< until then the state is that of now
     Time runs_from_ = never, runs_until_{}; ///< when packets run by themselves, within what was looked at
+    LinkState* state_ = &states_[0];       ///< when it was touched last
+    LinkState* ahead_ = &states_[1];       ///< just before the next visible step
+    LinkPeriod period_;                    ///< of the packets between the two
+    std::array<LinkState, 2> states_;
+    LinkState::Next next_;      ///< the visible step
+    enum class Ahead : std::uint8_t { nowhere, at_once, after_others };
+    Ahead next_is_ = Ahead::nowhere; ///< the visible step: none, that of `state_`, that of `ahead_`
+    bool shows_every_step_ = false;
+    std::array<bool, 2> trace_carries_{};
+    Time steady_until_ = never; ///< packets that begin before come over, at the speed of now
+    std::uint64_t first_rank_;
     Kernel& kernel_;
     const PacketTimes& times_;
     LinkObserver& observer_;
-    std::uint64_t first_rank_;
-    Time steady_until_ = never; ///< packets that begin before come over, at the speed of now
-    bool shows_every_step_ = false;
-    std::array<bool, 2> trace_carries_{};
-    enum class Ahead : std::uint8_t { nowhere, at_once, after_others };
-    Ahead next_is_ = Ahead::nowhere; ///< the visible step: none, that of `state_`, that of `ahead_`
-    LinkState::Next next_;           ///< the visible step
-    LinkState* ahead_ = &states_[1]; ///< just before that
-    std::array<LinkState, 2> states_;
 };
 
 } // namespace placedpar::hardware
