@@ -230,8 +230,8 @@ private:
     // ... and what few do.
     RegisterUser *writer_ = nullptr, *reader_ = nullptr; ///< null: an engine is at that end
     std::unique_ptr<Counts> counts_;                     ///< null: it carries messages
-    std::uint64_t bytes_left_over_ = 0; ///< how many came of the message that its sender has given up
-    std::uint64_t acknowledged_when_left_ = 0; ///< bytes of the message that its receiver has given up
+    std::uint64_t bytes_left_over_ = 0;                  ///< how many came of the message that its sender has given up
+    std::uint64_t acknowledged_when_left_ = 0;           ///< bytes of the message that its receiver has given up
     std::uint64_t sent_when_given_up_ = 0, taken_when_given_up_ = 0; ///< bytes; until the end is reset
     // Of those carried the ones that travelled before the speed changed last.
     std::uint64_t bytes_at_old_speed_ = 0;

@@ -34,8 +34,8 @@ void LinkCourse::Touch::begin_if_free(std::size_t direction) {
 
 /// With those who are to know.
 Process* LinkCourse::take(const LinkState::Next& next) {
-    LinkState::Fate fate =
-        state_->may_lose_packets && begins_packet(next.step) ? observer_.packet_begins(next) : LinkState::Fate::comes_over;
+    LinkState::Fate fate = state_->may_lose_packets && begins_packet(next.step) ? observer_.packet_begins(next)
+                                                                                : LinkState::Fate::comes_over;
     LinkState::Outcome outcome = state_->take(next, times_, fate);
     return observer_.taken(*state_, next, outcome);
 }
@@ -72,8 +72,9 @@ void LinkCourse::take_steps_until(Time now) {
         if (state_->packets.now < runs_from_)
             take_unseen_steps(runs_from_);
         const std::array<std::uint32_t, 2> before = state_->bytes_left();
-        period_.run(state_->packets, times_, {.before = later(std::min(now, runs_until_), Time{1}),
-                                                .last_bytes_stop = kernel_.trace() != nullptr});
+        period_.run(
+            state_->packets, times_,
+            {.before = later(std::min(now, runs_until_), Time{1}), .last_bytes_stop = kernel_.trace() != nullptr});
         state_->note_last_bytes(before, times_);
     }
     take_unseen_steps(now);
@@ -202,9 +203,9 @@ bool LinkCourse::is_visible(const LinkState& state, const LinkState::Next& next)
 
 bool LinkCourse::trace_sees_byte(const LinkState& state, std::size_t d) const {
     const LinkState::Direction& direction = state.directions[d];
-    return kernel_.trace() && (!trace_carries_[d] || state.packets.streams[d].bytes_left == 1 ||
-                               direction.sender_is == LinkState::User::program ||
-                               direction.ends != LinkState::Ends::agree);
+    return kernel_.trace() &&
+           (!trace_carries_[d] || state.packets.streams[d].bytes_left == 1 ||
+            direction.sender_is == LinkState::User::program || direction.ends != LinkState::Ends::agree);
 }
 
 } // namespace placedpar::hardware

@@ -2,6 +2,7 @@
 
 #include "runtime/event.hpp"
 #include "runtime/hardware/link_packets.hpp"
+#include "runtime/hardware/link_period.hpp"
 #include "runtime/hardware/link_state.hpp"
 #include "runtime/hardware/link_timing.hpp"
 #include "runtime/time.hpp"
@@ -113,13 +114,13 @@ private:
     bool may_run(const LinkState::Next&) const;
 
     // In the order of use, in lines of the cache.
-    Time quiet_until_{};                   ///< until then the state is that of now
+    Time quiet_until_{};                    ///< until then the state is that of now
     Time runs_from_ = never, runs_until_{}; ///< when packets run by themselves, within what was looked at
-    LinkState* state_ = &states_[0];       ///< when it was touched last
-    LinkState* ahead_ = &states_[1];       ///< just before the next visible step
-    LinkPeriod period_;                    ///< of the packets between the two
+    LinkState* state_ = &states_[0];        ///< when it was touched last
+    LinkState* ahead_ = &states_[1];        ///< just before the next visible step
+    LinkPeriod period_;                     ///< of the packets between the two
     std::array<LinkState, 2> states_;
-    LinkState::Next next_;      ///< the visible step
+    LinkState::Next next_; ///< the visible step
     enum class Ahead : std::uint8_t { nowhere, at_once, after_others };
     Ahead next_is_ = Ahead::nowhere; ///< the visible step: none, that of `state_`, that of `ahead_`
     bool shows_every_step_ = false;

@@ -147,8 +147,7 @@ bool LinkDirection::give_up_input(AnyChannel& channel) {
         LinkPackets::Stream& stream = touch->packets.streams[number_];
         input_given_up_ = true;
         direction.receiver = LinkState::Receiver::absent;
-        const bool unnoticed =
-            direction.phase == Phase::travels && stream.acknowledge && kernel_.now() < stream.due;
+        const bool unnoticed = direction.phase == Phase::travels && stream.acknowledge && kernel_.now() < stream.due;
         if (unnoticed) {
             direction.phase = Phase::unnoticed;
             direction.at = std::exchange(stream.due, never);

@@ -235,8 +235,7 @@ Time LinkState::runs_before(std::size_t d, const PacketTimes& times) const {
     const LinkPackets::Stream& stream = packets.streams[d];
     if (!stream.flows())
         return direction.phase == Phase::unnoticed || direction.phase == Phase::restarts ? direction.at : never;
-    if (direction.sender_is == User::program || direction.receiver_is == User::program ||
-        direction.ends != Ends::agree)
+    if (direction.sender_is == User::program || direction.receiver_is == User::program || direction.ends != Ends::agree)
         return stream.due;
     const bool first_byte_is_next = !stream.acknowledge && stream.bytes_left == direction.part_bytes;
     return first_byte_is_next && !is_first_byte_foreseen(d, times) ? stream.due : never;

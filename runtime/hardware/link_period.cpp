@@ -1,4 +1,4 @@
-#include "runtime/hardware/link_packets.hpp"
+#include "runtime/hardware/link_period.hpp"
 
 namespace placedpar::hardware {
 
