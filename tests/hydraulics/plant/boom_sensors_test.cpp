@@ -1,6 +1,7 @@
 #include "hydraulics/plant/boom_sensors.hpp"
 #include "hydraulics/plant/requirement.hpp"
 #include "runtime/random.hpp"
+#include "tests/nearly.hpp"
 
 #include <doctest/doctest.h>
 
@@ -87,9 +88,9 @@ TEST_CASE("noise has the deviation asked for, and the seed decides it") {
         auto count = static_cast<double>(record.size());
         return std::sqrt(squares / count - sum / count * sum / count);
     };
-    CHECK(deviation(Sensor::inlet_pressure) == doctest::Approx(10).epsilon(0.08)); // 1501 samples: 1.8 % each
-    CHECK(deviation(Sensor::angle) == doctest::Approx(0.02).epsilon(0.08));
-    CHECK(deviation(Sensor::spool) == doctest::Approx(0.001).epsilon(0.08));
+    CHECK(deviation(Sensor::inlet_pressure) == test::nearly(10, 0.08)); // 1501 samples: 1.8 % each
+    CHECK(deviation(Sensor::angle) == test::nearly(0.02, 0.08));
+    CHECK(deviation(Sensor::spool) == test::nearly(0.001, 0.08));
     Record again = read_with(sensors, excavator, motion), other = read_with(sensors, excavator, motion, 2);
     for (Sensor sensor : {Sensor::inlet_pressure, Sensor::angle, Sensor::spool}) {
         CHECK(again.of(Link::boom, sensor) == record.of(Link::boom, sensor));
