@@ -27,13 +27,13 @@ TEST_CASE("what the machine's own lag finds is found by the machine's own lag") 
 
 TEST_CASE("the lag and the offset that find a compliance do find it") {
     BoomData data = measure({BoomPlant::simple}, 1);
-    CHECK(found_while_rising(data, {AreasFrom::servo, lag_that_finds(0.011, data), 0}) == test::nearly(0.011, 0.01));
+    CHECK(found_while_rising(data, {AreasFrom::servo, lag_that_finds(0.011, data), 0}) == test::nearly(0.011, 0.001));
     double low = offset_that_finds(0.005, data);
     CHECK(low < 0);
     // A sensor that reads so much too low.
     for (double& spool_in : data.record.of(Link::boom, Sensor::spool))
         spool_in += low;
-    CHECK(found_while_rising(data, model_of(data, AreasFrom::spool)) == test::nearly(0.005, 0.01));
+    CHECK(found_while_rising(data, model_of(data, AreasFrom::spool)) == test::nearly(0.005, 0.001));
 }
 
 TEST_CASE("a compliance that no lag finds is refused") {
