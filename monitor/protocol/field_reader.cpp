@@ -100,7 +100,7 @@ void FieldReader::finish() const {
     for (const std::string& name : names())
         if (std::ranges::find(asked_, name) == asked_.end()) {
             std::string meant = did_you_mean(name, asked_);
-            throw BadMessage(path_of(name), "unknown field",
+            throw BadMessage(path_of(name), "there is no such field",
                              meant.empty() ? fmt::format("one of {}", fmt::join(asked_, ", ")) : meant);
         }
 }

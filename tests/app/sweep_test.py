@@ -292,7 +292,7 @@ class BadInput(InFolder):
                 (["slaves=0..65535", "linkspeed=1..65536", "population=1..65536", "master.trials=1..65536"],
                  "the study has more runs than can be counted: all combinations of 4 settings with several values (65536 of slaves,"),
                 (["slaves=0..3", "--seeds", 2 ** 62], "(4 of slaves), each with 4611686018427387904 seeds, are more than"),
-                (["--seed", 2 ** 64 - 1, "--seeds", 2], "there are no 2 seeds from 18446744073709551615 on")):
+                (["--seed", 2 ** 64 - 1, "--seeds", 2], "cannot take 2 seeds from 18446744073709551615 on")):
             with self.subTest(arguments):
                 self.assertIn(message, self.sweep(FIGURE_E2, *arguments, "--yes", code=1))
         self.assertEqual(os.listdir(self.folder), [])

@@ -77,7 +77,7 @@ TEST_CASE("binary rubbish") {
     CHECK(render(result.diagnostics) == "netlist:2:6: error: this is a binary file, not text: it holds the byte 0x00\n"
                                         "    \tval \\x00 x\n"
                                         "    \t    ^\n");
-    CHECK(refused("\x7f\x45\x4c\x46").starts_with("this is no text but a binary file"));
+    CHECK(refused("\x7f\x45\x4c\x46").starts_with("this is a binary file, not text"));
     CHECK(refused("val \xff 5;") == "illegal character byte 0xff");
 }
 
@@ -198,7 +198,7 @@ TEST_CASE("overrides that make no sense") {
     CHECK(refused("{ val n 1; }", {{"n", "5"}}) == "the val \"n\" is declared in a block");
     CHECK(refused("{ val n {1, 2}; }", {{"n[0]", "5"}}) == "the val \"n\" is declared in a block");
     CHECK(refused("val n {1, 2};", {{"n[0]", "5"}}) == "the val \"n\" is set as a whole, not one of its elements");
-    CHECK(refused("val n 1;", {{"n", std::string("1\0", 2)}}).starts_with("this is no text but a binary file"));
+    CHECK(refused("val n 1;", {{"n", std::string("1\0", 2)}}).starts_with("this is a binary file, not text"));
 }
 
 TEST_CASE("a caret finds its column over tabs, other alphabets and long lines") {

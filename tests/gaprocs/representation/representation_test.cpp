@@ -66,7 +66,7 @@ TEST_CASE("a text that is not a string of the representation is refused") {
     CHECK(refusal_of_text(two_reals, "1 x") == "\"x\" is not a number");
     CHECK(refusal_of_text(two_reals, "1 1.5") == "1.5 is out of range: number 2 goes from -1 to 1");
     CHECK(refusal_of_text(two_reals, "nan 0") == "nan is out of range: number 1 goes from 0 to 10");
-    CHECK(refusal_of_text(order_of_4, "0 1 2 4") == "4 is no place, expected each of 0 to 3 once");
+    CHECK(refusal_of_text(order_of_4, "0 1 2 4") == "4 is not a place, expected each of 0 to 3 once");
     CHECK(refusal_of_text(order_of_4, "0 1 2 1") == "1 is there twice, expected each of 0 to 3 once");
     CHECK(refusal_of_text(order_of_4, "0 1 2 -1") == "\"-1\" is not a whole number");
 }

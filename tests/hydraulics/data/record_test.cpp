@@ -86,7 +86,7 @@ TEST_CASE("as spreadsheets write it: byte order mark, CR LF, quotes, plus signs"
 }
 
 TEST_CASE("what is wrong with a header") {
-    CHECK(record_faults("") == "error 0:0: there is no header | such as time [s],boom.inlet_pressure [psi]\n");
+    CHECK(record_faults("") == "error 0:0: the header is missing | such as time [s],boom.inlet_pressure [psi]\n");
     CHECK(record_faults("boom.angle [deg]\n1\n") ==
           "error 1:1: the column \"time\" is missing | the first column is mostly time [s]\n");
     CHECK(record_faults("time [s]\n"

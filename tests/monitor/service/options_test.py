@@ -22,7 +22,7 @@ class Options(ServiceTest):
             wrong += [str(float(least) * 0.99)] if float(least) > 0 and not whole else []
             wrong += [str(int(least) - 1)] if whole and least != "0" else []
             for value in wrong:
-                self.assertIn(f'{option}: "{value}" is no {"whole " if whole else ""}number from {least} to {greatest}',
+                self.assertIn(f'{option}: "{value}" is not a {"whole " if whole else ""}number from {least} to {greatest}',
                               self.refusal(f"{option}={value}"))
         self.assertIn("--state: ", self.refusal("--state", ""))
         self.assertIn('--seed: "-1" is not a whole number', self.refusal("--seed=-1"))
