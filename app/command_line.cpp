@@ -84,9 +84,9 @@ void require_command(const DeclaredCommand& program, std::span<char*> words) {
     if (std::ranges::find(known, name) != known.end())
         return;
     if (std::string meant = meant_by(program, words); !meant.empty())
-        throw UserError(fmt::format("there is no command \"{}\"; did you mean {} {}?", name, program_name(), meant));
-    throw UserError(there_is_no(option ? "option" : "command", name, known,
-                                fmt::format("say {} --help for those there are", program_name())));
+        throw UserError(fmt::format("unknown command \"{}\"; did you mean {} {}?", name, program_name(), meant));
+    throw UserError(unknown_name(option ? "option" : "command", name, known,
+                                 fmt::format("say {} --help for those there are", program_name())));
 }
 
 /// Of arguments that no option takes. Throws UserError.
@@ -98,9 +98,9 @@ void require_command(const DeclaredCommand& program, std::span<char*> words) {
     auto option =
         std::ranges::find_if(extras, [](const std::string& each) { return each.size() > 1 && each[0] == '-'; });
     if (option != extras.end())
-        throw UserError(there_is_no("option", option->substr(0, option->find('=')),
-                                    declared(command).names_of_options(),
-                                    fmt::format("say {} --help for those there are", name)));
+        throw UserError(unknown_name("option", option->substr(0, option->find('=')),
+                                     declared(command).names_of_options(),
+                                     fmt::format("say {} --help for those there are", name)));
     throw UserError(fmt::format("{} takes no further argument: \"{}\"", name, extras.empty() ? "" : extras.front()));
 }
 

@@ -18,10 +18,11 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "gnuplot-nox, libplacedpar-dev, placedpar-mpi")
 
-# Who links the rooms needs what they are built with, but for what only studies and MPI's ranks include.
+# Programs that link the rooms need what these are built with, but for header-only libraries that no installed header
+# includes (CLI11, Eigen, toml++) and MPI.
 set(needed ${libraries})
 list(FILTER needed INCLUDE REGEX "-dev$")
-list(FILTER needed EXCLUDE REGEX "mpi|toml")
+list(FILTER needed EXCLUDE REGEX "cli11|eigen3|mpi|toml")
 list(JOIN needed ", " needed)
 set(CPACK_DEBIAN_DEV_DESCRIPTION "simulator of transputer networks, as libraries
  Headers, static libraries and a CMake package for programs with processes of their own.")

@@ -58,8 +58,8 @@ Time parse_time(const std::string& text) {
         parts && parts->unit.empty() && (parts->whole + parts->fraction).find_first_not_of('0') == text.npos;
     std::optional<int> power = is_nothing ? 0 : parts ? power_of(parts->unit) : std::nullopt;
     if (!power)
-        throw UserError(
-            fmt::format("\"{}\" is no time: it takes a number and a unit of s, ms, us, ns or ps, such as 2.5ms", text));
+        throw UserError(fmt::format(
+            "\"{}\" is not a time: it takes a number and a unit of s, ms, us, ns or ps, such as 2.5ms", text));
     Time time{0};
     for (char digit : picoseconds(text, *parts, *power))
         time = later(times(10, time), Time{digit - '0'});

@@ -79,7 +79,7 @@ const RecordedProblem& ProblemRegistry::find(std::string_view name) const {
     if (family != families_.end())
         return make(family->second, name);
     std::string guess = did_you_mean(name, names());
-    throw UserError(fmt::format("there is no search problem '{}'; known: {}{}", name, fmt::join(names(), ", "),
+    throw UserError(fmt::format("unknown search problem '{}'; known: {}{}", name, fmt::join(names(), ", "),
                                 guess.empty() ? "" : "; " + guess));
 }
 

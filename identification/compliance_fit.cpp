@@ -72,7 +72,7 @@ ComplianceFit fit_at(const PerLinkVector& compliance, const Eigen::VectorXd& mis
     if (normal.isInvertible()) {
         PerLinkMatrix covariance = variance * normal.inverse();
         for (Eigen::Index c = 0; c < compliance.size(); ++c)
-            if (covariance(c, c) >= 0 && std::isfinite(covariance(c, c))) // false of what is no number
+            if (covariance(c, c) >= 0 && std::isfinite(covariance(c, c))) // false of what is not a number
                 fit.standard_error[static_cast<std::size_t>(c)] = std::sqrt(covariance(c, c));
     }
     return fit;
@@ -137,7 +137,7 @@ ExhaustiveOptimum exhaustive_optimum(const Circuit& circuit, std::span<const Cir
     std::uint64_t best = 0;
     double greatest = -std::numeric_limits<double>::infinity();
     for (std::uint64_t string = 0; string < fitness.size(); ++string)
-        if (fitness[string] > greatest) { // false of what is no number
+        if (fitness[string] > greatest) { // false of what is not a number
             greatest = fitness[string];
             best = string;
         }

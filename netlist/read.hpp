@@ -42,7 +42,7 @@ public:
     /// "-" is standard input, and its `#include` relative to the working directory. Throws nothing that the text can
     /// cause: what is wrong with it is said of each network.
     explicit ParsedNetlist(const std::filesystem::path& path, const ReadOptions& options = {});
-    /// The same for a text that is no file; `#include` is then relative to the working directory.
+    /// The same for a text that is not a file; `#include` is then relative to the working directory.
     static ParsedNetlist of_text(const std::string& text, const std::string& shown_path = "netlist",
                                  const ReadOptions& options = {});
 
@@ -60,7 +60,7 @@ private:
 ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& catalogue, const Overrides& overrides = {},
                         const ReadOptions& options = {});
 
-/// The same for a text that is no file.
+/// The same for a text that is not a file.
 ReadResult read_netlist_text(const std::string& text, const Catalogue& catalogue, const Overrides& overrides = {},
                              const std::string& shown_path = "netlist", const ReadOptions& options = {});
 

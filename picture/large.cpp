@@ -19,6 +19,7 @@ namespace placedpar::picture {
 namespace {
 
 constexpr double lane_start = 10, lane_gap = 6; ///< of wires beside each other between two rows or columns
+constexpr double most_sagitta = 0.05;           ///< of a chord in place of an arc, in cells
 constexpr double apart = 3;                     ///< of blocks, in cells
 
 /// Blocks are numbered from the left: 0 has the single nodes.
@@ -272,7 +273,9 @@ private:
         double across = ring.width / 2, high = ring.height / 2, reach = 1 + 0.75 / *block(node).radius;
         double angle = std::atan2((outside.y - c.y) / high, (outside.x - c.x) / across),
                goal = rightward ? 0 : std::copysign(std::numbers::pi, angle);
-        int steps = static_cast<int>(std::ceil(std::abs(goal - angle) * *block(node).radius));
+        // A chord comes no nearer to the boxes than by most_sagitta: a ring of n nodes takes sqrt(n) of them.
+        double chord = std::sqrt(8 * most_sagitta / *block(node).radius);
+        int steps = static_cast<int>(std::ceil(std::abs(goal - angle) / chord));
         for (int i = 1; i <= steps; ++i) {
             double turn = angle + (goal - angle) * i / steps;
             path.push_back(c + Point{reach * across * std::cos(turn), reach * high * std::sin(turn)});

@@ -62,7 +62,7 @@ void refuse_kind(const Catalogue& catalogue, const std::string& name, const std:
         meant = kind_without_group(catalogue, name);
     if (meant.empty())
         meant = nearest_name(name, others);
-    throw UserError(fmt::format("there is no process kind, device, problem or policy \"{}\"; {}", name,
+    throw UserError(fmt::format("unknown process kind, device, problem or policy \"{}\"; {}", name,
                                 meant.empty() ? fmt::format("say {} kinds for those there are", program_name())
                                               : fmt::format("did you mean \"{}\"?", meant)));
 }

@@ -40,8 +40,8 @@ std::optional<Diagnostic> binary_problem(const File& file) {
     auto byte = fmt::format("0x{:02x}", static_cast<unsigned char>(*odd));
     return problem_at(file, line, static_cast<std::size_t>(odd - start) + 1,
                       std::ranges::any_of(text, is_of_binary_file)
-                          ? "this is no text but a binary file: it holds the byte " + byte
-                          : "the control character " + byte + " is no part of a text: remove it");
+                          ? "this is a binary file, not text: it holds the byte " + byte
+                          : "the control character " + byte + " does not belong in a text: remove it");
 }
 
 /// The first line that is too long.

@@ -79,10 +79,10 @@ std::string did_you_mean(std::string_view wanted, const std::vector<std::string>
     return best.empty() ? "" : "did you mean \"" + best + "\"?";
 }
 
-std::string there_is_no(std::string_view what, std::string_view wanted, const std::vector<std::string>& candidates,
-                        std::string_view otherwise) {
+std::string unknown_name(std::string_view what, std::string_view wanted, const std::vector<std::string>& candidates,
+                         std::string_view otherwise) {
     auto suggestion = did_you_mean(wanted, candidates);
-    return fmt::format("there is no {} \"{}\"; {}", what, wanted, suggestion.empty() ? otherwise : suggestion);
+    return fmt::format("unknown {} \"{}\"; {}", what, wanted, suggestion.empty() ? otherwise : suggestion);
 }
 
 } // namespace placedpar

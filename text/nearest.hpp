@@ -18,10 +18,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 /// word. "" where nothing is near enough to be meant.
 std::string nearest_name(std::string_view wanted, const std::vector<std::string>& candidates);
 
-/// `there is no WHAT "wanted"; did you mean "name"?`, or, where no candidate is near, with `otherwise` behind the
+/// Returns `unknown WHAT "wanted"; did you mean "name"?`, or, where no candidate is near, with `otherwise` behind the
 /// semicolon.
-std::string there_is_no(std::string_view what, std::string_view wanted, const std::vector<std::string>& candidates,
-                        std::string_view otherwise);
+std::string unknown_name(std::string_view what, std::string_view wanted, const std::vector<std::string>& candidates,
+                         std::string_view otherwise);
 
 /// `did you mean "name"?`, or "" where no candidate is near.
 std::string did_you_mean(std::string_view wanted, const std::vector<std::string>& candidates);

@@ -47,8 +47,8 @@ void write_whole(const std::filesystem::path&, std::string_view content);
 /// file if that is "-".
 void require_writable(const std::filesystem::path&);
 
-/// Throws UserError if one of the outputs is also the input or another output. An empty path is no file, and standard
-/// input and standard output, both "-", are two.
+/// Throws UserError if one of the outputs is also the input or another output. An empty path is not a file, and
+/// standard input and standard output, both "-", are two.
 void require_apart(std::span<const std::filesystem::path> outputs, const std::filesystem::path& input);
 
 /// Writes to standard output, at once; as print_error() does where a file takes standard output. Throws UserError when

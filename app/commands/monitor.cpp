@@ -43,7 +43,7 @@ void add_number(Options& command, const std::string& group, const char* name, Nu
         if (whole)
             good = good && text.find_first_not_of("0123456789") == text.npos && (text[0] != '0' || text == "0");
         return good ? std::string()
-                    : fmt::format("\"{}\" is no {} from {} to {}", text, whole ? "whole number" : "number",
+                    : fmt::format("\"{}\" is not a {} from {} to {}", text, whole ? "whole number" : "number",
                                   bounds.least, bounds.greatest);
     };
     command.add(name, value, fmt::format("{}, {} to {}", about, bounds.least, bounds.greatest))

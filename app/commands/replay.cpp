@@ -54,7 +54,7 @@ std::vector<std::string> names_of_experiments() {
 const Experiment& find_experiment(const std::string& name) {
     auto found = std::ranges::find(experiments(), name, &Experiment::name);
     if (found == experiments().end())
-        throw UserError(there_is_no("experiment", name, names_of_experiments(), "there are:\n" + list_experiments()));
+        throw UserError(unknown_name("experiment", name, names_of_experiments(), "there are:\n" + list_experiments()));
     return *found;
 }
 
@@ -93,7 +93,7 @@ void require_outputs(const ReplayOptions& options) {
 
 void require_study(const Experiment& experiment, const ReplayOptions& options) {
     if (experiment.seeds == 0 && (options.seeds != 0 || !options.resume.empty()))
-        throw UserError(fmt::format("{} is no study over several seeds, so that --seeds and --resume mean nothing",
+        throw UserError(fmt::format("{} is not a study over several seeds, so --seeds and --resume have no effect",
                                     experiment.name));
     if (options.resume.empty())
         return;

@@ -30,8 +30,8 @@ constexpr WalkFunction walk_function_table[]{
 const WalkFunction& walk_function(const std::string& name) {
     auto found = std::ranges::find_if(walk_function_table, [&](const WalkFunction& each) { return each.name == name; });
     if (found == std::end(walk_function_table))
-        throw UserError(there_is_no("function", name, walk_functions(),
-                                    fmt::format("there are: {}", fmt::join(walk_functions(), ", "))));
+        throw UserError(unknown_name("function", name, walk_functions(),
+                                     fmt::format("there are: {}", fmt::join(walk_functions(), ", "))));
     return *found;
 }
 

@@ -17,7 +17,7 @@ std::string not_a_number_within(const std::string& text, std::uint64_t least, st
     std::optional<std::uint64_t> number = parse_number<std::uint64_t>(text);
     bool octal = text.size() > 1 && text[0] == '0'; // to CLI11
     bool right = number && !octal && *number >= least && *number <= most;
-    return right ? "" : fmt::format("\"{}\" is no whole number from {} to {}", text, least, most);
+    return right ? "" : fmt::format("\"{}\" is not a whole number from {} to {}", text, least, most);
 }
 
 std::string not_at_least_one(const std::string& text) { return text == "0" ? "at least 1" : ""; }

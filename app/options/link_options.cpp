@@ -26,7 +26,7 @@ LinkSet links_of(const std::string& text) {
         auto link = link_named(name);
         if (!link)
             throw UserError(
-                fmt::format("--link {}: there is no link \"{}\"; there are bucket, boom, stick and swing", text, name));
+                fmt::format("--link {}: unknown link \"{}\"; the links are bucket, boom, stick and swing", text, name));
         if (links.contains(*link))
             throw UserError(fmt::format("--link {}: {} is named twice", text, name_of(*link)));
         links.insert(*link);

@@ -14,7 +14,7 @@ Option add_links(Options&, std::string& links, const std::string& about);
 /// --configuration, a to e, of the main valve.
 Option add_configuration(Options&, std::string& configuration, const std::string& about);
 
-/// What --link says. Throws UserError for a name that is no link's, or is there twice.
+/// What --link says. Throws UserError for a name that is not a link's, or is there twice.
 hydraulics::LinkSet links_of(const std::string& links);
 
 } // namespace placedpar

@@ -19,8 +19,8 @@ std::vector<std::string> names_of_scenarios();
 
 /// The scenario's parameters on a machine, with those that --noise and --set gave in place of its own. A value is a
 /// number in the room's unit, or one with a unit: "4.1e-11 m^3/Pa". Throws UserError for a level of noise or
-/// a name that the scenario does not know, for what is no number or no unit of the quantity, and for a value out of the
-/// parameter's range.
+/// a name that the scenario does not know, for what is not a number or no unit of the quantity, and for a value out of
+/// the parameter's range.
 hydraulics::Parameters scenario_parameters(const hydraulics::RecordScenario& scenario,
                                            const hydraulics::Parameters& machine, const std::string& noise,
                                            const Overrides& overrides);

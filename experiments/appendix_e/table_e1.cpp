@@ -13,7 +13,7 @@ const ProcessInstance& master_of(const Network& network) {
     for (const ProcessInstance& process : network.processes)
         if (process.name == "master" && process.kind == "ga.master")
             return process;
-    throw UserError(fmt::format("{}: there is no process \"master\" of the kind ga.master", network.source_path));
+    throw UserError(fmt::format("{}: expected a process \"master\" of the kind ga.master", network.source_path));
 }
 
 /// Which constant is what, with the values that the netlist gave.

@@ -198,7 +198,7 @@ Replay replay_baselines(const ReplayContext& context) {
         {"white noise, sigma = 0.3", {.noise = 0.3}},
         {"coloured noise, sigma = 0.3, c1 = .8", {.noise = 0.3, .colour = {colour, 0}}}};
     std::vector<Comparison> comparisons(1);
-    Plot plot{"Followers of the pole that are no genetic algorithms, " + median_of_seeds(context), {}};
+    Plot plot{"Followers of the pole other than genetic algorithms, " + median_of_seeds(context), {}};
     for (const Weather& weather : weathers) {
         auto searched = searches(context, weather.plant), exact = estimates(context, weather.plant);
         if (weather.plant.noise == 0)

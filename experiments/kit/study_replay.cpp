@@ -74,7 +74,7 @@ void StudyReplay::look_at_netlists() const {
             possible.add(load_network(netlist, run->set, kinds, warn), kinds, problems);
     for (const std::string& each : study_.figures)
         if (const StudyMeasure measure(each); !possible.has(measure))
-            refuse(possible.there_is_no(measure));
+            refuse(possible.why_unknown(measure));
 }
 
 Comparison& StudyReplay::table(Replay& replay, const std::string& name) const {

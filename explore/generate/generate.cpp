@@ -26,8 +26,8 @@ Job job_of_kind(const Wish& wish, const Catalogue& catalogue, const Topology& to
     const ProcessKind* kind = catalogue.find(wish.job);
     if (!kind)
         throw UserError(
-            there_is_no("kind of process", wish.job, catalogue.kind_names(),
-                        fmt::format("expected farm, islands, or a name that {} kinds lists", program_name())));
+            unknown_name("kind of process", wish.job, catalogue.kind_names(),
+                         fmt::format("expected farm, islands, or a name that {} kinds lists", program_name())));
     require_port(*kind, wish.output, Direction::output, "--output");
     require_port(*kind, wish.input, Direction::input, "--input");
     return processes_of(wish.job, kind->port("from_host") != nullptr, wish.output, wish.input, topology);

@@ -50,8 +50,8 @@ Job farm(const Topology& topology) {
         "        connect slave[i - 1].to_master to master.from_slaves[i - 1];\n";
     statements += fmt::format("        place slave[i - 1] on t{};\n    }}\n}}\n", topology.at);
     return {.has_host = true,
-            .about = "A farm: a master on the first processor, slaves on all others. What is no neighbour of the "
-                     "master is led through others.",
+            .about = "A farm: a master on the first processor, slaves on all others. Slaves that are not its "
+                     "neighbours are reached through others.",
             .vals = std::string("val population nodes > 120 ? nodes : 120;\n") + workload,
             .statements = statements};
 }

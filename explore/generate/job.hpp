@@ -14,7 +14,7 @@ struct Job {
     std::string statements; ///< likewise
 };
 
-/// A master, and a slave on every other processor; what is no neighbour of the master is led through others.
+/// A master, and a slave on every other processor; what is not a neighbour of the master is led through others.
 Job farm(const Topology&);
 /// An island on every processor; what is wired exchanges individuals.
 Job islands(const Topology&);

@@ -27,7 +27,7 @@ constexpr const char* forms_of_range = "a range is FROM..TO, FROM..TO..STEP or F
 double end_of_range(std::string_view range, std::string_view text) {
     std::optional<double> number = number_of_setting(std::string(text));
     if (!number)
-        refuse_range(range, fmt::format("\"{}\" is no number; {}", text, forms_of_range));
+        refuse_range(range, fmt::format("\"{}\" is not a number; {}", text, forms_of_range));
     return *number;
 }
 

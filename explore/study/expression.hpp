@@ -25,7 +25,7 @@ public:
     std::set<std::string> names() const;
     /// None always holds. Throws RefusedInput where it names what is neither set nor a figure, or cannot be computed.
     bool holds(const Overrides& set) const;
-    /// Throws RefusedInput as holds(), and where it is no number. REQUIRES: it is not none.
+    /// Throws RefusedInput as holds(), and where it is not a number. REQUIRES: it is not none.
     double value(const Overrides& set, const Figures&) const;
 
 private:

@@ -41,9 +41,9 @@ std::string name_of_array(const std::string& figure) {
                : figure.substr(0, bracket) + figure.substr(dot);
 }
 
-std::string say_there_is_no(const std::string& measure, const std::set<std::string>& known) {
+std::string unknown_measure(const std::string& measure, const std::set<std::string>& known) {
     std::vector<std::string> names(known.begin(), known.end());
-    return there_is_no("measure", measure, names, fmt::format("the runs have {}", fmt::join(names, ", ")));
+    return unknown_name("measure", measure, names, fmt::format("the runs have {}", fmt::join(names, ", ")));
 }
 
 /// How many of these it describes.
@@ -150,9 +150,10 @@ StudyMeasure::StudyMeasure(const std::string& text) : text_(text), name_(text) {
             name_.pop_back();
         }
     if (name_.empty() || name_.find_first_of("(),") != name_.npos)
-        throw UserError(fmt::format("\"{}\" is no measure: it takes PROCESS.NAME or time, or the min, max, mean or sum "
-                                    "of an array of processes, such as master.T_exe or max(master.T_exe)",
-                                    text));
+        throw UserError(
+            fmt::format("\"{}\" is not a measure: it takes PROCESS.NAME or time, or the min, max, mean or sum "
+                        "of an array of processes, such as master.T_exe or max(master.T_exe)",
+                        text));
 }
 
 bool StudyMeasure::matches(const std::string& figure) const {
@@ -194,7 +195,7 @@ std::string there_is_no_measure(const StudyMeasure& measure, const StudyFigures&
     std::set<std::string> names;
     for (const auto& each : figures)
         names.insert(name_of_array(each.first));
-    return say_there_is_no(measure.text(), names);
+    return unknown_measure(measure.text(), names);
 }
 
 void PossibleMeasures::add(const Network& network, const Catalogue& kinds, const ProblemRegistry& problems) {
@@ -230,8 +231,8 @@ bool PossibleMeasures::has(const StudyMeasure& measure) const {
     return names_.contains(name) || unknown_.contains(name.substr(0, name.rfind('.') + 1));
 }
 
-std::string PossibleMeasures::there_is_no(const StudyMeasure& measure) const {
-    return say_there_is_no(measure.name_without_subscripts(), names_);
+std::string PossibleMeasures::why_unknown(const StudyMeasure& measure) const {
+    return unknown_measure(measure.name_without_subscripts(), names_);
 }
 
 } // namespace placedpar

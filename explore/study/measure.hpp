@@ -70,7 +70,7 @@ public:
     void add(const Network&, const Catalogue&, const ProblemRegistry&);
     bool has(const StudyMeasure&) const;
     /// A sentence, with all that there are.
-    std::string there_is_no(const StudyMeasure&) const;
+    std::string why_unknown(const StudyMeasure&) const;
 
 private:
     void add(const ProcessInstance&, const std::string& described, const ProblemRegistry&);

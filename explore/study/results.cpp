@@ -230,7 +230,7 @@ bool StudyResults::is_ours() {
     } catch (const store::DatabaseError& error) {
         if (!error.damage())
             throw;
-        throw UserError(fmt::format("{}: it is no file of results ({}): name another file, or move this one away",
+        throw UserError(fmt::format("{}: it is not a file of results ({}): name another file, or move this one away",
                                     path_.string(), error.what()));
     }
     if (std::int64_t format = database_->integer("PRAGMA user_version"); format != results_format)

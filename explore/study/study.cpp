@@ -46,7 +46,7 @@ std::uint64_t count_with(std::uint64_t seeds, const StudyProduct& product) {
 void require_seeds(std::uint64_t first, std::uint64_t seeds) {
     if (seeds > 0 && first > most - (seeds - 1))
         throw UserError(
-            fmt::format("there are no {} from {} on: the greatest is {}", counted(seeds, "seed"), first, most));
+            fmt::format("cannot take {} from {} on: the greatest seed is {}", counted(seeds, "seed"), first, most));
 }
 
 } // namespace

@@ -40,7 +40,7 @@ std::size_t axis_called(const StudySummary& summary, const std::string& name) {
         throw UserError(fmt::format("\"{}\" does not have several values in this study", name));
     auto axis = static_cast<std::size_t>(found - summary.axes.begin());
     if (count_numbers(summary, axis) == 0)
-        throw UserError(fmt::format("\"{}\" has values that are no numbers, so nothing can be drawn over it", name));
+        throw UserError(fmt::format("\"{}\" has values that are not numbers, so nothing can be drawn over it", name));
     return axis;
 }
 

@@ -247,7 +247,7 @@ void require_possible(const std::vector<std::string>& measures, const Study& stu
     if (!all_found_with(network))
         look_at_networks(study, all_found_with);
     if (!missing.empty())
-        throw UserError(possible.there_is_no(missing.front()));
+        throw UserError(possible.why_unknown(missing.front()));
 }
 
 /// Makes it, keeps it, and notes how long it took. None when it was interrupted.

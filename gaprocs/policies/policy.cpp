@@ -59,7 +59,7 @@ std::size_t index_of(std::string_view name, const std::vector<PolicyDescription>
 double read_number(std::string_view text, const PolicyNumberDescription& number) {
     std::optional<double> value = parse_number<double>(text);
     if (!value)
-        throw UserError(fmt::format("\"{}\" is no number: {}", text, range_of(number)));
+        throw UserError(fmt::format("\"{}\" is not a number: {}", text, range_of(number)));
     bool fits = *value >= number.least && *value <= number.most && (!number.whole || *value == std::floor(*value));
     if (!fits)
         throw UserError(fmt::format("{} = {} is out of range: {}", number.name, text, range_of(number)));

@@ -49,7 +49,7 @@ std::span<const std::size_t> OwnSchedule::operator()(std::uint64_t exchange,
         const std::size_t *begin = neighbours.data(), *end = begin + neighbours.size();
         require(chosen.empty() ||
                     (!std::less<>()(chosen.data(), begin) && !std::less<>()(end, chosen.data() + chosen.size())),
-                "it gave neighbours that are no part of the list that it was given");
+                "it gave neighbours that are not in the list that it was given");
         return chosen;
     });
 }

@@ -39,7 +39,7 @@ private:
         if (n_.processes[peer.process].parameters.contains("slaves"))
             return true;
         refuse(peer.port,
-               fmt::format("\"{}.{}\" brings tasks of \"{}\", which is no master", name(process_), peer.port,
+               fmt::format("\"{}.{}\" brings tasks of \"{}\", which is not a master", name(process_), peer.port,
                            name(peer.process)),
                "ga.master and ga.island have slaves");
         return false;

@@ -90,7 +90,8 @@ std::vector<T> read_numbers(std::string_view text, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         std::optional<T> number = parse_number<T>(words[i]);
         if (!number)
-            throw UserError(fmt::format("\"{}\" is no {}number", words[i], std::is_same_v<T, double> ? "" : "whole "));
+            throw UserError(
+                fmt::format("\"{}\" is not a {}number", words[i], std::is_same_v<T, double> ? "" : "whole "));
         numbers[i] = *number;
     }
     return numbers;
@@ -100,7 +101,7 @@ Genome read_string(const BitString& bits, std::string_view text) {
     std::string characters = boost::algorithm::trim_copy(std::string(text));
     auto is_bit = [](char each) { return each == '0' || each == '1'; };
     if (characters.size() != bits.bits() || !std::ranges::all_of(characters, is_bit))
-        throw UserError(fmt::format("\"{}\" is no string of {} characters 0 and 1", characters, bits.bits()));
+        throw UserError(fmt::format("\"{}\" is not a string of {} characters 0 and 1", characters, bits.bits()));
     return Genome::from_string(characters);
 }
 
@@ -123,7 +124,7 @@ Genome read_string(const Permutation& permutation, std::string_view text) {
     for (std::size_t each : order) {
         if (each >= order.size() || there[each])
             throw UserError(fmt::format("{} {}, expected each of 0 to {} once", each,
-                                        each < order.size() ? "is there twice" : "is no place", order.size() - 1));
+                                        each < order.size() ? "is there twice" : "is not a place", order.size() - 1));
         there[each] = true;
     }
     return permutation.encode(order);

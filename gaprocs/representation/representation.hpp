@@ -111,7 +111,7 @@ public:
 
     /// "01101"; "0.5 -3"; "2 0 1".
     std::string text(const Genome& genome) const;
-    /// Throws UserError, saying what would be right: a text that is no string of this representation.
+    /// Throws UserError, saying what would be right: a text that is not a string of this representation.
     Genome read(std::string_view text) const;
 
 private:

@@ -104,7 +104,7 @@ void RecordReader::read_header(std::vector<Diagnostic>& faults) {
         return;
     if (std::ranges::find(columns_, "time", &Column::name) == columns_.end())
         faults.push_back(
-            error_at(header.line, 1, "there is no column \"time\"", "the first column is mostly time [s]"));
+            error_at(header.line, 1, "the column \"time\" is missing", "the first column is mostly time [s]"));
     else if (columns_.size() == 1)
         faults.push_back(
             error_at(header.line, 1, "no column of a sensor", "LINK.SENSOR, such as boom.inlet_pressure [psi]"));
@@ -138,7 +138,7 @@ double RecordReader::value_in(const TextRow& row, const Column& column, std::vec
     const TextCell& cell = row.cells[column.index];
     if (is_missing(cell)) {
         faults.push_back(error_at(row.line, cell.column,
-                                  cell.text.empty() ? "no value" : fmt::format("\"{}\" is no reading", cell.text),
+                                  cell.text.empty() ? "no value" : fmt::format("\"{}\" is not a reading", cell.text),
                                   "a number such as 1830.5 or -2e-3; \"placedpar identify --missing skip\" leaves such "
                                   "rows out"));
         return 0;
@@ -212,7 +212,7 @@ bool RecordReader::read_table(std::string_view lines, std::vector<Diagnostic>& f
     if (table_.rows.empty() && has_errors(faults))
         return false;
     if (table_.header.cells.empty()) {
-        faults.push_back(error_at(0, 0, "there is no header", "such as time [s],boom.inlet_pressure [psi]"));
+        faults.push_back(error_at(0, 0, "the header is missing", "such as time [s],boom.inlet_pressure [psi]"));
         return false;
     }
     if (table_.rows.empty() && !before_) { // a header, or a file whose line ends were lost

@@ -26,7 +26,7 @@ BoomSensors boom_sensors(const Parameters& parameters = Parameters::excavator())
 /// Every sensor of the boom, read every period: both pressures at the valve's ends of their hoses, the angle, the
 /// spool, and the voltage that the control system asked for. Draws four normal numbers a sample in the order inlet
 /// pressure, outlet pressure, angle, spool, even without noise. Throws UnfitScenario (requirement.hpp) when the period
-/// is no whole multiple of the motion's step.
+/// is not a whole multiple of the motion's step.
 Record read_boom_sensors(std::span<const MeasuredState> motion, const MeasuredExcavator& excavator,
                          const BoomSensors& sensors, const UniformSource& uniform);
 

@@ -13,7 +13,7 @@ namespace placedpar::hydraulics {
 /// pressure, the angle, and its spool or, where its valve has none, the areas of its inlet and bypass, whose noise is
 /// relative. Draws one normal number for each of these in this order, link after link, even without noise, so that two
 /// levels see the same disturbance in proportion. Readings come in the steps of measurement.hpp. Throws UnfitScenario
-/// (requirement.hpp) when the period is no whole multiple of the motion's step.
+/// (requirement.hpp) when the period is not a whole multiple of the motion's step.
 Record measure_excavator(const ExcavatorMotion& motion, const ExcavatorScenario& scenario, double period_s,
                          const MeasurementNoise& noise, const UniformSource& uniform);
 

@@ -16,7 +16,7 @@ Diagnosis& Diagnoses::greet(const Hello& hello) {
 Diagnosis& Diagnoses::watched_by(const Hello& hello) {
     auto found = diagnoses_.find(hello.machine);
     if (found == diagnoses_.end())
-        throw BadMessage("machine", fmt::format("there is no machine \"{}\"", hello.machine),
+        throw BadMessage("machine", fmt::format("unknown machine \"{}\"", hello.machine),
                          "a machine whose control system has said hello");
     return found->second;
 }
@@ -46,7 +46,7 @@ void Diagnoses::replay(const std::string& machine, std::string_view text) {
     Message message = parse_message(text);
     auto found = diagnoses_.find(machine);
     if (found == diagnoses_.end())
-        throw BadMessage("machine", fmt::format("there is no machine \"{}\"", machine), "a hello before");
+        throw BadMessage("machine", fmt::format("unknown machine \"{}\"", machine), "a hello before");
     if (const auto* change = std::get_if<ConfigurationChange>(&message))
         found->second.change(*change);
     else if (const auto* sample = std::get_if<ExcavatorSample>(&message))

@@ -28,7 +28,7 @@ template <typename T, typename... Base>
 T value_of(std::string_view word, Base... base) {
     std::optional<T> value = parse_number<T>(word, base...);
     if (!value)
-        throw std::runtime_error(fmt::format("\"{}\" is no number", word));
+        throw std::runtime_error(fmt::format("\"{}\" is not a number", word));
     return *value;
 }
 

@@ -105,7 +105,7 @@ fs::path write_state_file(const std::string& bytes, const fs::path& path) {
 
 void require_path_of_file(const fs::path& path) {
     if (is_standard_stream(path))
-        throw UserError("-: standard output is no state file; name a file, it need not exist yet");
+        throw UserError("-: standard output is not a state file; name a file, it need not exist yet");
     if (fs::exists(path)) {
         if (!fs::is_regular_file(path))
             throw UserError(fmt::format("{}: it is {}, no state file; name a file, it need not exist yet",
@@ -160,7 +160,7 @@ std::uint32_t require_identity(const store::FileLock& file) {
         throw OtherFile("it is the journal of an earlier placedpar monitor, which this one does not read; use another "
                         "--state file");
     if (header.size() < 100 || !header.starts_with(std::string_view("SQLite format 3\0", 16)))
-        throw std::runtime_error("it is no state file of the monitor");
+        throw std::runtime_error("it is not a state file of the monitor");
     if (header_word(header, 68) != application_id)
         throw OtherFile(fmt::format("it is a database of another program (its application_id is {:#010x}, a state "
                                     "file's is {:#010x}); use another --state file",

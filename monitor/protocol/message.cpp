@@ -26,7 +26,7 @@ constexpr Range pressures{-20, 10000, "psi"}, angles{-36000, 36000, "deg"}, spoo
 Link link_of(const std::string& name, const std::string& path) {
     if (auto link = link_named(name))
         return *link;
-    throw BadMessage(path, fmt::format("there is no link \"{}\"", name), "one of BU, BO, ST, SW");
+    throw BadMessage(path, fmt::format("unknown link \"{}\"", name), "one of BU, BO, ST, SW");
 }
 
 /// Calls read(link, reader of the object "links", the link's name in it) for each link of the object.
@@ -115,7 +115,7 @@ Message configuration(FieldReader& fields) {
     change.configuration = *named;
     for (const boost::json::value& each : fields.array("active")) {
         if (!each.is_string())
-            throw BadMessage("active", "it holds something that is no string", "an array such as [\"BU\",\"BO\"]");
+            throw BadMessage("active", "it holds something that is not a string", "an array such as [\"BU\",\"BO\"]");
         change.active.insert(link_of(std::string(each.get_string()), "active"));
     }
     return change;
@@ -209,7 +209,7 @@ Message parse_message(std::string_view line) {
     auto type = std::ranges::find(types, name, &Type::name);
     if (type == std::end(types))
         throw BadMessage(
-            "type", fmt::format("there is no message \"{}\"", name.substr(0, 40)),
+            "type", fmt::format("unknown message \"{}\"", name.substr(0, 40)),
             "one of hello, configuration, sample, baseline, status, load, ping, bye, alarms, token, forget, "
             "acknowledge, shelve");
     Message message = type->read(fields);

@@ -141,11 +141,11 @@ json::value read_message_json(std::string_view line) {
     if (error == json::error::exponent_overflow)
         throw BadMessage(parser.handler().path(), beyond_numbers, within_numbers, column);
     if (error)
-        throw BadMessage("", fmt::format("it is no JSON: {}", error.message()), "one JSON object in one line", column);
+        throw BadMessage("", fmt::format("it is not JSON: {}", error.message()), "one JSON object in one line", column);
     json::value value = parser.handler().release();
     if (!value.is_object())
-        throw BadMessage("", "it is no JSON object", "such as {\"type\":\"hello\",\"version\":1,\"machine\":\"name\"}",
-                         1);
+        throw BadMessage("", "it is not a JSON object",
+                         "such as {\"type\":\"hello\",\"version\":1,\"machine\":\"name\"}", 1);
     if (parser.handler().wrong)
         throw *parser.handler().wrong;
     return value;

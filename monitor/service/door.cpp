@@ -92,7 +92,8 @@ Door Door::at_port(asio::io_context& io, const std::string& address, std::uint16
     error_code error;
     asio::ip::address parsed = asio::ip::make_address(address, error);
     if (error)
-        throw UserError(fmt::format("--address {}: it is no address, expected one such as 127.0.0.1 or ::1", address));
+        throw UserError(
+            fmt::format("--address {}: it is not an address, expected one such as 127.0.0.1 or ::1", address));
     tcp::endpoint end(parsed, port);
     Acceptor acceptor(io);
     acceptor.open(end.protocol(), error);

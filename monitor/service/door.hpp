@@ -58,7 +58,7 @@ private:
 /// One of IPv4 within IPv6, as IPv4.
 boost::asio::ip::address plain_address(const boost::asio::ip::address& address);
 
-/// Does this address lead to this computer only? False if it is no address.
+/// Does this address lead to this computer only? False if it is not an address.
 bool is_loopback(const std::string& address);
 
 } // namespace placedpar::monitor

@@ -77,7 +77,7 @@ void require_answer(const std::string& name, const std::string& line) {
     boost::system::error_code error;
     json::value answer = json::parse(line, error);
     if (error || !answer.is_object() || !answer.as_object().contains("type"))
-        throw UserError(fmt::format("{}: that is no placedpar monitor", name));
+        throw UserError(fmt::format("{}: that is not a placedpar monitor", name));
     if (answer.at("type") == "error")
         throw UserError(fmt::format("{}: {}{}, expected {}", name, field_of(answer), text_of(answer, "wrong"),
                                     text_of(answer, "right")));

@@ -26,7 +26,7 @@ private:
     bool write(const std::string& text);
 
     int file_;
-    std::string path_; ///< empty: it is no file that has a name
+    std::string path_; ///< empty: it is not a file that has a name
     std::string rest_; ///< of a line that was begun
     std::size_t left_out_ = 0;
 };

@@ -26,8 +26,9 @@ Token::Token(const fs::path& file) {
     word_.assign(begin, end);
     auto visible = [](char c) { return c > ' ' && c <= '~'; };
     if (word_.size() < 16 || word_.size() > 1000 || !std::ranges::all_of(word_, visible))
-        refuse("it is no token, expected one word of 16 to 1000 visible ASCII characters, such as openssl rand -hex 16 "
-               "makes");
+        refuse(
+            "it is not a token, expected one word of 16 to 1000 visible ASCII characters, such as openssl rand -hex 16 "
+            "makes");
 }
 
 bool Token::is(std::string_view word) const {

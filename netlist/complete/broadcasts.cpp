@@ -85,13 +85,13 @@ void Broadcasts::require_master(const NetworkChannel& channel, const Placed& pla
         if (is_master(each.node, placed.bus()))
             masters.push_back(node_name(each.node));
     const DraftProcess& sender = c_.draft.processes[channel.from.process];
-    refuse(
-        placed.by.at,
-        fmt::format("the channel \"{}\" is placed on the bus \"{}\", but \"{}\" is on \"{}\", which is no master of it",
-                    channel.name, node_name(placed.bus()), sender.name, node_name(channel.from.node)),
-        masters.empty() ? "nobody asks for this bus: workstations and bus masters do"
-                        : fmt::format("its masters are {}", fmt::join(masters, ", ")),
-        {{"the process is placed here", sender.placed}});
+    refuse(placed.by.at,
+           fmt::format(
+               "the channel \"{}\" is placed on the bus \"{}\", but \"{}\" is on \"{}\", which is not a master of it",
+               channel.name, node_name(placed.bus()), sender.name, node_name(channel.from.node)),
+           masters.empty() ? "nobody asks for this bus: workstations and bus masters do"
+                           : fmt::format("its masters are {}", fmt::join(masters, ", ")),
+           {{"the process is placed here", sender.placed}});
 }
 
 void Broadcasts::refuse_receiver(const NetworkChannel& channel, const Placed& placed) const {

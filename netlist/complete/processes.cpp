@@ -35,7 +35,7 @@ const ProcessKind* find_kind(Completion& c, std::size_t index) {
     if (is_program_file(process.kind) && (guess.empty() || process.kind.find('.') != std::string::npos))
         return nullptr;
     c.kind_refused[index] = true;
-    c.reporter.error(used, fmt::format("there is no process kind \"{}\"", process.kind),
+    c.reporter.error(used, fmt::format("unknown process kind \"{}\"", process.kind),
                      guess.empty() ? "the command kinds lists them; a program file ends in .lku, .c8h and the like"
                                    : guess);
     return nullptr;

@@ -40,7 +40,7 @@ std::size_t Elaborator::connection_for(const ConnectStatement& form, const Locat
         return nowhere;
     auto found = find(*form.by);
     if (found.category != Category::connection)
-        refuse(form.by->at, fmt::format("\"{}\" is no connection", form.by->name),
+        refuse(form.by->at, fmt::format("\"{}\" is not a connection", form.by->name),
                "a connection is declared by connection name;");
     auto index = element(*form.by, found);
     auto& connection = draft_.connections[index];
@@ -86,7 +86,7 @@ void Elaborator::connect_links(LinkEnd a, LinkEnd b, const ConnectStatement& for
     use_link(a, form.a, crosspoint);
     use_link(b, form.b, crosspoint);
     if (crosspoint && form.by)
-        refuse(form.by->at, "a crosspoint of a switch is no wire: it takes no connection");
+        refuse(form.by->at, "a crosspoint of a switch is not a wire: it takes no connection");
     count_things(1, at);
     (crosspoint ? draft_.crosspoints : draft_.wires).push_back({a, b, connection_for(form, at), at});
 }

@@ -176,7 +176,7 @@ Constant apply_cast(const std::string& type, const Constant& operand) {
     }
     auto v = result.value;
     if (type == "char" && (v < -128 || v > 255))
-        throw NoResult{fmt::format("{} is no character", v), "a character has a code from 0 to 255"};
+        throw NoResult{fmt::format("{} is not a character", v), "a character has a code from 0 to 255"};
     if (type == "short" && (v < -32768 || v > 32767))
         throw NoResult{fmt::format("{} does not fit into a short", v), "a short goes from -32768 to 32767"};
     if (type == "int" && (v < -0x80000000LL || v > 0x7fffffffLL))

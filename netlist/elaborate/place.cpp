@@ -22,7 +22,7 @@ void Elaborator::place_process(const PlaceStatement& form) {
     auto where = find(form.where);
     if (where.category != Category::node)
         refuse(form.where.at,
-               fmt::format("\"{}\" is no processor: a process is placed on a processor", form.where.name));
+               fmt::format("\"{}\" is not a processor: a process is placed on a processor", form.where.name));
     auto index = element(form.where, where);
     const auto& node = draft_.nodes[index];
     if (!form.where.field.empty())
@@ -46,7 +46,7 @@ void Elaborator::place_port(const PlaceStatement& form) {
     auto where = find(form.where);
     if (where.category != Category::node)
         refuse(form.where.at,
-               fmt::format("\"{}\" is no link: a channel is placed on a link, a bus or an edge", form.where.name));
+               fmt::format("\"{}\" is not a link: a channel is placed on a link, a bus or an edge", form.where.name));
     auto link = place_of_channel(form, where);
     auto& known = draft_.placements[{end.process, end.port}];
     auto tells_a_route = [&](const LinkEnd& at) { return !at.at_edge() && !draft_.nodes[at.node].kind->medium; };
@@ -82,7 +82,8 @@ void Elaborator::place_edge_channel(const PlaceStatement& form) {
     auto where = find(form.where);
     auto index = where.category == Category::node ? element(form.where, where) : nowhere;
     if (index == nowhere || draft_.nodes[index].kind->links != LinkRole::edge || !form.where.field.empty())
-        refuse(form.where.at, fmt::format("\"{}\" is no edge: an edge channel is placed on an edge", form.where.name),
+        refuse(form.where.at,
+               fmt::format("\"{}\" is not an edge: an edge channel is placed on an edge", form.where.name),
                "such as host");
     if (channel.edge != nowhere)
         refuse_placed_twice(form, "channel", channel.name, channel.placed);
@@ -93,9 +94,10 @@ void Elaborator::place_edge_channel(const PlaceStatement& form) {
 void Elaborator::place_connection(const PlaceStatement& form) {
     auto where = find(form.where);
     if (where.category != Category::connection)
-        refuse(form.where.at, fmt::format("\"{}\" is no connection: a connection of channels is placed on a connection "
-                                          "of links",
-                                          form.where.name));
+        refuse(form.where.at,
+               fmt::format("\"{}\" is not a connection: a connection of channels is placed on a connection "
+                           "of links",
+                           form.where.name));
     auto channel = element(form.what, find(form.what)), wire = element(form.where, where);
     auto [known, is_new] = draft_.connection_placements.emplace(channel, DraftConnectionPlacement{wire, form.what.at});
     if (!is_new)

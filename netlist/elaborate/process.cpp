@@ -141,9 +141,10 @@ void Elaborator::perform(const ParameterSetting& form, const Location&) {
     if (found.category == Category::connection)
         return set_connections(range, settings);
     if (found.category != Category::process)
-        refuse(form.process.at, fmt::format("\"{}\" is no process and no connection: its attributes stand where it is "
-                                            "declared",
-                                            form.process.name));
+        refuse(form.process.at,
+               fmt::format("\"{}\" is neither a process nor a connection: its attributes stand where it is "
+                           "declared",
+                           form.process.name));
     set_processes(range, settings, form.process.at);
 }
 
@@ -162,7 +163,7 @@ void Elaborator::perform(const UseStatement& form, const Location& at) {
         return use_for_all(program, at);
     auto found = find(*form.process);
     if (found.category != Category::process)
-        refuse(form.process->at, fmt::format("\"{}\" is no process", form.process->name),
+        refuse(form.process->at, fmt::format("\"{}\" is not a process", form.process->name),
                "use \"program\" for process;");
     auto range = elements(*form.process, found);
     for (std::size_t i = 0; i < range.count; ++i) {

@@ -45,8 +45,7 @@ void Elaborator::check_option(const std::string& program, const std::string& kin
         refuse_option(reporter_, program, kind, 1, fmt::format("the netlist uses no program \"{}\"", program),
                       choice(program, {programs.begin(), programs.end()}, "it uses none at all"));
     if (catalogue_.find(kind) == nullptr)
-        refuse_option(reporter_, program, kind, program.size() + 2,
-                      fmt::format("there is no process kind \"{}\"", kind),
+        refuse_option(reporter_, program, kind, program.size() + 2, fmt::format("unknown process kind \"{}\"", kind),
                       choice(kind, catalogue_.kind_names(), "there is none at all"));
 }
 

@@ -63,11 +63,11 @@ std::string Elaborator::hint_at_other(const std::string& member, const Settable&
 void Elaborator::refuse_name(const SetStatement& set, const std::string& name, const std::vector<Settable>& all) {
     const std::string& array = set.target.name;
     if (auto val = std::ranges::find(vals_, array, [](const auto& each) { return each.first; }); val != vals_.end())
-        refuse(
-            set.target.at,
-            fmt::format("the val \"{}\" {}", array,
-                        val->second.array() != nullptr ? "is set as a whole, not one of its elements" : "is no array"),
-            fmt::format("the netlist gives it {}: --set '{}=...'", shown(val->second), array));
+        refuse(set.target.at,
+               fmt::format("the val \"{}\" {}", array,
+                           val->second.array() != nullptr ? "is set as a whole, not one of its elements"
+                                                          : "is not an array"),
+               fmt::format("the netlist gives it {}: --set '{}=...'", shown(val->second), array));
     if (auto element = std::ranges::find(all, array, base); element != all.end())
         refuse(set.target.at, fmt::format("\"{}\" is a {}: say what of it to set", array, element->noun()),
                fmt::format("--set {}.NAME=VALUE", name), {{element->text_of_members(), {}}});
@@ -95,9 +95,9 @@ void Elaborator::refuse_element(const SetStatement& set, const std::string& name
         refuse(set.target.at, fmt::format("the netlist has no node, connection or process \"{}\"", array),
                did_you_mean(array, names), what_can_be_set(vals_, all));
     if (elements.front() == array)
-        refuse(set.target.at, fmt::format("\"{}\" is no array", array),
+        refuse(set.target.at, fmt::format("\"{}\" is not an array", array),
                fmt::format("--set {}.{}=...", array, set.target.field));
-    refuse(set.target.at, fmt::format("there is no \"{}\"", name),
+    refuse(set.target.at, fmt::format("nothing is called \"{}\"", name),
            fmt::format("there is {}{}", elements.front(), elements.size() == 1 ? "" : " to " + elements.back()));
 }
 

@@ -73,7 +73,7 @@ private:
         if (!named.empty())
             attached_.reporter.error(
                 adapter.declared,
-                fmt::format("the master of the link adapter \"{}\" is \"{}\", which is no master on its "
+                fmt::format("the master of the link adapter \"{}\" is \"{}\", which is not a master on its "
                             "bus \"{}\"",
                             adapter.name, named, bus.name),
                 "workstations and bus masters on the bus are");

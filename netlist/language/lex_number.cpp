@@ -49,7 +49,7 @@ Token Lexer::read_octal(std::string_view digits, Token token) {
     auto at = token.at;
     at.column += illegal;
     reporter_.error(
-        at, fmt::format("{} is no digit of an octal number", digits[illegal]),
+        at, fmt::format("{} is not a digit of an octal number", digits[illegal]),
         fmt::format("a leading 0 makes a number octal; the decimal number is {}", significant.substr(0, 60)));
     apply_suffix(token);
     return token;
@@ -75,14 +75,14 @@ bool Lexer::skip_exponent() {
 
 bool Lexer::at_float_suffix() const { return peek() == 'f' || peek() == 'F' || peek() == 'l' || peek() == 'L'; }
 
-/// `5q` is no number, and not the number 5 before the name q either.
+/// `5q` is not a number, and not the number 5 before the name q either.
 void Lexer::refuse_letters_behind(const Token& token, std::size_t start) {
     if (!in_name(peek()))
         return;
     take_while(in_name);
     reporter_.error(
         token.at,
-        fmt::format("\"{}\" is no number", text().substr(start, std::min<std::size_t>(60, position_ - start))),
+        fmt::format("\"{}\" is not a number", text().substr(start, std::min<std::size_t>(60, position_ - start))),
         "a name begins with a letter; the suffixes of a number are k, K, m, M, f and l, of a time ns, us, ms and s");
 }
 

@@ -85,7 +85,7 @@ Attribute Parser::parse_process_attribute() {
     const auto& name = tokens_.peek();
     bool has_parts = name.kind == TokenKind::name && tokens_.peek(1).is("(");
     if (has_parts && !word_meant(name.text, {"interface"}).empty())
-        refuse(name.at, fmt::format("there is no attribute \"{}\"", name.text), "did you mean \"interface\"?");
+        refuse(name.at, fmt::format("unknown attribute \"{}\"", name.text), "did you mean \"interface\"?");
     return parse_attribute();
 }
 

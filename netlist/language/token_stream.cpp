@@ -64,7 +64,7 @@ void TokenStream::obey(const Token& directive) {
     auto& lexer = open_.back().lexer;
     if (lower_case(directive.text) == "include")
         return include(directive);
-    reporter_.error(directive.at, fmt::format("\"#{}\" is no directive", directive.text),
+    reporter_.error(directive.at, fmt::format("\"#{}\" is not a directive", directive.text),
                     "there is only #include \"file\"");
     lexer.skip_line();
 }

@@ -83,7 +83,7 @@ struct LinkConnection {
     std::vector<SwitchCrossing> crossings; ///< in order from a to b
     std::string name;                      ///< of the `connection` it was wired by; "" if none
     Location connected;
-    std::optional<BusWay> over_bus = {}; ///< then it is no wire: a is a master, b what it reaches over the bus
+    std::optional<BusWay> over_bus = {}; ///< then it is not a wire: a is a master, b what it reaches over the bus
     bool at_run_time = false; ///< a switch on its way connects it during the run; others may have the same links
 
     int switches() const { return static_cast<int>(crossings.size()); }

@@ -61,7 +61,7 @@ function shareOf(sums, from, to) {
   return to > from ? Math.min(1, (sumUntil(sums, to) - sumUntil(sums, from)) * run.bin / (to - from)) : 0;
 }
 
-// What the components of a process do, together; of a component or what is no process, its own. Added once: there may be thousands.
+// What the components of a process do, together; of a component or what is not a process, its own. Added once: there may be thousands.
 function sumsTogether(track, what) {
   const lanes = componentsOf[track.number] || [track], name = what + " together";
   if (lanes.length === 1) return track[what];

@@ -56,9 +56,15 @@ function addMeter({ view, large }, element) {
   const meter = { track, frame: node.select(".frame"), width: box.width, isProcess: isOfProcess(track) };
   node.append("rect").attr("class", "load-frame").attr("x", box.x).attr("y", box.y + box.height - 6).attr("width", box.width).attr("height", 6);
   meter.bar = node.append("rect").attr("class", "load").attr("x", box.x).attr("y", box.y + box.height - 6).attr("height", 6);
-  meter.percent = node.append("text").attr("class", "percent").attr("x", box.x + box.width + 3).attr("y", box.y + box.height);
+  meter.percent = node.append("text").attr("class", "percent").attr("x", box.x + box.width + 3).attr("y", box.y + box.height).text("100 %"); // the longest
   if (meter.isProcess) meter.sign = addSign(node, box.x + 5, box.y + 5);
   return meter;
+}
+
+// The drawing grows to the right where the share of its last box would be cut off.
+function makeRoomForShares({ svg, meters }) {
+  const extent = svg.node().viewBox.baseVal, shares = meters.filter(each => each.percent).map(each => each.percent.node().getBBox());
+  extent.width = Math.max(extent.width, d3.max(shares, box => box.x + box.width - extent.x + 2) || 0);
 }
 
 function addSign(parent, x, y) {
@@ -91,6 +97,7 @@ function makePicture(picture) {
   wrapPicture(picture);
   const found = selector => picture.all.selectAll(selector).nodes();
   picture.meters = found("g.node[data-node]").map(node => addMeter(picture, node)).filter(Boolean);
+  makeRoomForShares(picture);
   found(".texts").forEach(texts => { texts.style.pointerEvents = picture.view === "software" ? "none" : null; });
   picture.signs = found(".placed").map(placed => addProcessSign(picture, placed)).filter(Boolean);
   picture.wires = found("path.wire[data-wire]").map(wire => addWire(picture.view, wire));

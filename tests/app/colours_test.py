@@ -70,7 +70,7 @@ class Colours(unittest.TestCase):
         check, _ = on_terminal("check", self.wrong, stream="stderr")
         self.assertRegex(check, r"^\x1b\[1m\S+:2:1:\x1b\[0m \x1b\[1;31merror:\x1b\[0m ")
         self.assertRegex(check, r"\n +\x1b\[1;32m\^\x1b\[0m\n")
-        self.assertTrue(on_terminal("rnu", stream="stderr")[0].startswith("\x1b[1;31mplacedpar:\x1b[0m there is no"))
+        self.assertTrue(on_terminal("rnu", stream="stderr")[0].startswith("\x1b[1;31mplacedpar:\x1b[0m unknown"))
 
     def test_each_stream_for_itself(self):
         coloured, other = on_terminal("run", COMMSTIME, stream="stderr")

@@ -210,7 +210,7 @@ class Files(unittest.TestCase):
             for seed in ("-1", "99999999999999999999999", "18446744073709551616", "0x10", "", " 3", "1.5", "010"):
                 run = placedpar(*command, "--seed", seed)
                 self.assertEqual(run.returncode, 1, (command, seed))
-                self.assertIn(f'"{seed}" is no whole number', run.stderr)
+                self.assertIn(f'"{seed}" is not a whole number', run.stderr)
         self.assertEqual(placedpar(*commands[0], "--seed", 2**64 - 1).returncode, 0)
 
 

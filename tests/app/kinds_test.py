@@ -212,7 +212,7 @@ class Kinds(unittest.TestCase):
                              ("csp.prod", "csp.producer"), ("trad", "ga.traditional"), ("rastrigen", "rastrigin"),
                              ("selecton", "selection"), ("rouletta", "roulette"), ("polices", "policies")):
             for form in ((), ("--json",)):
-                self.assertEqual(refusal("kinds", wrong, *form), "placedpar: there is no process kind, device, problem "
+                self.assertEqual(refusal("kinds", wrong, *form), "placedpar: unknown process kind, device, problem "
                                                                  f'or policy "{wrong}"; did you mean "{right}"?\n')
         self.assertIn("say placedpar kinds for those", refusal("kinds", "zebra"))
 
@@ -229,22 +229,22 @@ class Kinds(unittest.TestCase):
 
 class OtherNames(unittest.TestCase):
     def test_a_misspelt_name_gets_the_nearest(self):
-        self.assertEqual(refusal("rnu"), 'placedpar: there is no command "rnu"; did you mean "run"?\n')
+        self.assertEqual(refusal("rnu"), 'placedpar: unknown command "rnu"; did you mean "run"?\n')
         self.assertEqual(refusal("replay", "tabel-e1"),
-                         'placedpar: there is no experiment "tabel-e1"; did you mean "table-e1"?\n')
+                         'placedpar: unknown experiment "tabel-e1"; did you mean "table-e1"?\n')
         self.assertEqual(refusal("record", "excavatr"),
-                         'placedpar: there is no scenario "excavatr"; did you mean "excavator"?\n')
+                         'placedpar: unknown scenario "excavatr"; did you mean "excavator"?\n')
         self.assertEqual(refusal("run", "x.cfs", "--sead", "3"),
-                         'placedpar: there is no option "--sead"; did you mean "--seed"?\n')
+                         'placedpar: unknown option "--sead"; did you mean "--seed"?\n')
         self.assertEqual(refusal("run", "x.cfs", "--jsn=x"),
-                         'placedpar: there is no option "--jsn"; did you mean "--json"?\n')
-        self.assertEqual(refusal("--versoin"), 'placedpar: there is no option "--versoin"; did you mean "--version"?\n')
+                         'placedpar: unknown option "--jsn"; did you mean "--json"?\n')
+        self.assertEqual(refusal("--versoin"), 'placedpar: unknown option "--versoin"; did you mean "--version"?\n')
 
     def test_words_of_other_programs_and_netlists_get_what_is_meant(self):
         for words, meant in ((["help"], "--help"), (["help", "run"], "run --help"), (["help", "me"], "--help"),
                              (["version"], "--version"), (["mine.cfs"], "run mine.cfs"), (["MINE.CFS"], "run MINE.CFS"),
                              ([str(CLUSTER)], f"run {CLUSTER}")):
-            self.assertEqual(refusal(*words), f'placedpar: there is no command "{words[0]}"; did you mean placedpar {meant}?\n')
+            self.assertEqual(refusal(*words), f'placedpar: unknown command "{words[0]}"; did you mean placedpar {meant}?\n')
 
     def test_a_shell_that_is_not_known(self):
         said = refusal("completion", "fish")

@@ -122,7 +122,7 @@ class Log(unittest.TestCase):
         for arguments, complaint in ((["--log", path], "no process of .* searches"),
                                      (["--convergence", path], "no process of .* searches"),
                                      (["--watch"], "no process of .* searches"),
-                                     (["--seeds", "0"], "at least 1"), (["--seeds", "-1"], "no whole number"),
+                                     (["--seeds", "0"], "at least 1"), (["--seeds", "-1"], "not a whole number"),
                                      (["--seeds", "2", "--trace", f"{path}.json"], "a timeline is of one run"),
                                      (["--log", self.folder / "nowhere" / "log.csv"], "nowhere")):
             run = placedpar("run", COMMSTIME, *arguments)

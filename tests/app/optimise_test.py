@@ -331,7 +331,7 @@ class Refused(Optimise):
         for minimise, name, meant in (("tine", "tine", "time"), ("snik.time", "snik.time", "sink.time"),
                                       ("max(sink.tine)", "sink.tine", "sink.time"), ("a.bussy", "a.bussy", "a.busy")):
             self.refuses(STUDY.format(minimise=f'"{minimise}"'),
-                         f'there is no measure "{name}"; did you mean "{meant}"?')
+                         f'unknown measure "{name}"; did you mean "{meant}"?')
         self.refuses('measure = "sink.tine"\n' + STUDY.format(minimise='"time"'), 'did you mean "sink.time"?')
         self.refuses(STUDY.format(minimise='"sink.rat"').replace("[100000, 200000, 300000]", '"1..1000000"'),
                      'did you mean "sink.rate"?')
@@ -339,7 +339,7 @@ class Refused(Optimise):
 
     def test_a_measure_of_a_process_that_there_is_not(self):
         self.refuses(STUDY.format(minimise='"sink[3].time"'),
-                     'there is no measure "sink[3].time"; did you mean "sink.time"?')
+                     'unknown measure "sink[3].time"; did you mean "sink.time"?')
 
     def test_a_measure_that_some_machines_alone_have_is_none_to_refuse(self):
         self.write("small.cfs", NETLIST + "if wires > 3 {\n    process more, still;\n"

@@ -12,6 +12,7 @@ import urllib.parse
 
 import firefox
 from chromium import CHROMIUM, Chromium
+from cut_texts import check_nothing_is_cut
 from page_reader import Page, data_of
 from program import EXAMPLES, FIGURE_E2, fingerprint, placedpar
 
@@ -324,6 +325,14 @@ class Pages(unittest.TestCase):
             self.assertGreater(contrast, 0.3)
             self.assertLess(drawn, 0.6)  # on white
             self.assertEqual(turned, [dark] * 3)
+
+    @unittest.skipUnless(CHROMIUM, "no browser")
+    def test_no_text_is_cut_off(self):
+        """The last boxes of these drawings end near the right edge, and their shares stand beyond them."""
+        for netlist in (FIGURE_E2, COMMSTIME, ISLANDS, EXAMPLES / "65-pipeline" / "pipeline.cfs", EXAMPLES / "33-farm" / "farm.cfs"):
+            self.page(netlist)
+            for view, text in (("machine", "number of a link"), ("software", "of the sender's port")):
+                check_nothing_is_cut(self, self.chromium, f"{(self.folder / 'run.html').as_uri()}#view={view}", text)
 
     def test_the_time_for_a_page_grows_with_the_machine(self):
         """Four times the islands take four to six times as long; were each to look at all others, it would be 16 times."""

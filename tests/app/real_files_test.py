@@ -83,7 +83,7 @@ class RealFiles(unittest.TestCase):
                       self.refused("run", self.pipe, "--use", "sink.lku=csp.consumer", "--use", "sink.lku=csp.delta"))
         self.assertIn('hint: did you mean "sink.lku"?\n',
                       self.refused("check", self.pipe, *self.sizes, "--use", "snk.lku=csp.consumer"))
-        self.assertIn('--use:1:10: error: there is no process kind "csp.consumr"\n',
+        self.assertIn('--use:1:10: error: unknown process kind "csp.consumr"\n',
                       self.refused("check", self.pipe, *self.sizes, "--use", "sink.lku=csp.consumr"))
 
     def test_a_process_at_the_host_runs_without_a_workstation(self):

@@ -82,7 +82,7 @@ class Records(unittest.TestCase):
         self.assertIn("scenario-a has links and a configuration of its own",
                       self.refused("record", "scenario-a", "--link", "boom"))
         self.assertIn("--configuration: excavator has", self.refused("record", "excavator", "--configuration", "b"))
-        self.assertIn('there is no link "arm"', self.refused("record", "links", "--link", "boom,arm"))
+        self.assertIn('unknown link "arm"', self.refused("record", "links", "--link", "boom,arm"))
 
     def test_stored_records_are_what_their_descriptions_make(self):
         stored = sorted(RECORDS.glob("*.csv"))
@@ -138,7 +138,7 @@ class Records(unittest.TestCase):
 
     def test_wrong_use_says_what_would_be_right(self):
         self.assertEqual(self.refused("record", "crane"),
-                         'placedpar: there is no scenario "crane"; there are scenario-a, scenario-b, two-links, links and excavator\n')
+                         'placedpar: unknown scenario "crane"; there are scenario-a, scenario-b, two-links, links and excavator\n')
         self.assertIn('did you mean "boom.mass"?', self.refused("record", "excavator", "--set", "boom.mas=1"))
         self.assertIn("no such parameter", self.refused("record", "scenario-a", "--set", "pump.ripple=0"))
         self.assertIn("is not a unit of mass; it takes lbf s^2/in or kg",
@@ -196,7 +196,7 @@ class Records(unittest.TestCase):
         rubbish.write_bytes(bytes(range(256)) * 20)
         self.assertIn("binary", self.refused("identify", rubbish))
         rubbish.write_bytes(b"")
-        self.assertIn("there is no header", self.refused("identify", rubbish))
+        self.assertIn("the header is missing", self.refused("identify", rubbish))
 
 
 if __name__ == "__main__":

@@ -62,7 +62,7 @@ class Replay(unittest.TestCase):
         (examples / "03-table-e1" / "cluster.cfs").write_text(renamed, encoding="utf-8")
         run = placedpar("replay", "table-e1", environment={"PLACEDPAR_EXAMPLES": str(examples)})
         self.assertEqual(run.returncode, 1, run.stderr)
-        self.assertIn('there is no measure "master.', run.stderr)
+        self.assertIn('unknown measure "master.', run.stderr)
 
     def test_a_slave_more_is_a_column_of_its_own_and_not_a_copy(self):
         _, document = replay("table-e1", self.folder)
@@ -131,12 +131,12 @@ class Replay(unittest.TestCase):
         for number in ("0", "-1", "100000000000", "many"):
             run = placedpar("replay", "pga-4", "--seeds", number)
             self.assertEqual((run.returncode, run.stdout), (1, ""))
-            self.assertIn(f'--seeds: "{number}" is no whole number from 1 to 1000000\n', run.stderr)
+            self.assertIn(f'--seeds: "{number}" is not a whole number from 1 to 1000000\n', run.stderr)
 
     def test_what_is_no_study_has_no_seeds_to_count(self):
         run = placedpar("replay", "table-e1", "--seeds", 3)
         self.assertEqual((run.returncode, run.stdout), (1, ""))
-        self.assertIn("table-e1 is no study over several seeds", run.stderr)
+        self.assertIn("table-e1 is not a study over several seeds", run.stderr)
 
     def test_table_e2_is_within_its_tolerances(self):
         run, document = replay("table-e2", self.folder)

@@ -46,7 +46,7 @@ class Streams(unittest.TestCase):
 
     def test_messages_call_it_standard_input(self):
         self.assertTrue(self.fed("val n 1;\nval k;\n", "check", "-").stderr.startswith("<standard input>:2:6: error: "))
-        self.assertTrue(self.fed(b"T800\0", "check", "-").stderr.startswith(b"<standard input>:1:5: error: this is no text"))
+        self.assertTrue(self.fed(b"T800\0", "check", "-").stderr.startswith(b"<standard input>:1:5: error: this is a binary file, not text"))
         self.assertTrue(self.fed("depth\n", "identify", "-").stderr.startswith("<standard input>: error: "))
         self.assertTrue(self.fed("time,depth\n1,2\n", "identify", "-").stderr.startswith("<standard input>:1:"))
 

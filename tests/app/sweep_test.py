@@ -193,15 +193,15 @@ class BadInput(InFolder):
             self.assertTrue(reported.stderr.startswith(told), reported.stderr)
         for measure in ("host.accurate_aftr", "host.T_exe", "hosts.accurate_after", "master[7].generations", "accurate_after"):
             reported = placedpar("report", "kept", "--measure", measure, folder=self.folder)
-            self.assertIn(f'there is no measure "{measure}"', reported.stderr)
+            self.assertIn(f'unknown measure "{measure}"', reported.stderr)
 
     def test_what_does_not_exist(self):
         for arguments, message in (
                 (["slavs=1,2"], 'the netlist has no val, attribute or parameter "slavs"'),
-                (["slaves=1,2", "--measure", "master.T_ex"], 'there is no measure "master.T_ex"; did you mean "master.T_exe"?'),
-                (["slaves=1,2", "--measure", "max(master"], '"max(master" is no measure'),
+                (["slaves=1,2", "--measure", "master.T_ex"], 'unknown measure "master.T_ex"; did you mean "master.T_exe"?'),
+                (["slaves=1,2", "--measure", "max(master"], '"max(master" is not a measure'),
                 (["slaves=7..0"], "slaves=7..0: the range is empty"),
-                (["slaves=0..x"], 'slaves=0..x: "x" is no number; a range is FROM..TO'),
+                (["slaves=0..x"], 'slaves=0..x: "x" is not a number; a range is FROM..TO'),
                 (["slaves=0..7..0"], "slaves=0..7..0: the step of a range is more than 0"),
                 (["slaves=1,,2"], "slaves=1,,2: a value is missing"),
                 (["slaves"], "slaves: a study takes NAME=VALUES"),
@@ -292,7 +292,7 @@ class BadInput(InFolder):
                 (["slaves=0..65535", "linkspeed=1..65536", "population=1..65536", "master.trials=1..65536"],
                  "the study has more runs than can be counted: all combinations of 4 settings with several values (65536 of slaves,"),
                 (["slaves=0..3", "--seeds", 2 ** 62], "(4 of slaves), each with 4611686018427387904 seeds, are more than"),
-                (["--seed", 2 ** 64 - 1, "--seeds", 2], "there are no 2 seeds from 18446744073709551615 on")):
+                (["--seed", 2 ** 64 - 1, "--seeds", 2], "cannot take 2 seeds from 18446744073709551615 on")):
             with self.subTest(arguments):
                 self.assertIn(message, self.sweep(FIGURE_E2, *arguments, "--yes", code=1))
         self.assertEqual(os.listdir(self.folder), [])
@@ -300,7 +300,7 @@ class BadInput(InFolder):
     def test_no_runs_at_once_or_more_than_there_are_threads_are_refused(self):
         for jobs in ("0", "1001", str(2 ** 63), "-1", "two"):
             with self.subTest(jobs):
-                self.assertIn(f'"{jobs}" is no whole number from 1 to 1000', self.sweep(FIGURE_E2, "slaves=0..1", "--jobs", jobs, code=1))
+                self.assertIn(f'"{jobs}" is not a whole number from 1 to 1000', self.sweep(FIGURE_E2, "slaves=0..1", "--jobs", jobs, code=1))
         self.assertEqual(os.listdir(self.folder), [])
 
     def test_what_a_condition_leaves_is_found_wherever_it_is(self):
@@ -326,7 +326,7 @@ class BadInput(InFolder):
             database.execute("CREATE TABLE t(x)")
         self.assertIn("a database of another program", self.sweep(FIGURE_E2, "--results", "other", code=1))
         self.study("text", "note")
-        self.assertIn("note: it is no file of results", self.sweep(FIGURE_E2, "--results", "note", code=1))
+        self.assertIn("note: it is not a file of results", self.sweep(FIGURE_E2, "--results", "note", code=1))
         self.assertEqual((self.folder / "note").read_text(encoding="utf-8"), "text")
 
     def test_a_full_disk_loses_nothing(self):

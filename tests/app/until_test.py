@@ -86,7 +86,7 @@ class Until(unittest.TestCase):
         for time in ("5", "", "-1ms", "1 fortnight", "1e3", ".ms", "e3us", "0 ms"):
             run = placedpar("run", COMMSTIME, "--until", time)
             self.assertEqual(run.returncode, 1)
-            self.assertIn("is no time: it takes a number and a unit", run.stderr)
+            self.assertIn("is not a time: it takes a number and a unit", run.stderr)
 
 
 if __name__ == "__main__":

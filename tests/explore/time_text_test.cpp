@@ -39,11 +39,11 @@ TEST_CASE("fractions and powers of ten are exact, where a double would not be") 
         CHECK(picoseconds_of(fmt::format("{}.{:012}s", each, each)) == each * 1'000'000'000'000 + each);
 }
 
-TEST_CASE("what is no time says what one looks like") {
+TEST_CASE("what is not a time says what one looks like") {
     for (const char* text :
          {"", "5", "ms", "-1ms", "1 ms", "1min", "1.ms", "1e", "1e9999s", "1ms2us", "0x5ms", "+1s"}) {
         CAPTURE(text);
-        CHECK_THROWS_WITH_AS(parse_time(text), doctest::Contains("is no time"), UserError);
+        CHECK_THROWS_WITH_AS(parse_time(text), doctest::Contains("is not a time"), UserError);
     }
 }
 

@@ -132,7 +132,7 @@ TEST_CASE("a sample of another size than the problem's is refused before it is r
                          "sample 7 has 1 number, expected 2", std::invalid_argument);
 }
 
-TEST_CASE("what is no number in a record, or of a user's error, is as bad as can be and ends nothing") {
+TEST_CASE("what is not a number in a record, or of a user's error, is as bad as can be and ends nothing") {
     auto line = make_search_problem(LineProblem{});
     auto record = line_record(12);
     for (double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {

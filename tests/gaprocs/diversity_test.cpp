@@ -3,6 +3,7 @@
 #include "gaprocs/diversity.hpp"
 #include "runtime/random.hpp"
 #include "tests/gaprocs/strings.hpp"
+#include "tests/nearly.hpp"
 
 #include <doctest/doctest.h>
 
@@ -104,7 +105,7 @@ TEST_CASE("diversity of real vectors is the root of the mean square over all pai
     line.set(ends[1], 0, 0);
     CHECK(diversity_within(spread_of(ends, line)) == 1);
     line.set(ends[1], 0, 8 - 8e-12);
-    CHECK(diversity_within(spread_of(ends, line)) == doctest::Approx(1e-12).epsilon(1e-3));
+    CHECK(diversity_within(spread_of(ends, line)) == test::nearly(1e-12, 1e-3));
 }
 
 TEST_CASE("individuals drawn at random are as diverse as is said") {
@@ -112,8 +113,8 @@ TEST_CASE("individuals drawn at random are as diverse as is said") {
     auto check = [&](const Representation& representation, double expected) {
         Spread populations[] = {spread_of(representation.random_population(200, random), representation),
                                 spread_of(representation.random_population(200, random), representation)};
-        CHECK(diversity_within(populations[0]) == doctest::Approx(expected).epsilon(0.01));
-        CHECK(diversity_between(populations) == doctest::Approx(expected).epsilon(0.01));
+        CHECK(diversity_within(populations[0]) == test::nearly(expected, 0.01));
+        CHECK(diversity_between(populations) == test::nearly(expected, 0.01));
     };
     check(BitString(500), 0.5);
     check(RealVector(100, {-5, 5}), std::sqrt(1.0 / 6));

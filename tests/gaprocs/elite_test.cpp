@@ -2,6 +2,7 @@
 #include "gaprocs/window.hpp"
 #include "tests/gaprocs/line_problem.hpp"
 #include "tests/gaprocs/strings.hpp"
+#include "tests/nearly.hpp"
 #include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
@@ -101,7 +102,7 @@ TEST_CASE("when the window moves the elite is evaluated again") {
             CHECK(estimate.best.fitness ==
                   problem->fitness(estimate.best.genome, std::span(record).subspan(first, end - first), 400));
         }
-        CHECK(result.estimates.back().parameters.at(0) == doctest::Approx(40.0 / 256).epsilon(0.02));
+        CHECK(result.estimates.back().parameters.at(0) == test::nearly(40.0 / 256, 0.02));
     }
 }
 

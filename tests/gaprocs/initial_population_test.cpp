@@ -54,12 +54,12 @@ TEST_CASE("a file has a string in each line, but for comments and empty lines") 
     CHECK(population[2].to_string() == "0000");
 }
 
-TEST_CASE("a line that is no string is refused at its place") {
+TEST_CASE("a line that is not a string is refused at its place") {
     std::string refused = refusal_of_file("0101\n01012\n");
     CHECK(refused.find("placed") != refused.npos);
-    CHECK(refused.find(":2:1: error: \"01012\" is no string of 4 characters 0 and 1\n    01012\n    ^") !=
+    CHECK(refused.find(":2:1: error: \"01012\" is not a string of 4 characters 0 and 1\n    01012\n    ^") !=
           refused.npos);
-    CHECK(refusal_of_file("  # a comment\n 012 # none\n").find(":2:2: error: \"012 # none\" is no string of") !=
+    CHECK(refusal_of_file("  # a comment\n 012 # none\n").find(":2:2: error: \"012 # none\" is not a string of") !=
           refused.npos);
     CHECK_THROWS_AS(load_population("there/is/none", BitString(4)), RefusedInput);
 }

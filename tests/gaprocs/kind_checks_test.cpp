@@ -269,7 +269,7 @@ TEST_CASE("several tasks under way are of the split demand") {
         refusal("master", "master (problem = \"line\", slaves = 2, tasks_under_way = 2, split = \"demand\");").empty());
 }
 
-TEST_CASE("a channel that is no array of its kind is refused with its process, not called a defect") {
+TEST_CASE("a channel that is not an array of its kind is refused with its process, not called a defect") {
     Kinds kinds;
     std::string text = netlist(statements()), end = "to master.from_host;";
     text.replace(text.find(end), end.size(), "to master.from_host[0];");
@@ -299,7 +299,7 @@ TEST_CASE("settings that do not fit together are refused at the parameter") {
 
 TEST_CASE("problems are known, and all work on the same") {
     says(refusal("slave 0", "slave[0] (problem = \"curve\");"),
-         "farm.cfs:6:11: error: there is no search problem 'curve'; known: along, line, other line, sphere");
+         "farm.cfs:6:11: error: unknown search problem 'curve'; known: along, line, other line, sphere");
     says(refusal("slave 1", "slave[1] (problem = \"other line\");"),
          "farm.cfs:7:11: error: \"slave[1]\" works on the problem \"other line\", but \"master\" on \"line\"");
     says(refusal("host", "host (problem = \"other line\");"), "\"host\" works on the problem \"other line\"");
@@ -313,7 +313,7 @@ TEST_CASE("a problem that does not exist is refused once, by the first that asks
     Kinds kinds;
     auto read = read_netlist_text(netlist(lines), kinds.catalogue, {}, "farm.cfs");
     CHECK(read.diagnostics.size() == 1);
-    says(render(read.diagnostics), "farm.cfs:4:7: error: there is no search problem 'curve'");
+    says(render(read.diagnostics), "farm.cfs:4:7: error: unknown search problem 'curve'");
 }
 
 namespace {

@@ -182,13 +182,13 @@ TEST_CASE("a problem that does not exist, or not with these numbers, is refused 
         }
         return "";
     };
-    CHECK(refusal("valey") == "there is no search problem 'valey'; known: sphere, valley; did you mean \"valley\"?");
-    CHECK(refusal("hill(3)") == "there is no search problem 'hill(3)'; known: sphere, valley");
+    CHECK(refusal("valey") == "unknown search problem 'valey'; known: sphere, valley; did you mean \"valley\"?");
+    CHECK(refusal("hill(3)") == "unknown search problem 'hill(3)'; known: sphere, valley");
     CHECK(refusal("valley(10)") == "dimensions = 10 is out of range: dimensions is a whole number from 1 to 9");
     CHECK(refusal("valley(depth = 1)").find("valley has no number \"depth\"") == 0);
     CHECK(refusal("valley(low = 1)") == "search problem 'valley(dimensions = 2, low = 1)': parameter 0: the range is "
                                         "1 to 1, expected a lower and a higher number");
-    CHECK(refusal("sphere(3)") == "there is no search problem 'sphere(3)'; known: sphere, valley; did you mean "
+    CHECK(refusal("sphere(3)") == "unknown search problem 'sphere(3)'; known: sphere, valley; did you mean "
                                   "\"sphere\"?");
 }
 

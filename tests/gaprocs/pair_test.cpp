@@ -5,6 +5,7 @@
 #include "gaprocs/recoded_problem.hpp"
 #include "runtime/fingerprint.hpp"
 #include "tests/gaprocs/cluster.hpp"
+#include "tests/nearly.hpp"
 #include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
@@ -135,7 +136,7 @@ TEST_CASE("the pair makes the generations of the library's, in every placement a
             netlist.both += fmt::format(", coding = \"{}\"", coding);
             PairHistory history = history_of_machine(netlist);
             CHECK(history.fine_bests.size() == 27);
-            CHECK(history.slope == doctest::Approx(152.0 / 256).epsilon(0.02));
+            CHECK(history.slope == test::nearly(152.0 / 256, 0.02));
             CHECK(history == history_of_library(pair_on_line(Coding::named(coding))));
         }
 }

@@ -20,7 +20,7 @@ TEST_CASE("a problem is found by its name, with its record") {
     CHECK(registry.find("line").problem()->true_parameters().empty());
     CHECK(registry.names() == std::vector<std::string>{"another", "line"});
     CHECK_THROWS_WITH_AS(registry.find("lime"),
-                         "there is no search problem 'lime'; known: another, line; did you mean \"line\"?", UserError);
+                         "unknown search problem 'lime'; known: another, line; did you mean \"line\"?", UserError);
 }
 
 TEST_CASE("what cannot be registered is refused with a reason") {

@@ -1,6 +1,7 @@
 #include "gaprocs/search_problem.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "identification/circuit_problem.hpp"
+#include "tests/nearly.hpp"
 
 #include <doctest/doctest.h>
 
@@ -14,9 +15,9 @@ TEST_CASE("the string is a natural binary number of 10 bits over 0 ... 0.1") {
     CircuitProblem problem(boom_circuit(), rounded_flow_constants());
     auto compliance = [&](const char* text) { return problem.decode(Genome::from_string(text)).at(0); };
     CHECK(compliance("0000000000") == 0);
-    CHECK(compliance("0000000001") == doctest::Approx(0.1 / 1024));
-    CHECK(compliance("0001011000") == doctest::Approx(0.00859375)); // 88
-    CHECK(compliance("1111111111") == doctest::Approx(0.1 * 1023 / 1024));
+    CHECK(compliance("0000000001") == test::nearly(0.1 / 1024));
+    CHECK(compliance("0001011000") == test::nearly(0.00859375)); // 88
+    CHECK(compliance("1111111111") == test::nearly(0.1 * 1023 / 1024));
 }
 
 TEST_CASE("it has any number of bits a link, the first of which is a half of the range") {

@@ -3,6 +3,7 @@
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
 #include "identification/compliance_fit.hpp"
+#include "tests/nearly.hpp"
 #include "text/statistics.hpp"
 
 #include <doctest/doctest.h>
@@ -73,7 +74,7 @@ double steepest_psi_per_s(const ExcavatorScenario& scenario) {
 TEST_CASE("apparent compliance of a leak, by hand") {
     CHECK(leakage_in3_per_s(0.002, 1900, 100) == doctest::Approx(3.6));
     std::array leak{2.0, 4.0}, slope{1000.0, 2000.0};
-    CHECK(apparent_compliance_change(leak, slope) == doctest::Approx(0.002)); // (2e3 + 8e3) / 5e6
+    CHECK(apparent_compliance_change(leak, slope) == test::nearly(0.002)); // (2e3 + 8e3) / 5e6
     std::array flat{0.0, 0.0};
     CHECK_THROWS_AS(apparent_compliance_change(leak, flat), std::invalid_argument);
     CHECK_THROWS_AS(apparent_compliance_change(std::span(leak).first(1), slope), std::invalid_argument);
@@ -84,7 +85,7 @@ TEST_CASE("a leak that starts with the motion: flow and apparent compliance of t
         double leak_in3_per_s_psi, flow_in3_per_s, change_in3_per_psi;
     };
     double sound = identified_compliance(leaking_boom(0));
-    CHECK(sound == doctest::Approx(0.0086).epsilon(0.02));
+    CHECK(sound == test::nearly(0.0086, 0.02));
     for (const Figures& figures : {Figures{0.001, 1.82, 0.00079}, {0.002, 3.60, 0.00159}, {0.004, 6.97, 0.0032}}) {
         double leak = figures.leak_in3_per_s_psi;
         CAPTURE(leak);

@@ -71,14 +71,13 @@ TEST_CASE("a netlist of many large files is refused before it fills the memory")
 
 TEST_CASE("binary rubbish") {
     auto result = read_netlist_text(std::string("T800 a;\n\tval \0 x", 16), small_catalogue());
-    CHECK(first_message(result) == "this is no text but a binary file: it holds the byte 0x00");
+    CHECK(first_message(result) == "this is a binary file, not text: it holds the byte 0x00");
     REQUIRE(result.diagnostics.size() == 1);
     CHECK(result.diagnostics[0].location.text() == "netlist:2:6");
-    CHECK(render(result.diagnostics) ==
-          "netlist:2:6: error: this is no text but a binary file: it holds the byte 0x00\n"
-          "    \tval \\x00 x\n"
-          "    \t    ^\n");
-    CHECK(refused("\x7f\x45\x4c\x46").starts_with("this is no text but a binary file"));
+    CHECK(render(result.diagnostics) == "netlist:2:6: error: this is a binary file, not text: it holds the byte 0x00\n"
+                                        "    \tval \\x00 x\n"
+                                        "    \t    ^\n");
+    CHECK(refused("\x7f\x45\x4c\x46").starts_with("this is a binary file, not text"));
     CHECK(refused("val \xff 5;") == "illegal character byte 0xff");
 }
 
@@ -199,7 +198,7 @@ TEST_CASE("overrides that make no sense") {
     CHECK(refused("{ val n 1; }", {{"n", "5"}}) == "the val \"n\" is declared in a block");
     CHECK(refused("{ val n {1, 2}; }", {{"n[0]", "5"}}) == "the val \"n\" is declared in a block");
     CHECK(refused("val n {1, 2};", {{"n[0]", "5"}}) == "the val \"n\" is set as a whole, not one of its elements");
-    CHECK(refused("val n 1;", {{"n", std::string("1\0", 2)}}).starts_with("this is no text but a binary file"));
+    CHECK(refused("val n 1;", {{"n", std::string("1\0", 2)}}).starts_with("this is a binary file, not text"));
 }
 
 TEST_CASE("a caret finds its column over tabs, other alphabets and long lines") {

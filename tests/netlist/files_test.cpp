@@ -135,7 +135,7 @@ TEST_CASE("a program that is not used, and a kind that is not there, are refused
                                      "hint: there are other.lku, pump.lku\n");
     CHECK(said({{"PUMP.LKU", "sink"}}).find("hint: did you mean \"pump.lku\"?\n") != std::string::npos);
     CHECK(said({{"pump.lku", "master"}}) ==
-          "--use:1:10: error: there is no process kind \"master\"\n"
+          "--use:1:10: error: unknown process kind \"master\"\n"
           "    pump.lku=master\n"
           "             ^\n"
           "hint: there are csp.switch_logic, csp.switching_producer, ga.master, ga.slave, pump, sink\n");

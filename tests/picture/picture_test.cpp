@@ -8,9 +8,12 @@
 
 #include <doctest/doctest.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -64,6 +67,22 @@ std::vector<Box> labels_of(const Picture& drawn) {
             labels.push_back(wire.channels->box);
     }
     return labels;
+}
+
+/// A ring, and a processor beside it that is wired to four of its nodes.
+std::string ring_with_neighbour(int count) {
+    return picture::ring(count) + fmt::format(" T800 beside; rep i = 0 for 4 "
+                                              "connect beside.link[i] to t[i * {}].link[2];",
+                                              count / 4);
+}
+
+/// Of how many points the wires that leave the ring consist.
+std::size_t points_outside_of_ring(int count) {
+    const Picture drawn = picture_of(picture::network_of(ring_with_neighbour(count)));
+    std::size_t points = 0;
+    for (const picture::DrawnWire& wire : std::span(drawn.wires).last(4))
+        points += wire.spans.at(0).size();
+    return points;
 }
 
 } // namespace
@@ -209,7 +228,8 @@ TEST_CASE("places that are given are kept") {
 }
 
 TEST_CASE("large networks are drawn likewise: no box overlaps, no wire leads through one") {
-    for (const std::string& text : {picture::torus(16, 16), picture::chain(250), picture::ring(210)}) {
+    for (const std::string& text :
+         {picture::torus(16, 16), picture::chain(250), picture::ring(210), ring_with_neighbour(220)}) {
         const Network network = picture::network_of(text);
         REQUIRE(network.nodes.size() >= picture::large_network);
         const Picture drawn = picture_of(network);
@@ -227,4 +247,11 @@ TEST_CASE("large networks are drawn likewise: no box overlaps, no wire leads thr
                         FAIL_CHECK("wire " << i << " leads through " << node.name);
         }
     }
+}
+
+TEST_CASE("sixteen times as large a ring takes four times as many points for a wire around it") {
+    const std::size_t small = points_outside_of_ring(200), large = points_outside_of_ring(3200);
+    CHECK(small > 20);
+    CHECK(large > 2 * small);
+    CHECK(large < 5 * small);
 }

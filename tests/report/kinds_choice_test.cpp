@@ -58,7 +58,7 @@ TEST_CASE("a refusal suggests the nearest name, or the kind that was meant witho
             return std::string(refused.what());
         }
     };
-    const std::string there_is_none = "there is no process kind, device, problem or policy ";
+    const std::string there_is_none = "unknown process kind, device, problem or policy ";
     CHECK(refusal("belt.loadr") == there_is_none + "\"belt.loadr\"; did you mean \"belt.loader\"?");
     CHECK(refusal("stamper") == there_is_none + "\"stamper\"; did you mean \"press.stamper\"?");
     CHECK(refusal("stampr") == there_is_none + "\"stampr\"; did you mean \"press.stamper\"?");

@@ -60,5 +60,5 @@ TEST_CASE("a device of a program's own is described too, and an unknown name is 
     CHECK(contains(print_kinds(catalogue), "  R2               Refreshes a signal.\n"));
     CHECK(contains(print_kind(catalogue, "R2"), "default 2.5"));
     CHECK_THROWS_WITH_AS(print_kind(catalogue, "R3"),
-                         "there is no process kind, device, problem or policy \"R3\"; did you mean \"R2\"?", UserError);
+                         "unknown process kind, device, problem or policy \"R3\"; did you mean \"R2\"?", UserError);
 }

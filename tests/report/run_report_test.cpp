@@ -118,7 +118,7 @@ TEST_CASE("processes: how long they waited, and since when where the wait is not
     CHECK(rows[1].at("waits_since_ps") == 900'000'000'000);
 }
 
-TEST_CASE("in a deadlock there is no whole to have a part of") {
+TEST_CASE("in a deadlock no shares of the time are reported") {
     RunReport report = of_one_second();
     report.result.ending = Ending::stuck;
     report.processors.push_back({"t[0]", "T800", 250ms, 0ms, 0, 0ms});

@@ -45,7 +45,7 @@ TEST_CASE("a word that is cut short means the only name that begins with it") {
 TEST_CASE("as a hint") {
     CHECK(did_you_mean("mastr", {"slave", "master"}) == "did you mean \"master\"?");
     CHECK(did_you_mean("island", {"slave", "master"}).empty());
-    CHECK(there_is_no("kind", "mastr", {"slave", "master"}, "ask again") ==
-          "there is no kind \"mastr\"; did you mean \"master\"?");
-    CHECK(there_is_no("kind", "island", {"slave", "master"}, "ask again") == "there is no kind \"island\"; ask again");
+    CHECK(unknown_name("kind", "mastr", {"slave", "master"}, "ask again") ==
+          "unknown kind \"mastr\"; did you mean \"master\"?");
+    CHECK(unknown_name("kind", "island", {"slave", "master"}, "ask again") == "unknown kind \"island\"; ask again");
 }

@@ -42,9 +42,9 @@ TEST_CASE("a location as people read it") {
 
 TEST_CASE("what is no text is refused with its place, and can still be shown") {
     CHECK(problem_of(check_source("a", std::string("a;\n\tval \0 x", 11))) ==
-          "2:6: this is no text but a binary file: it holds the byte 0x00");
+          "2:6: this is a binary file, not text: it holds the byte 0x00");
     CHECK(problem_of(check_source("a", "\x7f"
-                                       "ELF")) == "1:1: this is no text but a binary file: it holds the byte 0x7f");
+                                       "ELF")) == "1:1: this is a binary file, not text: it holds the byte 0x7f");
     CHECK(problem_of(check_source("a", "short\n" + std::string(longest_source_line + 1, 'x'))) ==
           "2:10001: the line is too long: it has 10001 bytes, 10000 are allowed");
     CHECK(problem_of(check_source("a", std::string(largest_source_bytes + 1, '\n'))) ==
@@ -64,9 +64,9 @@ TEST_CASE("what is text") {
 
 TEST_CASE("an escape sequence does not make a text a binary file") {
     CHECK(problem_of(check_source("a", "one\ntwo \x1b[31mred")) ==
-          "2:5: the control character 0x1b is no part of a text: remove it");
+          "2:5: the control character 0x1b does not belong in a text: remove it");
     CHECK(problem_of(check_source("a", std::string("\x1b[31m\0", 6))) ==
-          "1:1: this is no text but a binary file: it holds the byte 0x1b");
+          "1:1: this is a binary file, not text: it holds the byte 0x1b");
 }
 
 TEST_CASE("a Ctrl-Z ends a text, and what is behind it may be anything") {

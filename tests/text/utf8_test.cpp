@@ -30,7 +30,7 @@ TEST_CASE("what XML and HTML would act on is written as they want it") {
     CHECK(as_markup("\xc3\xa4 \xdf") == "\xc3\xa4 \xc3\x9f"); // Latin-1
 }
 
-TEST_CASE("control characters of two bytes, and what is no character, are none in XML, HTML and JSON") {
+TEST_CASE("control characters of two bytes, and what is not a character, are none in XML, HTML and JSON") {
     CHECK(as_markup("\xc2\x9b\x9b\t\n\xef\xbf\xbe") == "?????");
     CHECK(as_json("{\"a\": \"\xc2\x9b\x7f\xff\xc3\xa4\"}\n") == "{\"a\": \"\\u009b\\u007f\xc3\xbf\xc3\xa4\"}\n");
 }

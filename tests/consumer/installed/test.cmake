@@ -7,7 +7,9 @@ file(REMOVE_RECURSE ${SCRATCH}/installed)
 must(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/installed --strip) # debuggers may know the source tree
 must(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR} -B ${SCRATCH}/build
      -DCMAKE_PREFIX_PATH=${SCRATCH}/installed -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=${BUILD_TYPE}
-     -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -DDOORS=${BUILD}/public_headers.cmake)
+     -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -DDOORS=${BUILD}/public_headers.cmake
+     # A package that asks for these fails where they are missing: no installed header includes them.
+     -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON)
 must(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 must(${SCRATCH}/build/consumer)
 

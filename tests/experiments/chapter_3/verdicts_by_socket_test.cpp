@@ -212,7 +212,7 @@ void check_sound(std::size_t movements, std::size_t machines, std::uint64_t firs
          {RecordSource{"scenario-a", "mid", false}, RecordSource{"excavator", "mid", true}})
         for (const LoggerRate& rate : logger_rates) {
             const std::size_t accused = accused_at(source, rate, movements, machines, first_seed);
-            MESSAGE(source.scenario, " at ", rate.name, ": an alarm in ", accused, " of ", machines);
+            MESSAGE(fmt::format("{} at {}: an alarm in {} of {}", source.scenario, rate.name, accused, machines));
             CHECK(100 * accused <= machines);
         }
 }

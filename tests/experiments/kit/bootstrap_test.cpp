@@ -1,4 +1,5 @@
 #include "experiments/kit/bootstrap.hpp"
+#include "tests/nearly.hpp"
 
 #include <doctest/doctest.h>
 
@@ -33,5 +34,5 @@ TEST_CASE("the interval of a quotient is of the sums, and is none where all runs
     Interval around = quotient_interval(above, below);
     CHECK(around.contains(1));
     // The mean of 400 values 4/3 or 2/3 has the deviation 1/60: 1.96 of it to either side.
-    CHECK(around.high - around.low == doctest::Approx(2 * 1.96 / 60).epsilon(0.15));
+    CHECK(around.high - around.low == test::nearly(2 * 1.96 / 60, 0.15));
 }

@@ -114,7 +114,7 @@ TEST_CASE("a study without tables, with seeds of its own, or with figures that n
         check_refused(seeds + of_two_counts,
                       "a replay runs its study with the seed that --seed says: leave out seeds and first_seed");
     check_refused("measure = [\"time\", \"consumer.rte\"]\n" + of_two_counts.substr(of_two_counts.find('\n') + 1),
-                  "there is no measure \"consumer.rte\"; did you mean \"consumer.rate\"?");
+                  "unknown measure \"consumer.rte\"; did you mean \"consumer.rate\"?");
 }
 
 TEST_CASE("what a replay shows beside its study's tables has to be in the study") {
@@ -130,7 +130,7 @@ TEST_CASE("what a replay shows beside its study's tables has to be in the study"
                          (file.path() + ": the study has no run with count = 30, which the replay shows").c_str(),
                          UserError);
     CHECK_THROWS_WITH_AS(study.measured({{"count", "10"}}, "tim"),
-                         doctest::Contains("there is no measure \"tim\"; did you mean \"time\"?"), UserError);
+                         doctest::Contains("unknown measure \"tim\"; did you mean \"time\"?"), UserError);
 }
 
 TEST_CASE("a replay whose machine is stuck has nothing to show") {

@@ -66,7 +66,7 @@ TEST_CASE("a run's figures are its time, its machine, what was measured in numbe
     CHECK(StudyMeasure("t.busy").of(figures)->value == 12.5);
 }
 
-TEST_CASE("in a deadlock there is no time to be busy a part of") {
+TEST_CASE("in a deadlock no processor is said to be busy for a share of the time") {
     RunReport stuck = quarter_busy();
     stuck.result.ending = Ending::stuck;
     CHECK_FALSE(figures_of(stuck, Network()).contains("t[0].busy"));
@@ -78,7 +78,7 @@ TEST_CASE("what a table calls a measure is its last name, whatever is done with 
     CHECK(StudyMeasure("cell[1][2].in.bytes").name_without_subscripts() == "cell.bytes");
     CHECK(StudyMeasure("time").last_name() == "time");
     for (const char* none : {"", "max()", "max(a,b)", "f(x)", "a)"})
-        CHECK_THROWS_WITH_AS(StudyMeasure{none}, doctest::Contains("is no measure: it takes PROCESS.NAME or time"),
+        CHECK_THROWS_WITH_AS(StudyMeasure{none}, doctest::Contains("is not a measure: it takes PROCESS.NAME or time"),
                              UserError);
 }
 
@@ -98,16 +98,16 @@ TEST_CASE("what runs can measure is known before any is made: of the machine, of
         CHECK_MESSAGE(possible.has(StudyMeasure(measure)), measure);
     for (const char* measure : {"speed", "u.busy", "master.T_ex", "host.T_exe"})
         CHECK_FALSE_MESSAGE(possible.has(StudyMeasure(measure)), measure);
-    CHECK(possible.there_is_no(StudyMeasure("max(master[0].T_ex)")) ==
-          "there is no measure \"master.T_ex\"; did you mean \"master.T_exe\"?");
+    CHECK(possible.why_unknown(StudyMeasure("max(master[0].T_ex)")) ==
+          "unknown measure \"master.T_ex\"; did you mean \"master.T_exe\"?");
 }
 
 TEST_CASE("a measure that a run does not have is refused with the nearest, or with all that it has") {
     const StudyFigures figures = figures_of(quarter_busy(), Network());
     CHECK(there_is_no_measure(StudyMeasure("master.rates"), figures) ==
-          "there is no measure \"master.rates\"; did you mean \"master.rate\"?");
+          "unknown measure \"master.rates\"; did you mean \"master.rate\"?");
     CHECK(there_is_no_measure(StudyMeasure("wall clock"), figures) ==
-          "there is no measure \"wall clock\"; the runs have links, master.rate, processors, t.busy, time");
+          "unknown measure \"wall clock\"; the runs have links, master.rate, processors, t.busy, time");
 }
 
 TEST_CASE("a measure that a run can have, but has not come to, is said to be that, with what it is") {

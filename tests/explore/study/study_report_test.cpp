@@ -57,7 +57,7 @@ TEST_CASE("what cannot be drawn is refused with the reason") {
                          UserError);
     summary.lines.front().values = {"few"};
     CHECK_THROWS_WITH_AS(summary_plot(summary, "slaves"),
-                         "\"slaves\" has values that are no numbers, so nothing can be drawn over it", UserError);
+                         "\"slaves\" has values that are not numbers, so nothing can be drawn over it", UserError);
     CHECK_THROWS_WITH_AS(summary_plot(summary),
                          "nothing that this study sets has several values that are numbers, so there is no plot",
                          UserError);

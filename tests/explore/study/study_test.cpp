@@ -186,7 +186,7 @@ TEST_CASE("values and seeds that 64 bits do not count are refused") {
     study.seeds = most;
     CHECK(study.count() == most);
     study.first_seed = 2;
-    CHECK_THROWS_WITH_AS(study.count(), doctest::Contains("seeds from 2 on: the greatest is 18446744073709551615"),
+    CHECK_THROWS_WITH_AS(study.count(), doctest::Contains("seeds from 2 on: the greatest seed is 18446744073709551615"),
                          UserError);
 }
 

@@ -143,7 +143,7 @@ TEST_CASE("a measure that no run has is refused before the runs between the firs
     study.measures = {"master.generation"};
     StudyResults results(StudySource{});
     CHECK_THROWS_WITH_AS(StudySweep(study, results).try_measures(never),
-                         "there is no measure \"master.generation\"; did you mean \"master.generations\"?", UserError);
+                         "unknown measure \"master.generation\"; did you mean \"master.generations\"?", UserError);
     CHECK(results.count() == 2); // the first and the last
     CHECK_THROWS_WITH_AS(require_possible(study.measures, study, readable_network(study)),
                          doctest::Contains("did you mean \"master.generations\"?"), UserError);

@@ -155,7 +155,7 @@ TEST_CASE("what is wrong in a table is refused with its place") {
 TEST_CASE("a figure that no run has, or a run that did not end, is told") {
     const std::string table = "[[table]]\nname = \"x\"\n" + columns + "rows = [{name = \"a\", figure = \"speed\"}]\n";
     const Comparison missing = tables_of(study_in("netlist = \"any.cfs\"\nmeasure = \"master.speed\"\n" + table)).at(0);
-    CHECK(missing.notes.find("there is no measure \"master.speed\"") != std::string::npos);
+    CHECK(missing.notes.find("unknown measure \"master.speed\"") != std::string::npos);
     CHECK_THROWS_WITH_AS(study_in(head + table), doctest::Contains("the name \"speed\" is undefined"), RefusedInput);
     StudyResults none(StudySource{});
     CHECK_THROWS_WITH_AS(comparisons_of(study_in("netlist = \"any.cfs\"\nmeasure = \"master.speed\"\n" + table), none),

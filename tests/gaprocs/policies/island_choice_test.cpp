@@ -114,7 +114,7 @@ TEST_CASE("with the row's own error, a change that only the shortest window has 
     CHECK(PrintedChoice{}(bests, random) == 0);
 }
 
-TEST_CASE("an error that is no number is the greatest: by the row's own error such an island is not chosen") {
+TEST_CASE("an error that is not a number is the greatest: by the row's own error such an island is not chosen") {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     RandomStream random(1, "not drawn from");
     for (double wrong : {nan, infinity, -infinity, 1e300}) {

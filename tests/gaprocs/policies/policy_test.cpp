@@ -43,7 +43,7 @@ TEST_CASE("what names no policy is refused with what there is") {
                                   "2), tournament(size = 2); did you mean \"tournament\"?");
     CHECK(refusal("").starts_with("it is one of roulette"));
     CHECK(refusal("tournament(3") == "\"tournament(3\" has no closing parenthesis at its end");
-    CHECK(refusal("tournament()") == "\"\" is no number: size is a whole number from 1 to 1000000");
+    CHECK(refusal("tournament()") == "\"\" is not a number: size is a whole number from 1 to 1000000");
     CHECK(refusal("tournament(2.5)") == "size = 2.5 is out of range: size is a whole number from 1 to 1000000");
     CHECK(refusal("tournament(0)") == "size = 0 is out of range: size is a whole number from 1 to 1000000");
     CHECK(refusal("ranking(nan)") == "best = nan is out of range: best is a number from 1 to 2");

@@ -4,6 +4,7 @@
 #include "gaprocs/policies/crossover.hpp"
 #include "gaprocs/policies/mutation.hpp"
 #include "runtime/random.hpp"
+#include "tests/nearly.hpp"
 
 #include <doctest/doctest.h>
 
@@ -126,8 +127,8 @@ TEST_CASE("blend crossover is uniform between and a little beyond, and stays in 
             last.push_back(unit_reals.reals().value(each, 2));
         }
     }
-    CHECK(mean_of(first) == doctest::Approx(0.5).epsilon(0.01));
-    CHECK(deviation_of(first) == doctest::Approx(0.4 / std::sqrt(12)).epsilon(0.02));
+    CHECK(mean_of(first) == test::nearly(0.5, 0.01));
+    CHECK(deviation_of(first) == test::nearly(0.4 / std::sqrt(12), 0.02));
     CHECK(*std::ranges::min_element(last) == 0);
     CHECK(*std::ranges::max_element(last) == 1);
 }

@@ -59,16 +59,16 @@ TEST_CASE("a string as text and back") {
     CHECK(order_of_4.permutation().decode(order_of_4.read("2 0 3 1")) == std::vector<std::size_t>{2, 0, 3, 1});
 }
 
-TEST_CASE("a text that is no string of the representation is refused") {
-    CHECK(refusal_of_text(bits_of_5, "0110") == "\"0110\" is no string of 5 characters 0 and 1");
-    CHECK(refusal_of_text(bits_of_5, "01102") == "\"01102\" is no string of 5 characters 0 and 1");
+TEST_CASE("a text that is not a string of the representation is refused") {
+    CHECK(refusal_of_text(bits_of_5, "0110") == "\"0110\" is not a string of 5 characters 0 and 1");
+    CHECK(refusal_of_text(bits_of_5, "01102") == "\"01102\" is not a string of 5 characters 0 and 1");
     CHECK(refusal_of_text(two_reals, "1") == "\"1\" has 1 number, expected 2");
-    CHECK(refusal_of_text(two_reals, "1 x") == "\"x\" is no number");
+    CHECK(refusal_of_text(two_reals, "1 x") == "\"x\" is not a number");
     CHECK(refusal_of_text(two_reals, "1 1.5") == "1.5 is out of range: number 2 goes from -1 to 1");
     CHECK(refusal_of_text(two_reals, "nan 0") == "nan is out of range: number 1 goes from 0 to 10");
-    CHECK(refusal_of_text(order_of_4, "0 1 2 4") == "4 is no place, expected each of 0 to 3 once");
+    CHECK(refusal_of_text(order_of_4, "0 1 2 4") == "4 is not a place, expected each of 0 to 3 once");
     CHECK(refusal_of_text(order_of_4, "0 1 2 1") == "1 is there twice, expected each of 0 to 3 once");
-    CHECK(refusal_of_text(order_of_4, "0 1 2 -1") == "\"-1\" is no whole number");
+    CHECK(refusal_of_text(order_of_4, "0 1 2 -1") == "\"-1\" is not a whole number");
 }
 
 TEST_CASE("distance: bits, Euclid in ranges, edges not shared") {

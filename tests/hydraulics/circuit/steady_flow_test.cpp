@@ -1,5 +1,6 @@
 #include "hydraulics/circuit/flow_constants_fit.hpp"
 #include "hydraulics/circuit/steady_flow.hpp"
+#include "tests/nearly.hpp"
 
 #include <doctest/doctest.h>
 
@@ -81,8 +82,8 @@ TEST_CASE("sensitivity of the flow: the implicit derivative of Q_i + k a_e sqrt(
         double to_flow = 1 + bypass * flow / (root * inlet * inlet);
         double to_psi = bypass / (2 * root);
         double to_spool = -25 * root - bypass / root * flow * flow / std::pow(inlet, 3) * 124.7;
-        CHECK(sensitivity.to_pressure_in3_per_s_psi == doctest::Approx(-to_psi / to_flow).epsilon(1e-6));
-        CHECK(sensitivity.to_spool_in3_per_s_in == doctest::Approx(-to_spool / to_flow).epsilon(1e-6));
+        CHECK(sensitivity.to_pressure_in3_per_s_psi == test::nearly(-to_psi / to_flow, 1e-6));
+        CHECK(sensitivity.to_spool_in3_per_s_in == test::nearly(-to_spool / to_flow, 1e-6));
         CHECK(sensitivity.to_spool_in3_per_s_in > 990);
         CHECK(sensitivity.to_spool_in3_per_s_in < 1120);
         CHECK(sensitivity.to_pressure_in3_per_s_psi < -0.027);

@@ -86,9 +86,9 @@ TEST_CASE("as spreadsheets write it: byte order mark, CR LF, quotes, plus signs"
 }
 
 TEST_CASE("what is wrong with a header") {
-    CHECK(record_faults("") == "error 0:0: there is no header | such as time [s],boom.inlet_pressure [psi]\n");
+    CHECK(record_faults("") == "error 0:0: the header is missing | such as time [s],boom.inlet_pressure [psi]\n");
     CHECK(record_faults("boom.angle [deg]\n1\n") ==
-          "error 1:1: there is no column \"time\" | the first column is mostly time [s]\n");
+          "error 1:1: the column \"time\" is missing | the first column is mostly time [s]\n");
     CHECK(record_faults("time [s]\n"
                         "0\n") ==
           "error 1:1: no column of a sensor | LINK.SENSOR, such as boom.inlet_pressure [psi]\n");
@@ -114,7 +114,7 @@ TEST_CASE("what is wrong with a reading") {
     constexpr const char* skip =
         "a number such as 1830.5 or -2e-3; \"placedpar identify --missing skip\" leaves such rows out";
     CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,nan,20,0.2\n") ==
-          fmt::format("error 7:7: \"nan\" is no reading | {}\n", skip));
+          fmt::format("error 7:7: \"nan\" is not a reading | {}\n", skip));
     CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,,20,inf\n") ==
           fmt::format("error 7:7: no value | {}\nerror 7:11: \"inf\" is not a finite "
                       "number | a number such as 1830.5 or -2e-3; {}\n",

@@ -1,4 +1,5 @@
 #include "hydraulics/data/units.hpp"
+#include "tests/nearly.hpp"
 
 #include <doctest/doctest.h>
 
@@ -24,9 +25,9 @@ TEST_CASE("conversions printed in the thesis or in tables") {
     CHECK(1 / factor("Pa") == doctest::Approx(6894.757));                 // NIST SP 811
     CHECK(13996 * factor("kPa") == doctest::Approx(2030).epsilon(1e-4));  // Table 2.6
     CHECK(819.5 * factor("cm^3/s") == doctest::Approx(50).epsilon(3e-4)); // Table 2.6
-    CHECK(0.696 * factor("cm") == doctest::Approx(0.2741).epsilon(1e-3)); // Table 2.6
-    CHECK(1 / factor("m^3/Pa") == doctest::Approx(2.37672e-9).epsilon(1e-5));
-    CHECK(1 / factor("m^3/(s m^2 Pa^0.5)") == doctest::Approx(3.0590e-4).epsilon(1e-4));
+    CHECK(0.696 * factor("cm") == test::nearly(0.2741, 1e-3));            // Table 2.6
+    CHECK(1 / factor("m^3/Pa") == test::nearly(2.37672e-9, 1e-5));
+    CHECK(1 / factor("m^3/(s m^2 Pa^0.5)") == test::nearly(3.0590e-4, 1e-4));
     CHECK(172.1 * factor("L/min") == doctest::Approx(175).epsilon(1e-3));
     CHECK(220 * factor("kN") == doctest::Approx(49458).epsilon(1e-4)); // 1 lbf = 4.4482216 N
     CHECK(175.127 * factor("kg") == doctest::Approx(1).epsilon(1e-5)); // 386.09 lb

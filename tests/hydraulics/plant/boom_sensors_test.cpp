@@ -1,6 +1,8 @@
 #include "hydraulics/plant/boom_sensors.hpp"
 #include "hydraulics/plant/requirement.hpp"
 #include "runtime/random.hpp"
+#include "tests/nearly.hpp"
+#include "text/statistics.hpp"
 
 #include <doctest/doctest.h>
 
@@ -77,19 +79,27 @@ TEST_CASE("noise has the deviation asked for, and the seed decides it") {
     std::vector<MeasuredState> motion = simulate_measured_excavator(excavator);
     BoomSensors sensors = boom_sensors();
     sensors.noise = {10, 0.02, 0.001};
-    Record record = read_with(sensors, excavator, motion);
     auto deviation = [&](Sensor sensor) {
-        double sum = 0, squares = 0;
-        for (double value : record.of(Link::boom, sensor)) {
-            sum += value;
-            squares += value * value;
+        double squares = 0, count = 0;
+        for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+            Record record = read_with(sensors, excavator, motion, seed);
+            const std::vector<double>& read = record.of(Link::boom, sensor);
+            const double middle = mean(read);
+            for (double value : read)
+                squares += (value - middle) * (value - middle);
+            count += static_cast<double>(read.size());
         }
-        auto count = static_cast<double>(record.size());
-        return std::sqrt(squares / count - sum / count * sum / count);
+        return std::sqrt(squares / count);
     };
-    CHECK(deviation(Sensor::inlet_pressure) == doctest::Approx(10).epsilon(0.08)); // 1501 samples: 1.8 % each
-    CHECK(deviation(Sensor::angle) == doctest::Approx(0.02).epsilon(0.08));
-    CHECK(deviation(Sensor::spool) == doctest::Approx(0.001).epsilon(0.08));
+    // The deviation of 30,020 samples is within 1.6 %: four times its own, 1 / sqrt(2 * 30,020).
+    // A converter adds its step / sqrt(12).
+    auto expected = [](double noise, const Converter& converter) {
+        return std::hypot(noise, converter.step() / std::sqrt(12));
+    };
+    CHECK(deviation(Sensor::inlet_pressure) == test::nearly(expected(10, sensors.pressure), 0.016));
+    CHECK(deviation(Sensor::angle) == test::nearly(expected(0.02, sensors.resolver), 0.016));
+    CHECK(deviation(Sensor::spool) == test::nearly(expected(0.001, sensors.spool), 0.016));
+    Record record = read_with(sensors, excavator, motion);
     Record again = read_with(sensors, excavator, motion), other = read_with(sensors, excavator, motion, 2);
     for (Sensor sensor : {Sensor::inlet_pressure, Sensor::angle, Sensor::spool}) {
         CHECK(again.of(Link::boom, sensor) == record.of(Link::boom, sensor));

@@ -4,6 +4,7 @@
 #include "identification/on_line/diagnosis.hpp"
 #include "identification/on_line/refused_sample.hpp"
 #include "runtime/random.hpp"
+#include "tests/nearly.hpp"
 #include "transient.hpp"
 
 #include <doctest/doctest.h>
@@ -271,7 +272,7 @@ TEST_CASE("sets that disagree are seen") {
     feed(diagnosis, {Configuration::b, bucket_boom, other}, 10);
     LinkCheck check = diagnosis.check(Link::boom);
     REQUIRE(check.estimates.size() == 2);
-    CHECK(check.spread() == doctest::Approx(0.5 / 1.25).epsilon(0.1));
+    CHECK(check.spread() == test::nearly(0.5 / 1.25, 0.1));
 }
 
 namespace {

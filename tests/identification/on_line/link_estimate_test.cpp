@@ -1,4 +1,5 @@
 #include "identification/on_line/link_estimate.hpp"
+#include "tests/nearly.hpp"
 
 #include <doctest/doctest.h>
 
@@ -42,7 +43,7 @@ TEST_CASE("an estimate settles when the last 25 generations of one transient agr
     CHECK(estimate.settled_in3_per_psi() == 0.0101);
     CHECK(estimate.state().settled_in3_per_psi.size() == 2);
     CHECK(estimate.state().settled_time_s == 9);
-    CHECK(estimate.lasting_in3_per_psi() == doctest::Approx(0.01005));
+    CHECK(estimate.lasting_in3_per_psi() == test::nearly(0.01005));
 }
 
 TEST_CASE("the last five transients are kept") {
@@ -53,8 +54,8 @@ TEST_CASE("the last five transients are kept") {
         estimate.end_transient();
     }
     CHECK(estimate.state().settled_in3_per_psi.size() == 5);
-    CHECK(estimate.lasting_in3_per_psi() == doctest::Approx(0.005));
-    CHECK(estimate.settled_in3_per_psi() == doctest::Approx(0.007));
+    CHECK(estimate.lasting_in3_per_psi() == test::nearly(0.005));
+    CHECK(estimate.settled_in3_per_psi() == test::nearly(0.007));
 }
 
 TEST_CASE("excitation that comes and goes makes no new transient") {

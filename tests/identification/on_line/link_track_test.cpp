@@ -1,4 +1,5 @@
 #include "identification/on_line/link_track.hpp"
+#include "tests/nearly.hpp"
 
 #include <doctest/doctest.h>
 
@@ -21,5 +22,5 @@ TEST_CASE("the spool is followed from its voltage") {
     }
     REQUIRE(by_voltage.state().inlet_in2.size() == 5);
     for (std::size_t i = 0; i < 5; ++i)
-        CHECK(by_voltage.state().bypass_in2[i] == doctest::Approx(by_spool.state().bypass_in2[i]).epsilon(1e-9));
+        CHECK(by_voltage.state().bypass_in2[i] == test::nearly(by_spool.state().bypass_in2[i], 1e-9));
 }

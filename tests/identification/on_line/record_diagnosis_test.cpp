@@ -1,6 +1,7 @@
 #include "../boom_records.hpp"
 #include "hydraulics/plant/record_scenario.hpp"
 #include "identification/on_line/record_diagnosis.hpp"
+#include "tests/nearly.hpp"
 #include "text/statistics.hpp"
 
 #include <doctest/doctest.h>
@@ -113,7 +114,7 @@ TEST_CASE("a movement is from the valve's opening to its closing; after a gap th
     Record record = boom_measured(2, low_noise, 1001);
     const auto one = movements_of(record, 1);
     REQUIRE(one.size() == 1);
-    CHECK(one[0].from_s == doctest::Approx(0.2).epsilon(0.11));
+    CHECK(one[0].from_s == test::nearly(0.2, 0.11));
     CHECK(one[0].to_s == doctest::Approx(record.time_s.back() - 2 * record.period_s));
     for (std::size_t i = 60; i < record.size(); ++i)
         record.time_s[i] += 1;
@@ -130,7 +131,7 @@ TEST_CASE("an offset of the spool misleads the search, which is flagged, and not
             spool -= 0.02;
         const LinkFinding boom = boom_of(record, seed);
         REQUIRE(boom.whole);
-        CHECK(boom.whole->units.offset_in * boom.whole->deviation.by[2] == doctest::Approx(-0.02).epsilon(0.25));
+        CHECK(boom.whole->units.offset_in * boom.whole->deviation.by[2] == test::nearly(-0.02, 0.25));
         CHECK(error_percent(boom.whole->compliance_in3_per_psi, 0.0086) < 25);
         CHECK((!boom.flags.empty() || error_percent(boom.compliance_in3_per_psi.value_or(0), 0.0086) < 25));
     }

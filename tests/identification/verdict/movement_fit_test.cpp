@@ -6,6 +6,7 @@
 #include "identification/verdict/verdict.hpp"
 #include "identification/verdict/way_matrices.hpp"
 #include "runtime/random.hpp"
+#include "tests/nearly.hpp"
 
 #include <doctest/doctest.h>
 
@@ -184,7 +185,7 @@ TEST_CASE("the compliance at rest may be a quarter of a unit off: so uncertain i
     const double left = std::sqrt(matrix_of(found.covariance)(3, 3) -
                                   std::pow(leak_by_compliance * found.standard_error(Way::compliance), 2));
     CAPTURE(left / leak_by_compliance);
-    CHECK(left == doctest::Approx(0.25 * leak_by_compliance).epsilon(0.15));
+    CHECK(left == test::nearly(0.25 * leak_by_compliance, 0.15));
 }
 
 TEST_CASE("a leak that flow alone tells may be 1.25 units off, unless the areas are read themselves") {

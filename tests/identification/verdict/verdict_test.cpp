@@ -1,6 +1,7 @@
 #include "identification/verdict/verdict.hpp"
 
 #include "identification/verdict/way_matrices.hpp"
+#include "tests/nearly.hpp"
 
 #include <doctest/doctest.h>
 
@@ -39,7 +40,7 @@ TEST_CASE("the way that explains a deviation best, and how surely") {
     // As well one as the other.
     Deviation either = off_by(1, 1, 0, 0.1);
     either.by[index_of(Way::leak_before)] = 0;
-    CHECK(verdict_of(either, true, AreasFrom::spool).probability == doctest::Approx(0.5).epsilon(0.01));
+    CHECK(verdict_of(either, true, AreasFrom::spool).probability == test::nearly(0.5, 0.01));
 }
 
 TEST_CASE("how sure it is that a link is sound") {
@@ -52,7 +53,7 @@ TEST_CASE("how sure it is that a link is sound") {
     CHECK(sound(off_by(0.3, 0, 0, 0.3)) > 0.7);
     CHECK(sound(off_by(0.6, 0, 0, 0.3)) < 0.5);
     // Nothing is known: as likely as any of the six suspicions.
-    CHECK(sound(off_by(0, 0, 0, 100)) == doctest::Approx(1.0 / 7).epsilon(0.01));
+    CHECK(sound(off_by(0, 0, 0, 100)) == test::nearly(1.0 / 7, 0.01));
     // Areas that are read have no offset, whatever the prior leaves open.
     Deviation areas = off_by(0, 0, 0, 0.1);
     Eigen::Map<WayMatrix>(areas.covariance.data())(2, 2) = 100;
@@ -78,7 +79,7 @@ TEST_CASE("a leak that begins with the movement and an offset are one verdict, u
     CHECK(verdict_of(flow, true, AreasFrom::spool).kind == VerdictKind::leak_or_offset);
     CHECK(verdict_of(flow, true, AreasFrom::servo).kind == VerdictKind::leak_or_offset);
     CHECK(size_alone(Way::leak, flow).by == doctest::Approx(1).epsilon(0.1));
-    CHECK(size_alone(Way::offset, flow).by == doctest::Approx(0.5).epsilon(0.1));
+    CHECK(size_alone(Way::offset, flow).by == test::nearly(0.5, 0.1));
     CHECK(size_alone(Way::leak, flow).standard_error < 0.3);
     Deviation leak_before = flow;
     leak_before.by[index_of(Way::leak_before)] = 1;

@@ -91,7 +91,7 @@ TEST_CASE("a state that lacks a member, or has one that is wrong, is refused wit
     refused("\"sums\":{\"inlet_psi\":\"0\"", "\"sums\":{\"inlet_psi\":\"0 1\"",
             "tracks.0.sums.inlet_psi: 2 numbers, expected 1");
     refused("\"sums\":{\"inlet_psi\":\"0\"", "\"sums\":{\"inlet_psi\":\"x\"",
-            "tracks.0.sums.inlet_psi: \"x\" is no number");
+            "tracks.0.sums.inlet_psi: \"x\" is not a number");
     refused("\"judged\":false", "\"judged\":0", "judged: ");
     refused("\"judged\":false", "\"judged\":false,\"more\":1", "it is not whole: 18 members, expected 17");
     refused("\"configuration\":null", "\"configuration\":\"f\"", "configuration: \"f\" is none of its names");

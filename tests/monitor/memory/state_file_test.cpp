@@ -355,7 +355,7 @@ TEST_CASE("no state file: what it is instead, and what to do") {
         fmt::format("; put a whole one there without state-journal, or move {} away and begin with nothing known",
                     (scratch / "state").string());
     refused("", ("it is empty" + away).c_str());
-    refused("rubbish", ("it is no state file of the monitor" + away).c_str());
+    refused("rubbish", ("it is not a state file of the monitor" + away).c_str());
     refused("{\"placedpar_monitor_state\":1,\"settings\":\"--seed 1\"",
             "it was written by an earlier placedpar monitor, as JSON, which this one does not read; use another "
             "--state file");

@@ -132,7 +132,7 @@ TEST_CASE("a wrong field is named, with what would be right") {
               "flow.orifice_in3_per_s_in2_sqrt_psi", "missing", "number"},
              {R"({"type":"configuration","configuration":"f","active":[]})", "configuration", "f", "\"e\""},
              {R"({"type":"configuration","configuration":"a","active":["BX"]})", "active", "BX", "BU, BO"},
-             {R"({"type":"configuration","configuration":"a","active":[7]})", "active", "no string", "BU"},
+             {R"({"type":"configuration","configuration":"a","active":[7]})", "active", "not a string", "BU"},
              {R"({"type":"sample","time_s":"now","links":{}})", "time_s", "now", "number"},
              {R"({"type":"sample","time_s":1e300,"links":{}})", "time_s", "1e+300", "number"},
              {R"({"type":"sample","time_s":1,"links":{"BO":{"angle_deg":1,"spool_in":0.2}}})", "links.BO.inlet_psi",

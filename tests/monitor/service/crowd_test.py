@@ -94,7 +94,7 @@ class Crowd(ServiceTest):
         client.ask(type="bye")
         self.assertIsNone(client.receive())
         self.assertEqual(other.ask(type="forget", machine="digger"), {"type": "forgotten", "text": "digger"})
-        self.assertIn("there is no machine", other.ask(type="forget", machine="digger")["wrong"])
+        self.assertIn("unknown machine", other.ask(type="forget", machine="digger")["wrong"])
         service.stop(signal.SIGKILL)
         again = self.service("--state", self.folder / "state")
         self.assertEqual(self.client(again).ask(type="load")["machines"], 0)
@@ -122,7 +122,7 @@ class Crowd(ServiceTest):
 
     def test_a_token_that_is_none_is_refused(self):
         for text in ("", "short", "two words of them here", "x" * 1001):
-            self.assertIn("it is no token", self.refusal("--token-file", self.token_file(text)))
+            self.assertIn("it is not a token", self.refusal("--token-file", self.token_file(text)))
         self.assertIn("every user", self.refusal("--token-file", self.token_file(mode=0o644)))
         self.assertIn("cannot be read", self.refusal("--token-file", self.folder / "none"))
 

@@ -22,10 +22,10 @@ class Options(ServiceTest):
             wrong += [str(float(least) * 0.99)] if float(least) > 0 and not whole else []
             wrong += [str(int(least) - 1)] if whole and least != "0" else []
             for value in wrong:
-                self.assertIn(f'{option}: "{value}" is no {"whole " if whole else ""}number from {least} to {greatest}',
+                self.assertIn(f'{option}: "{value}" is not a {"whole " if whole else ""}number from {least} to {greatest}',
                               self.refusal(f"{option}={value}"))
         self.assertIn("--state: ", self.refusal("--state", ""))
-        self.assertIn('--seed: "-1" is no whole number', self.refusal("--seed=-1"))
+        self.assertIn('--seed: "-1" is not a whole number', self.refusal("--seed=-1"))
         ends = [f"{option}={end}" for option, _, _, least, greatest in options for end in (least, greatest)
                 if option not in ("--port", "--http", "--max-clients", "--window")]
         for least_or_greatest in (ends[::2], ends[1::2]):

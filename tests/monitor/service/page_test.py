@@ -13,6 +13,8 @@ import urllib.error
 import urllib.request
 
 import firefox
+from chromium import Chromium
+from cut_texts import check_nothing_is_cut
 from service import CONFIGURATION, SECONDS, ServiceTest, move_softly
 
 TOKEN = "correct-horse-battery"
@@ -164,6 +166,13 @@ class Page(ServiceTest):
             health = float(re.search(r'<text x="([\d.]+)"[^>]*>BO in health<', page)[1])
             self.assertGreater(health, max(float(x) for x in re.findall(r'<circle cx="([\d.]+)"', page)))
             self.assertIn('<td data-head="raised">', page)  # said where rows are lists
+
+    @unittest.skipUnless(BROWSER, "no Chromium")
+    def test_no_text_is_cut_off(self):
+        service, _ = self.busy("--state", self.folder / "state")
+        chromium = Chromium()
+        self.addCleanup(chromium.close)
+        check_nothing_is_cut(self, chromium, service.page, "BO in health")
 
     @unittest.skipUnless(BROWSER, "no Chromium")
     def test_in_a_browser(self):

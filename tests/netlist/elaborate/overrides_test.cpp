@@ -158,8 +158,8 @@ TEST_CASE("values are checked as the netlist's own, where the option says them")
     CHECK(says(refusal({{"m.code", "grey"}}), "did you mean \"gray\"?"));
     CHECK(says(refusal({{"m.population", "\"x\""}}), "--set:1:14: error: wrong type for the parameter"));
     CHECK(says(refusal({{"linkspeed", "-1"}}), "--set:1:11: error: illegal value of the attribute \"linkspeed\": -1"));
-    CHECK(says(refusal({{"linkspeed", "2G"}}), "--set:1:11: error: \"2G\" is no number"));
-    CHECK(says(refusal({{"people", "3x"}}), "--set:1:8: error: \"3x\" is no number"));
+    CHECK(says(refusal({{"linkspeed", "2G"}}), "--set:1:11: error: \"2G\" is not a number"));
+    CHECK(says(refusal({{"people", "3x"}}), "--set:1:8: error: \"3x\" is not a number"));
     CHECK(says(refusal({{"c.length", "\"x\""}}), "--set:1:10: error: wrong type for the attribute \"length\""));
     CHECK(says(refusal({{"m.priority", "2"}}), "a priority is HIGH, which is 0, or LOW, which is 1"));
     CHECK(says(refusal({{"people", "1.5"}}), "--set:1:8: error: wrong type for the val \"people\""));
@@ -269,7 +269,7 @@ TEST_CASE("what cannot be set so is told how it can") {
     CHECK(
         says(said("numbers[0]", "4"), "1:1: error: the val \"numbers\" is set as a whole, not one of its elements\n"));
     CHECK(says(said("numbers[0]", "4"), "hint: the netlist gives it {1, 2, 3}: --set 'numbers=...'\n"));
-    CHECK(says(said("b[0]", "4"), "1:1: error: the val \"b\" is no array\n"));
+    CHECK(says(said("b[0]", "4"), "1:1: error: the val \"b\" is not an array\n"));
     CHECK(says(said("numbers", "4"), "wrong type for the val \"numbers\": 4 is an integer\n"));
     CHECK(says(said("numbers", "4"), "hint: the netlist gives it {1, 2, 3}, an array\n"));
     CHECK(says(said("b", "{1,2}"), "wrong type for the val \"b\": {1, 2} is an array\n"));
@@ -279,7 +279,7 @@ TEST_CASE("what cannot be set so is told how it can") {
     CHECK(says(said("linkspeed", "fast"), "hint: it takes an integer: it goes from 1 to 1000000000 bit/s\n"));
     CHECK_FALSE(says(said("linkspeed", "fast"), "FALSE"));
     CHECK(says(said("linkspeed", "numbrs"), "did you mean \"numbers\"?"));
-    CHECK(says(said("a[1].clock", "3"), "1:1: error: \"a\" is no array\n"));
+    CHECK(says(said("a[1].clock", "3"), "1:1: error: \"a\" is not an array\n"));
     CHECK(says(said("t[1]", "3"), "1:1: error: \"t\" is a node: say what of it to set\n"));
     CHECK(says(said("t[1]", "3"), "hint: --set t[1].NAME=VALUE\n"));
     CHECK(says(refusal({{"m.priority", "hihg"}}), "hint: it takes HIGH or LOW\n"));
@@ -309,7 +309,7 @@ TEST_CASE("what does not exist is answered with what does, the nearest name firs
     CHECK(says(refusal({{"rot.clock", "3"}}), "hint: did you mean \"root\"?\n"));
     // "people" is near, but a val.
     CHECK_FALSE(says(refusal({{"peoples.clock", "3"}}), "did you mean"));
-    CHECK(says(refusal({{"t[2].clock", "3"}}), "there is no \"t[2]\"\n    t[2].clock=3\n    ^\n"
+    CHECK(says(refusal({{"t[2].clock", "3"}}), "nothing is called \"t[2]\"\n    t[2].clock=3\n    ^\n"
                                                "hint: there is t[0] to t[1]\n"));
     CHECK(
         says(refusal({{"s[1].clock", "3"}}), "hint: the node that \"s[1]\" is placed on has: --set t[1].clock=...\n"));

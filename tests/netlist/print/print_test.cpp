@@ -93,7 +93,7 @@ TEST_CASE("the JSON document is UTF-8 whatever the file is") {
     CHECK(text("Stra\xdf"
                "e") == "Stra\xc3\x9f"
                        "e");                                   // Latin-1
-    CHECK(text("\xed\xa0\x80") == "\xc3\xad\xc2\xa0\xc2\x80"); // half of a surrogate pair is no character
+    CHECK(text("\xed\xa0\x80") == "\xc3\xad\xc2\xa0\xc2\x80"); // half of a surrogate pair is not a character
 }
 
 TEST_CASE("the drawing names what there is and the links of each wire") {

@@ -3,6 +3,7 @@
 #include "gaprocs/search_problem.hpp"
 #include "gaprocs/traditional.hpp"
 #include "runtime/random.hpp"
+#include "tests/nearly.hpp"
 #include "tests/runtime/each_vector_width.hpp"
 
 #include <doctest/doctest.h>
@@ -152,6 +153,6 @@ TEST_CASE("a traditional algorithm finds the plant") {
     auto result = run_traditional(*make_search_problem(PlantProblem()), short_record, settings, RandomStream(1, "ga"));
     const auto& found = result.estimates.back().parameters;
     CHECK(found[0] == 1);
-    CHECK(found[1] == doctest::Approx(.75).epsilon(.05));
-    CHECK(std::abs(found[2]) == doctest::Approx(.371).epsilon(.1));
+    CHECK(found[1] == test::nearly(.75, .05));
+    CHECK(std::abs(found[2]) == test::nearly(.371, .1));
 }

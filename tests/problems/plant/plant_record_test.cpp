@@ -1,6 +1,7 @@
 #include "problems/plant/plant_record.hpp"
 
 #include "runtime/random.hpp"
+#include "tests/nearly.hpp"
 #include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
@@ -92,11 +93,11 @@ TEST_CASE("noise has its deviation, and its colour") {
         return std::pair(root_mean_square(rests), correlation);
     };
     auto [white, none] = deviation_with({0, 0});
-    CHECK(white == doctest::Approx(0.3).epsilon(0.03));
+    CHECK(white == test::nearly(0.3, 0.03));
     CHECK(std::abs(none) < 0.003);
     auto [coloured, some] = deviation_with({-1, 0.2});
-    CHECK(coloured == doctest::Approx(0.3 * std::sqrt(1 + 1 + 0.04)).epsilon(0.03));
-    CHECK(some == doctest::Approx(0.09 * (-1 - 0.2)).epsilon(0.05));
+    CHECK(coloured == test::nearly(0.3 * std::sqrt(1 + 1 + 0.04), 0.03));
+    CHECK(some == test::nearly(0.09 * (-1 - 0.2), 0.05));
 }
 
 TEST_CASE("a record depends on its stream alone, and the input begins anywhere in its period") {

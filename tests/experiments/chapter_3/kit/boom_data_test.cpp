@@ -1,5 +1,6 @@
 // What the experiments of 3.1 work on: records of either plant.
 #include "experiments/chapter_3/kit/boom_data.hpp"
+#include "tests/nearly.hpp"
 
 #include <doctest/doctest.h>
 
@@ -23,6 +24,8 @@ double greatest_difference(const std::vector<double>& a, const std::vector<doubl
     return greatest;
 }
 
+constexpr double spool_step_in = 1.0 / 4096; // of the measured machine's converter
+
 } // namespace
 
 TEST_CASE("a spool offset leaves the motion of the simple plant alone, and shows in the readings and by A.1") {
@@ -32,7 +35,7 @@ TEST_CASE("a spool offset leaves the motion of the simple plant alone, and shows
     for (AreasFrom from : {AreasFrom::spool, AreasFrom::servo}) {
         auto true_spool = spool_of(right, model_of(right, from)), believed = spool_of(off, model_of(off, from));
         for (std::size_t i = 0; i < believed.size(); ++i)
-            CHECK(believed[i] - true_spool[i] == doctest::Approx(0.01));
+            CHECK(believed[i] - true_spool[i] == test::nearly(0.01));
         BoomModel cured = model_of(off, from);
         cured.spool_offset_in = 0.01;
         CHECK(greatest_difference(spool_of(off, cured), true_spool) < 1e-9);
@@ -43,7 +46,7 @@ TEST_CASE("nor does it move the measured machine, but for the steps of its conve
     BoomData right = measure({BoomPlant::measured}, 1), off = measure({BoomPlant::measured, no_noise, 0.01}, 1);
     // One step of 20 V over 4096 is .0022 in of spool, and that is 2.5 in^3/s; of the pressure a few psi.
     CHECK(greatest_difference(of(right, Sensor::inlet_pressure), of(off, Sensor::inlet_pressure)) < 20);
-    CHECK(greatest_difference(of(right, Sensor::spool), of(off, Sensor::spool)) == doctest::Approx(0.01).epsilon(0.25));
+    CHECK(greatest_difference(of(right, Sensor::spool), of(off, Sensor::spool)) == test::nearly(0.01, 0.25));
 }
 
 TEST_CASE("without noise the simple plant's spool is what the lag makes of the voltage") {
@@ -54,8 +57,10 @@ TEST_CASE("without noise the simple plant's spool is what the lag makes of the v
 TEST_CASE("the measured machine's spool comes after what the lag makes of the voltage: its dead time") {
     BoomData data = measure({BoomPlant::measured}, 1);
     auto by_voltage = spool_of(data, model_of(data, AreasFrom::servo));
-    // 10 ms at 0.13 in times 8 1/s, the speed at the step's beginning.
-    CHECK(greatest_difference(by_voltage, of(data, Sensor::spool)) == doctest::Approx(0.0095).epsilon(0.2));
+    // The first reading after the step is 20 ms late, and the spool has moved for 10 of them.
+    const double step_in = 0.1296, lag_per_s = 8;
+    const double expected_in = step_in * (std::exp(-lag_per_s * 0.010) - std::exp(-lag_per_s * 0.020)); // .0092
+    CHECK(std::abs(greatest_difference(by_voltage, of(data, Sensor::spool)) - expected_in) < spool_step_in / 2);
 }
 
 TEST_CASE("many measurements are one motion, with the noise of each seed") {
@@ -74,7 +79,7 @@ TEST_CASE(
     const BoomModel right = model_of(data, AreasFrom::spool), offset{right.from, right.spool_lag_per_s, 0.01};
     const auto spool = spool_of(data, right), lower = spool_of(data, offset);
     for (std::size_t i = 0; i < spool.size(); ++i)
-        CHECK(lower[i] == doctest::Approx(spool[i] - 0.01));
+        CHECK(lower[i] == test::nearly(spool[i] - 0.01));
     const auto samples = samples_of(data, right), with_offset = samples_of(data, offset);
     REQUIRE(samples.size() == with_offset.size());
     std::size_t smaller = 0;

@@ -1,4 +1,5 @@
 #include "experiments/chapter_3/kit/spool_lag.hpp"
+#include "tests/nearly.hpp"
 #include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
@@ -26,14 +27,13 @@ TEST_CASE("what the machine's own lag finds is found by the machine's own lag") 
 
 TEST_CASE("the lag and the offset that find a compliance do find it") {
     BoomData data = measure({BoomPlant::simple}, 1);
-    CHECK(found_while_rising(data, {AreasFrom::servo, lag_that_finds(0.011, data), 0}) ==
-          doctest::Approx(0.011).epsilon(0.01));
+    CHECK(found_while_rising(data, {AreasFrom::servo, lag_that_finds(0.011, data), 0}) == test::nearly(0.011, 0.001));
     double low = offset_that_finds(0.005, data);
     CHECK(low < 0);
     // A sensor that reads so much too low.
     for (double& spool_in : data.record.of(Link::boom, Sensor::spool))
         spool_in += low;
-    CHECK(found_while_rising(data, model_of(data, AreasFrom::spool)) == doctest::Approx(0.005).epsilon(0.01));
+    CHECK(found_while_rising(data, model_of(data, AreasFrom::spool)) == test::nearly(0.005, 0.001));
 }
 
 TEST_CASE("a compliance that no lag finds is refused") {

@@ -1,6 +1,7 @@
 // What many searches make of scenario A.
 
 #include "experiments/chapter_3/kit/study.hpp"
+#include "tests/nearly.hpp"
 
 #include <doctest/doctest.h>
 
@@ -25,7 +26,7 @@ TEST_CASE("without noise each seed's search ends near the best of all codes, whi
     way.coding = Coding::gray;
     way.search.elite = 1;
     const Transients transients = measure_transients(no_noise, way.usable, seeds);
-    CHECK(transients.true_in3_per_psi == doctest::Approx(0.0086));
+    CHECK(transients.true_in3_per_psi == test::nearly(0.0086));
     REQUIRE(transients.samples.size() == 3);
     CHECK(transients.samples[0].size() == way.usable.count);
     CHECK(transients.samples[0].front().links == transients.samples[2].front().links); // no noise, no seed

@@ -1,4 +1,5 @@
 #include "experiments/chapter_5/kit/tracking.hpp"
+#include "tests/nearly.hpp"
 
 #include <doctest/doctest.h>
 
@@ -56,5 +57,5 @@ TEST_CASE("one outlier of eleven is no delay; a deviation is one in time") {
     CHECK(figure(found, PlantChange::ramp, Tracking::delay_20) == 400);
     for (std::size_t generation = 500; generation < 600; generation += 2)
         found[generation].alpha = 0.65;
-    CHECK(figure(found, PlantChange::none, Tracking::deviation_after) == doctest::Approx(0.05).epsilon(0.01));
+    CHECK(figure(found, PlantChange::none, Tracking::deviation_after) == test::nearly(0.05 * std::sqrt(100.0 / 99)));
 }

@@ -21,9 +21,10 @@ class Chromium:
         self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         commands, self.commands = os.pipe()
         self.answers, answers = os.pipe()
+        # Not sh: that of Debian redirects file descriptors of one digit only.
         self.process = subprocess.Popen(
-            ["sh", "-c", f'exec "$@" 3<&{commands} 4>&{answers}', "sh", CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu",
-             f"--user-data-dir={self.profile.name}", "--window-size=1300,900", "--remote-debugging-pipe"],
+            ["bash", "-c", f'exec "$@" 3<&{commands} 4>&{answers}', "bash", CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu",
+             f"--user-data-dir={self.profile.name}", "--remote-debugging-pipe"],
             pass_fds=(commands, answers), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(commands)
         os.close(answers)
@@ -71,22 +72,29 @@ class Chromium:
 
     def visit(self, address, dark=False):
         """The page after its programs have run, as HTML, and what they said on the console."""
+        return self.value_in(address, "document.documentElement.outerHTML", dark)
+
+    def value_in(self, address, expression, dark=False, width=1300):
+        """What an expression of JavaScript is in a page after its programs have run, and what they said on the console."""
         target = self.command("Target.createTarget", url="about:blank")["targetId"]
         try:
-            return self.visit_in(target, address, dark)
+            return self.value_in_target(target, address, expression, dark, width)
         finally:
             self.command("Target.closeTarget", targetId=target)
 
-    def visit_in(self, target, address, dark):
+    def value_in_target(self, target, address, expression, dark, width):
         session = self.command("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         said = []
         for domain in ("Page", "Runtime", "Log"):
             self.command(f"{domain}.enable", session)
         self.command("Emulation.setEmulatedMedia", session,
                      features=[{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
+        self.command("Emulation.setDeviceMetricsOverride", session, width=width, height=900, deviceScaleFactor=1, mobile=False)
         self.command("Page.navigate", session, url=address)
         self.wait_for("Page.loadEventFired", session, said)
         self.command("Emulation.setVirtualTimePolicy", session, policy="pauseIfNetworkFetchesPending", budget=VIRTUAL_MS)
         self.wait_for("Emulation.virtualTimeBudgetExpired", session, said)
-        page = self.command("Runtime.evaluate", session, expression="document.documentElement.outerHTML")["result"]["value"]
-        return page, said
+        result = self.command("Runtime.evaluate", session, expression=expression, returnByValue=True)
+        if "exceptionDetails" in result:
+            raise RuntimeError(f"the page says {result['exceptionDetails']}")
+        return result["result"]["value"], said
