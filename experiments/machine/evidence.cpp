@@ -29,7 +29,13 @@ public:
     std::uint64_t fingerprint() const { return fingerprint_.value(); }
 
 private:
-    Comparison all_{.name = "published figures", .against = "publ.", .judged = true};
+    Comparison all_{.name = "published figures",
+                    .notes = "outcome: follows from rules and constants that were found elsewhere, and can fail\n"
+                             "constant: gives back one constant of the model, so it tests the program, not the model\n"
+                             "calibrated, fitted: one constant, or several, were set so that it comes out\n",
+                    .against = "publ.",
+                    .judged = true,
+                    .names_origins = true};
     Fingerprint fingerprint_;
 };
 

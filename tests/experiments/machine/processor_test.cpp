@@ -6,7 +6,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
+#include <vector>
 
 using namespace placedpar;
 
@@ -70,4 +72,27 @@ TEST_CASE("the evidence has every published figure of the machine's replays, and
     REQUIRE_FALSE(evidence.constant_table.empty());
     for (const hardware::Constant& constant : evidence.constant_table)
         CHECK_FALSE_MESSAGE(constant.source.empty(), constant.name);
+}
+
+TEST_CASE(
+    "each published figure of the evidence is marked: nine can fail, eight give a constant back, nine were fitted") {
+    const Comparison figures = test::replay_named("evidence").comparisons.at(0);
+    CHECK(figures.names_origins);
+    std::map<Origin, std::vector<std::string>> rows;
+    for (const Cell& cell : figures.cells)
+        rows[cell.origin].push_back(cell.row);
+    CHECK(rows[Origin::outcome] ==
+          std::vector<std::string>{"5 Mbit/s, one way", "10 Mbit/s, one way", "no overlapped acknowledges",
+                                   "through one C004", "turn beside another, shortest", "turn beside another, longest",
+                                   "wait beside 1 other, longest", "wait beside 3 others, longest",
+                                   "wait beside 7 others, longest"});
+    CHECK(rows[Origin::constant] ==
+          std::vector<std::string>{"clock of high priority", "clock of low priority", "interrupt, typical",
+                                   "interrupt of divisions, longest", "interrupt of floating point, longest",
+                                   "copy outside of the chip", "copy on the chip", "crossbar switch, one way"});
+    CHECK(rows[Origin::calibrated] == std::vector<std::string>{"half a round trip, to start"});
+    CHECK(rows[Origin::fitted].size() == 8);
+    CHECK(rows[Origin::workload].empty());
+    for (Origin origin : {Origin::outcome, Origin::constant, Origin::calibrated, Origin::fitted})
+        CHECK_MESSAGE(figures.notes.find(name_of(origin)) != std::string::npos, name_of(origin));
 }
