@@ -7,7 +7,7 @@
 namespace placedpar {
 
 const char* name_of(Origin origin) {
-    constexpr std::array names{"outcome", "calibrated", "workload"};
+    constexpr std::array names{"outcome", "calibrated", "workload", "fitted", "constant"};
     return names[static_cast<std::size_t>(origin)];
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -10,8 +11,13 @@ namespace placedpar {
 enum class Origin {
     outcome,    ///< of the simulation, nothing was fitted to it
     calibrated, ///< one constant was fitted to this cell
-    workload    ///< a constant of the program's own cost was read off this cell
+    workload,   ///< a constant of the program's own cost was read off this cell
+    fitted,     ///< constants were fitted to several cells, this one among them
+    constant    ///< one constant of the model comes back: the cell misses only by an error of the program
 };
+
+inline constexpr std::array every_origin{Origin::outcome, Origin::calibrated, Origin::workload, Origin::fitted,
+                                         Origin::constant};
 
 const char* name_of(Origin);
 

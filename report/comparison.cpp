@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -31,6 +32,7 @@ struct ShownColumn {
 struct ShownTable {
     std::vector<ShownColumn> columns;
     std::vector<Cells> rows;
+    bool names_origins = false;
 
     bool has(const std::string& column) const {
         return std::ranges::find(columns, column, &ShownColumn::name) != columns.end();
@@ -74,10 +76,11 @@ std::size_t label_width(const Cells& cells) {
     return width;
 }
 
-std::string mark(const Cell& cell) {
-    if (cell.origin == Origin::outcome)
+std::string mark(const Cell& cell, bool names_origins) {
+    constexpr std::array letters{" ", "c", "w", "f", "k"};
+    if (cell.origin == Origin::outcome || names_origins)
         return cell.within_tolerance() ? " " : "!";
-    return cell.origin == Origin::calibrated ? "c" : "w";
+    return letters[static_cast<std::size_t>(cell.origin)];
 }
 
 std::string without_trailing_zeros(std::string number) {
@@ -160,7 +163,9 @@ void widen(std::size_t& width, const std::string& figure) {
 }
 
 /// Finds what its columns have to show.
-ShownTable with_what_is_shown(ShownTable table, const std::string& against) {
+ShownTable with_what_is_shown(ShownTable table, const Comparison& comparison) {
+    const std::string& against = comparison.against;
+    table.names_origins = comparison.names_origins;
     for (ShownColumn& column : table.columns)
         for (const Cells& row : table.rows)
             if (auto cell = std::ranges::find(row, column.name, &Cell::column); cell != row.end()) {
@@ -176,19 +181,22 @@ std::string in_width(const std::string& text, std::size_t width) {
     return width ? fmt::format(" {:>{}}", text, width) : "";
 }
 
-std::string print_cell(const Cell& cell, const ShownColumn& column, const std::string& against) {
+std::string print_cell(const Cell& cell, const ShownColumn& column, const std::string& against, bool names_origins) {
     return fmt::format("{:>{}}", print_simulated(cell), column.simulated) + in_width(print_known(cell), column.known) +
-           in_width(print_error(cell, against), column.error) + mark(cell);
+           in_width(print_error(cell, against), column.error) + mark(cell, names_origins);
 }
 
 std::string print_row(const Cells& row, const ShownTable& table, const std::string& against, std::size_t width) {
     std::string out = fmt::format("\n{:<{}}", label(row.front()), width);
     for (const ShownColumn& column : table.columns) {
         auto cell = std::ranges::find(row, column.name, &Cell::column);
-        out += fmt::format("  {:>{}}", cell == row.end() ? "" : print_cell(*cell, column, against), column.width());
+        out += fmt::format("  {:>{}}", cell == row.end() ? "" : print_cell(*cell, column, against, table.names_origins),
+                           column.width());
     }
     if (has_tolerances(table))
         out += fmt::format("  {:<9}", print_tolerances(row));
+    if (table.names_origins)
+        out += fmt::format("  {:<10}", name_of(row.front().origin));
     out += "  " + row.front().source;
     out.erase(out.find_last_not_of(' ') + 1);
     return out;
@@ -203,8 +211,9 @@ std::string print_head(const ShownTable& table, const std::string& against, std:
                            in_width("error", column.error);
         figures += fmt::format("  {:>{}}", each, column.width());
     }
-    return fmt::format("\n{:<{}}{}\n{:<{}}{}{}{}", "", width, names, "", width, figures,
-                       has_tolerances(table) ? "  tolerance" : "", has_sources(table) ? "  source" : "");
+    return fmt::format("\n{:<{}}{}\n{:<{}}{}{}{}{}", "", width, names, "", width, figures,
+                       has_tolerances(table) ? "  tolerance" : "", table.names_origins ? "  mark      " : "",
+                       has_sources(table) ? "  source" : "");
 }
 
 std::string print_table(const ShownTable& table, const std::string& against, std::size_t width) {
@@ -232,8 +241,7 @@ bool Comparison::within_tolerance() const { return std::ranges::all_of(cells, &C
 std::string print_comparison(const Comparison& comparison) {
     std::string out = comparison.name;
     for (const ShownTable& table : tables_of(comparison.cells))
-        out += print_table(with_what_is_shown(table, comparison.against), comparison.against,
-                           label_width(comparison.cells));
+        out += print_table(with_what_is_shown(table, comparison), comparison.against, label_width(comparison.cells));
     return out + "\n" + comparison.notes;
 }
 

@@ -14,6 +14,7 @@ struct Comparison {
     std::string notes = {};         ///< for people, below the table
     std::string against = "thesis"; ///< the source of the cells' references; 7 letters at most
     bool judged = false;            ///< even where it is not an experiment's first
+    bool names_origins = false;     ///< each row says the origin of its first cell, instead of each cell by a letter
 
     void add(Cell cell);
     bool within_tolerance() const;

@@ -4,6 +4,7 @@
 #include "runtime/hardware/constants.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace placedpar {
 
@@ -19,6 +20,7 @@ class PublishedFigures {
 public:
     void add(const Replay& replay) {
         fingerprint_.mix(replay.fingerprint);
+        std::ranges::copy(replay.constant_table, std::back_inserter(constants_));
         for (const Comparison& comparison : replay.comparisons)
             for (Cell cell : comparison.cells) {
                 cell.column = "figure";
@@ -26,10 +28,19 @@ public:
             }
     }
     const Comparison& all() const { return all_; }
+    /// Those that an experiment has for itself.
+    const std::vector<Constant>& constants() const { return constants_; }
     std::uint64_t fingerprint() const { return fingerprint_.value(); }
 
 private:
-    Comparison all_{.name = "published figures", .against = "publ.", .judged = true};
+    Comparison all_{.name = "published figures",
+                    .notes = "outcome: follows from rules and constants that were found elsewhere, and can fail\n"
+                             "constant: gives back one constant of the model, so it tests the program, not the model\n"
+                             "calibrated, fitted: one constant, or several, were set so that it comes out\n",
+                    .against = "publ.",
+                    .judged = true,
+                    .names_origins = true};
+    std::vector<Constant> constants_;
     Fingerprint fingerprint_;
 };
 
@@ -67,11 +78,12 @@ Constant of_the_toolset(const Network& ping_pong) {
             "half a round trip, to start (Poznan, 2008)"};
 }
 
-std::vector<Constant> every_constant(const ReplayContext& context) {
+std::vector<Constant> every_constant(const ReplayContext& context, const std::vector<Constant>& of_experiments) {
     std::vector<Constant> all = hardware::constants();
     all.push_back(of_the_toolset(network_of(context, "38-poznan/ping-pong.cfs")));
     for (const Constant& each : of_the_thesis(network_of(context, "03-table-e1/cluster.cfs")))
         all.push_back(each);
+    std::ranges::copy(of_experiments, std::back_inserter(all));
     return all;
 }
 
@@ -81,7 +93,7 @@ Replay replay_evidence(const ReplayContext& context) {
         if (each.chapter == machine && each.name != evidence)
             figures.add(each.run(context));
     return {.comparisons = {figures.all()},
-            .constant_table = every_constant(context),
+            .constant_table = every_constant(context, figures.constants()),
             .fingerprint = figures.fingerprint()};
 }
 

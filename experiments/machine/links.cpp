@@ -17,19 +17,21 @@ struct LinkRate {
     Overrides link;
     double kbytes_per_s;
     double tolerance_percent;
+    Origin origin;
     std::optional<double> tolerance_kbytes_per_s = {};
 };
 
 const std::vector<LinkRate>& databook_rates() {
     constexpr const char* table = "databook, table 8.1";
+    using enum Origin;
     static const std::vector<LinkRate> rates{
-        {table, "5 Mbit/s, one way", {{"speed", "5M"}}, 450, 3},
-        {table, "5 Mbit/s, both ways", {{"speed", "5M"}, {"both_ways", "1"}}, 670, 3},
-        {table, "10 Mbit/s, one way", {{"speed", "10M"}}, 910, 3},
-        {table, "10 Mbit/s, both ways", {{"speed", "10M"}, {"both_ways", "1"}}, 1250, 3},
-        {table, "20 Mbit/s, one way", {}, 1740, 3},
-        {table, "20 Mbit/s, both ways", {{"both_ways", "1"}}, 2350, 3},
-        {"databook: \"about .8 Mbyte/s\"", "no overlapped acknowledges", {{"overlapped", "0"}}, 800, 0, 50},
+        {table, "5 Mbit/s, one way", {{"speed", "5M"}}, 450, 3, outcome},
+        {table, "5 Mbit/s, both ways", {{"speed", "5M"}, {"both_ways", "1"}}, 670, 3, fitted},
+        {table, "10 Mbit/s, one way", {{"speed", "10M"}}, 910, 3, outcome},
+        {table, "10 Mbit/s, both ways", {{"speed", "10M"}, {"both_ways", "1"}}, 1250, 3, fitted},
+        {table, "20 Mbit/s, one way", {}, 1740, 3, fitted},
+        {table, "20 Mbit/s, both ways", {{"both_ways", "1"}}, 2350, 3, fitted},
+        {"databook: \"about .8 Mbyte/s\"", "no overlapped acknowledges", {{"overlapped", "0"}}, 800, 0, outcome, 50},
     };
     return rates;
 }
@@ -37,10 +39,11 @@ const std::vector<LinkRate>& databook_rates() {
 /// On machines of 20 Mbit/s.
 const std::vector<LinkRate>& measured_rates() {
     constexpr const char* koontz = "K. Koontz, comp.sys.transputer, January 1991";
+    using enum Origin;
     static const std::vector<LinkRate> rates{
-        {koontz, "direct", {}, 1750, 3},
-        {koontz, "through one C004", {{"switches", "1"}}, 1330, 3},
-        {"Poznan, 2008: 923 to 930", "through three C004", {{"switches", "3"}}, 926.5, 1},
+        {koontz, "direct", {}, 1750, 3, fitted},
+        {koontz, "through one C004", {{"switches", "1"}}, 1330, 3, outcome},
+        {"Poznan, 2008: 923 to 930", "through three C004", {{"switches", "3"}}, 926.5, 1, fitted},
     };
     return rates;
 }
@@ -50,7 +53,7 @@ public:
     explicit LinkRates(const ReplayContext& context) : context_(context) {}
 
     Comparison compare(const std::string& name, const std::vector<LinkRate>& rates) {
-        Comparison comparison{.name = name, .against = "publ.", .judged = true};
+        Comparison comparison{.name = name, .against = "publ.", .judged = true, .names_origins = true};
         for (const LinkRate& rate : rates)
             comparison.add({.row = rate.name,
                             .column = "rate",
@@ -58,6 +61,7 @@ public:
                             .reference = rate.kbytes_per_s,
                             .simulated = simulated(rate),
                             .tolerance_percent = rate.tolerance_percent,
+                            .origin = rate.origin,
                             .tolerance = rate.tolerance_kbytes_per_s,
                             .decimals = 0,
                             .source = rate.source});

@@ -49,16 +49,19 @@ private:
 Replay replay_poznan(const ReplayContext& context) {
     PingPongs runs(context);
     PingPong direct = runs.through(0), switched = runs.through(3);
-    Comparison comparison{
-        .name = "half a round trip of n words between two T805s", .against = "Poznan", .judged = true};
-    auto cell = [](const char* row, double known, double simulated, double tolerance) {
+    Comparison comparison{.name = "half a round trip of n words between two T805s",
+                          .against = "Poznan",
+                          .judged = true,
+                          .names_origins = true};
+    auto cell = [](const char* row, double known, double simulated, double tolerance, Origin origin) {
         Cell judged = judged_cell(row, "half", "us", known, simulated, tolerance, 2);
         judged.source = "Poznan, 2008 (sarevok/pr)";
+        judged.origin = origin;
         return judged;
     };
-    comparison.add(cell("half a round trip, to start", 11.0, direct.start_us, 0.2));
-    comparison.add(cell("half a round trip, a word", 2.25, direct.word_us, 0.01 * 2.25));
-    comparison.add(cell("a word through three C004", 4.30, switched.word_us, 0.01 * 4.30));
+    comparison.add(cell("half a round trip, to start", 11.0, direct.start_us, 0.2, Origin::calibrated));
+    comparison.add(cell("half a round trip, a word", 2.25, direct.word_us, 0.01 * 2.25, Origin::fitted));
+    comparison.add(cell("a word through three C004", 4.30, switched.word_us, 0.01 * 4.30, Origin::fitted));
     comparison.notes = "that the slower pairs had three switches between them was inferred from their rate\n";
     Replay replay{.comparisons = {comparison}};
     replay.constants = "   calibrated: 201 cycles for a call of the toolset's ChanIn or ChanOut, to the start\n"

@@ -156,12 +156,14 @@ struct Published {
     double figure;
     double tolerance;
     int decimals;
+    Origin origin = Origin::constant;
 };
 
 Cell compare(const std::string& name, const Published& published, double simulated) {
     Cell cell = judged_cell(name, "value", published.unit, published.figure, simulated, published.tolerance,
                             published.decimals);
     cell.source = published.source;
+    cell.origin = published.origin;
     return cell;
 }
 
@@ -173,11 +175,12 @@ constexpr const char* cycles_table = "T4 notebook (pahihu/t4)";
 /// The bounds are those of waits that a program cannot foresee; the simulation must come near to them.
 void compare_turns(OneProcessor& t800, Comparison& comparison) {
     auto [shortest, longest] = t800.shortest_and_longest_turn();
-    comparison.add(compare("turn beside another, shortest", {slices, "periods", 1, 0.05, 2}, shortest));
-    comparison.add(compare("turn beside another, longest", {slices, "periods", 2, 0.05, 2}, longest));
+    comparison.add(
+        compare("turn beside another, shortest", {slices, "periods", 1, 0.05, 2, Origin::outcome}, shortest));
+    comparison.add(compare("turn beside another, longest", {slices, "periods", 2, 0.05, 2, Origin::outcome}, longest));
     for (int others : {1, 3, 7})
         comparison.add(compare(fmt::format("wait beside {} other{}, longest", others, others == 1 ? "" : "s"),
-                               {waits, "periods", 2.0 * others, 0.2, 2}, t800.longest_wait(others)));
+                               {waits, "periods", 2.0 * others, 0.2, 2, Origin::outcome}, t800.longest_wait(others)));
 }
 
 void compare_interrupts(OneProcessor& t800, Comparison& comparison) {
@@ -190,7 +193,7 @@ void compare_interrupts(OneProcessor& t800, Comparison& comparison) {
 }
 
 Comparison compare_scheduler(OneProcessor& t800) {
-    Comparison comparison{.name = "the scheduler", .against = "publ.", .judged = true};
+    Comparison comparison{.name = "the scheduler", .against = "publ.", .judged = true, .names_origins = true};
     comparison.add(compare("clock of high priority", {ticks, "us", 1, 0.001, 2}, t800.tick(Priority::high)));
     comparison.add(compare("clock of low priority", {ticks, "us", 64, 0.064, 2}, t800.tick(Priority::low)));
     compare_turns(t800, comparison);
@@ -199,7 +202,7 @@ Comparison compare_scheduler(OneProcessor& t800) {
 }
 
 Comparison compare_memory(OneProcessor& t800) {
-    Comparison comparison{.name = "memory and switches", .against = "publ.", .judged = true};
+    Comparison comparison{.name = "memory and switches", .against = "publ.", .judged = true, .names_origins = true};
     comparison.add(compare("copy outside of the chip", {"T800 databook, block move", "Mbyte/s", 13.3, 0.1, 2},
                            t800.copying(Memory::outside)));
     comparison.add(compare("copy on the chip", {"T4 notebook (pahihu/t4): 2 cycles a word", "Mbyte/s", 40, 0.1, 2},

@@ -27,6 +27,7 @@ constexpr std::array bus_times{"cycle", "bytecycle", "grant"};
 
 /// Of an access. Of none there is no such thing: 0 stands for what is usual of the processor.
 constexpr const char* memory_cycles = "memorycycles";
+constexpr const char* router_cycles = "router_cycles"; // counts only where channels travel in packets
 constexpr const char* cycles_on_chip = "1";
 
 struct Factor {
@@ -224,7 +225,7 @@ private:
 
     static bool is_cost(const std::string& name) {
         return name == "channelcall" || name == "conversion" || name.find("bytes") != std::string::npos ||
-               (name.find("cycles") != std::string::npos && name != memory_cycles);
+               (name.find("cycles") != std::string::npos && name != memory_cycles && name != router_cycles);
     }
 
     static std::optional<std::int64_t> cost_of(const std::string& name, const Value& value) {

@@ -326,11 +326,11 @@ private:
     }
 
     Origin origin(const toml::node& node, std::string text) {
-        for (Origin each : {Origin::outcome, Origin::calibrated, Origin::workload})
+        for (Origin each : every_origin)
             if (text == name_of(each))
                 return each;
         report(node.source().begin, fmt::format("\"{}\" is not an origin", text),
-               "an origin is \"outcome\", \"calibrated\" or \"workload\"");
+               "an origin is \"outcome\", \"calibrated\", \"workload\", \"fitted\" or \"constant\"");
         return Origin::outcome;
     }
 

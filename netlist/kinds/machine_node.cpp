@@ -18,9 +18,11 @@ hardware::SharedEngine& MachineNode::engine(int link, bool outputs) {
     return engines_.try_emplace({link, outputs}, std::move(fresh)).first->second;
 }
 
+hardware::RouterCosts MachineNode::router_costs() const { return {}; }
+
 hardware::Router& MachineNode::router() {
     if (!router_)
-        router_ = &simulation().add<hardware::Router>(executive());
+        router_ = &simulation().add<hardware::Router>(executive(), router_costs());
     return *router_;
 }
 

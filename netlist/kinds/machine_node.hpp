@@ -21,7 +21,8 @@ namespace placedpar {
 
 namespace hardware {
 class Router; // runtime/hardware/router.hpp
-}
+struct RouterCosts;
+} // namespace hardware
 
 class MachineNode;
 
@@ -82,6 +83,8 @@ protected:
     Simulation& simulation() const { return parts_.simulation; }
     /// Null where no channel leads there in packets.
     const hardware::Router* router_if_any() const { return router_; }
+    /// What its router asks of its executive.
+    virtual hardware::RouterCosts router_costs() const;
 
 private:
     MachineParts& parts_;

@@ -120,6 +120,19 @@ std::vector<AttributeDescription> transputer_attributes() {
         {.value = description::integer("linkquota", {.unit = "links", .by_default = 4, .least = 0, .most = 1e6},
                                        "of those that are wired, the lowest so many lead channels through it; 0: none"),
          .json_name = "link_quota"});
+    attributes.push_back(
+        {.value = description::integer("router_priority", {.by_default = 0, .least = 0, .most = 1},
+                                       "of the processes that send and receive packets: HIGH pre-empts what computes, "
+                                       "LOW waits for its turn"),
+         .json_name = "router_priority"});
+    attributes.push_back(
+        {.value = description::integer("router_cycles",
+                                       {.unit = "cycles",
+                                        .by_default = static_cast<std::int64_t>(hardware::RouterCosts{}.handling),
+                                        .least = 0,
+                                        .most = 1e9},
+                                       "of a packet that is sent or received, besides its instruction"),
+         .json_name = "router_cycles"});
     return attributes;
 }
 
@@ -162,6 +175,11 @@ TransputerNode::TransputerNode(MachineParts& parts, std::size_t index)
     : MachineNode(parts, index),
       processor_(simulation().add<hardware::Processor>(node().name, node().integer("clock"),
                                                        Cycles{node().integer("channelcall")}, memory_of(node()))) {}
+
+hardware::RouterCosts TransputerNode::router_costs() const {
+    return {.priority = node().integer("router_priority") == 0 ? Priority::high : Priority::low,
+            .handling = Cycles{node().integer("router_cycles")}};
+}
 
 FaultEffects TransputerNode::suffer(const Fault& halts) {
     processor_.halt_at(begin_of(halts));

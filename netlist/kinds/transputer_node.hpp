@@ -15,6 +15,9 @@ public:
     FaultEffects suffer(const Fault&) override;
     void report(MachineUse&) const override;
 
+protected:
+    hardware::RouterCosts router_costs() const override;
+
 private:
     hardware::Processor& processor_;
 };

@@ -106,8 +106,8 @@ std::vector<Constant> of_routers() {
     return {
         {group, "header of a packet", Packet::header_bytes, "bytes", ours, "a word: the channel, the kind of packet"},
         {group, "a message's part in a packet, at most", Packet::most_bytes, "bytes", ours, "short ones wait for one"},
-        {group, "a packet sent, or received", in_cycles(Router::handling), "cycles", ours,
-         "queueing, looking up the route, rescheduling"},
+        {group, "a packet sent, or received", in_cycles(RouterCosts{}.handling), "cycles", ours,
+         "queueing, looking up the route, rescheduling; where the netlist gives none"},
         {group, "packets ahead of their acknowledges", Route::most_under_way, "packets", ours,
          "for each channel, at most"},
     };

@@ -6,22 +6,29 @@
 #include <algorithm>
 #include <cassert>
 #include <functional>
+#include <stdexcept>
 #include <utility>
 
 namespace placedpar::hardware {
 
+Router::Router(Kernel& kernel, Executive* executive, const RouterCosts& costs)
+    : kernel_(kernel), executive_(executive), costs_(costs) {
+    if (costs.handling < Cycles{0})
+        throw std::logic_error("a router handles a packet in a negative number of cycles");
+}
+
 Cycles Router::cycles_of_passing_on() const {
     Cycles communication = executive_ ? executive_->costs().hard_communication : Cycles{0};
-    return static_cast<std::int64_t>(packets_passed_on_) * 2 * (handling + communication);
+    return static_cast<std::int64_t>(packets_passed_on_) * 2 * (costs_.handling + communication);
 }
 
 Router::Port::Port(Router& router, const std::string& to, const std::string& from, Channel<Packet>& out,
                    Channel<Packet>& in)
     : router_(router), out_(out), in_(in),
       sender_(router.kernel_, "router sender " + to, std::bind_front(&Port::send_packets, this), router.executive_,
-              Priority::high),
+              router.costs_.priority),
       receiver_(router.kernel_, "router receiver " + from, std::bind_front(&Port::receive_packets, this),
-                router.executive_, Priority::high) {
+                router.executive_, router.costs_.priority) {
     for (Process* process : {&sender_, &receiver_}) {
         process->serve_machine();
         router.kernel_.make_ready(*process);
@@ -58,7 +65,7 @@ void Router::Port::send_packets() {
         }
         Packet packet = take_turn();
         being_sent_ = packet.route;
-        compute(handling);
+        compute(router_.costs_.handling);
         on_link_ = true;
         out_.carries({packet.route->channel_, packet.acknowledge});
         out_.out().output(packet);
@@ -81,7 +88,7 @@ bool Router::Port::holds_packet_of(const Route& route) const {
 void Router::Port::receive_packets() {
     for (;;) {
         Packet packet = in_.in().input();
-        compute(handling);
+        compute(router_.costs_.handling);
         if (Port* port = packet.route->onward(packet)) {
             ++router_.packets_passed_on_;
             port->post(packet);

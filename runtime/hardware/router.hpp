@@ -36,13 +36,22 @@ struct Packet {
     WireForm wire_form() const { return WireForm(header_bytes + bytes); }
 };
 
+/// What a router asks of the processor that it is at.
+struct RouterCosts {
+    /// Of the two processes at each link. High ones pre-empt a process of low priority that computes; low ones wait for
+    /// their turn behind it, up to two timeslice periods for each packet that they send or receive.
+    Priority priority = Priority::high;
+    /// A packet sent, or received, besides the instructions. Ours: queueing, looking up the route, rescheduling.
+    Cycles handling{200};
+};
+
 /// Passes on packets at one processor: several channels share a link, and channels lead over processors between. At
-/// each link that it uses two high-priority processes send and receive packets. What has come is for a process here, or
-/// goes on over another link. Channels whose packets wait for a link take turns, one packet each, so that a long
-/// message does not block a short one.
+/// each link that it uses two processes send and receive packets. What has come is for a process here, or goes on over
+/// another link. Channels whose packets wait for a link take turns, one packet each, so that a long message does not
+/// block a short one.
 ///
-/// This costs the links a header on each packet, and the processors `handling` for each packet sent and received
-/// besides the instructions: a packet that is passed on is both.
+/// This costs the links a header on each packet, and the processors RouterCosts::handling for each packet sent and
+/// received besides the instructions: a packet that is passed on is both.
 ///
 /// No deadlock can come of it, however the routes lead. A receiver never waits for anything but its link: it takes
 /// every packet that comes, since there is room for it. There is, since no more than Route::most_under_way packets of a
@@ -54,10 +63,9 @@ struct Packet {
 /// on: routers do not repeat them. The channels of those that are there wait for ever; others go on.
 class Router {
 public:
-    static constexpr Cycles handling{200}; ///< ours: queueing, looking up the route, rescheduling
-
-    /// At the processor that `executive` is; null is infinitely fast.
-    explicit Router(Kernel& kernel, Executive* executive) : kernel_(kernel), executive_(executive) {}
+    /// At the processor that `executive` is; null is infinitely fast. Throws std::logic_error if the handling is
+    /// negative.
+    explicit Router(Kernel&, Executive* executive, const RouterCosts& = {});
     Router(const Router&) = delete;
     Router& operator=(const Router&) = delete;
 
@@ -102,6 +110,7 @@ private:
 
     Kernel& kernel_;
     Executive* executive_;
+    RouterCosts costs_;
     std::list<Port> ports_;
     std::uint64_t packets_passed_on_ = 0;
 };

@@ -73,6 +73,29 @@ TEST_CASE("words of code and data outside of the chip cost a packet's computatio
     CHECK(busy("T800 (memorycycles = 5)") - busy("T800") == 10 * 2000 * 4 * cycle);
 }
 
+/// When two channels over one link have carried ten messages each beside a process that computes at their end.
+Time time_in_packets(const std::string& attributes) {
+    Catalogue catalogue;
+    add_csp_kinds(catalogue);
+    std::string text = fmt::format(R"(T800 a; T800 ({}) b; connect a.link[0] to b.link[0];
+        process (interface (output out)) p[3]; process (interface (input in)) c[3];
+        use "csp.producer" for p; use "csp.consumer" for c; p (count = 10); c (count = 10);
+        p[2] (cycles = 2000000);
+        rep i = 0 for 3 {{ connect p[i].out to c[i].in; place c[i] on b; }}
+        rep i = 0 for 2 place p[i] on a; place p[2] on b;)",
+                                   attributes);
+    ReadResult read = read_netlist_text(text, catalogue, {});
+    REQUIRE(read.network);
+    RunReport report = Machine(*read.network, catalogue, 1).run();
+    return report.links.at(0).occupied + report.result.time;
+}
+
+TEST_CASE("a netlist says of a processor's router at what priority it runs and what a packet costs") {
+    CHECK(time_in_packets("") == time_in_packets("router_priority = HIGH, router_cycles = 200"));
+    CHECK(time_in_packets("router_priority = LOW") != time_in_packets(""));
+    CHECK(time_in_packets("router_cycles = 1200") > time_in_packets(""));
+}
+
 TEST_CASE("what can be shown but not run says where it is") {
     auto refusal = [](const std::string& text) -> std::string {
         Catalogue catalogue;

@@ -163,6 +163,31 @@ TEST_CASE("a figure that was fitted or read off is marked as such, and one witho
                                           "z           -       1        !  0.5\n");
 }
 
+TEST_CASE("letters mark each origin, and a table that names origins says them in words") {
+    Comparison comparison{.name = "name", .against = "known"};
+    for (Origin origin : every_origin) {
+        comparison.add(cell(name_of(origin), "a", "", 1, 2, 2));
+        comparison.cells.back().origin = origin;
+    }
+    CHECK(print_comparison(comparison) == "name\n"
+                                          "                                      a\n"
+                                          "               simulat.   known   error  tolerance\n"
+                                          "outcome           2.00       1   +1.00   2\n"
+                                          "calibrated        2.00       1   +1.00c  2\n"
+                                          "workload          2.00       1   +1.00w  2\n"
+                                          "fitted            2.00       1   +1.00f  2\n"
+                                          "constant          2.00       1   +1.00k  2\n");
+    comparison.names_origins = true;
+    comparison.cells.resize(2);
+    comparison.cells[1].tolerance = 0.5;
+    comparison.cells[0].source = "a handbook";
+    CHECK(print_comparison(comparison) == "name\n"
+                                          "                                      a\n"
+                                          "               simulat.   known   error  tolerance  mark        source\n"
+                                          "outcome           2.00       1   +1.00   2          outcome     a handbook\n"
+                                          "calibrated        2.00       1   +1.00!  0.5        calibrated\n");
+}
+
 TEST_CASE("tables are judged at all where one that counts has a bound") {
     const Comparison shown{.name = "shown", .cells = {plain_cell("x", "a", "", 2, 1)}};
     Comparison bounded{.name = "bounded", .cells = {at_most(1, plain_cell("x", "a", "", 2, 1))}};

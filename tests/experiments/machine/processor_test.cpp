@@ -6,7 +6,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
+#include <vector>
 
 using namespace placedpar;
 
@@ -59,15 +61,43 @@ TEST_CASE("half a round trip took 11 us and 2.25 us a word in Poznan, 4.30 us a 
     CHECK(figure_of(replay, 0, "a word through three C004") == doctest::Approx(4.3).epsilon(0.01));
 }
 
-TEST_CASE("the evidence has every published figure of the machine's replays, and a source of every constant") {
-    const Replay evidence = test::replay_named("evidence");
-    std::size_t figures = 0;
+TEST_CASE("the evidence has every published figure of the machine's replays, with its mark, and sourced constants") {
+    const Replay evidence = test::replay_named("evidence"); // takes seconds, so once for all that is checked
+    const Comparison& figures = evidence.comparisons.at(0);
+    CHECK(figures.names_origins);
+    CHECK(evidence.within_tolerance());
+    std::size_t others = 0;
     for (const char* name : {"links", "poznan", "processor"})
         for (const Comparison& table : test::replay_named(name).comparisons)
-            figures += table.cells.size();
-    CHECK(evidence.comparisons.at(0).cells.size() == figures);
-    CHECK(evidence.within_tolerance());
+            others += table.cells.size();
+    CHECK(others == 26);
+    CHECK(figures.cells.size() == others + 9); // of the farm
     REQUIRE_FALSE(evidence.constant_table.empty());
     for (const hardware::Constant& constant : evidence.constant_table)
         CHECK_FALSE_MESSAGE(constant.source.empty(), constant.name);
+    for (Origin origin : {Origin::outcome, Origin::constant, Origin::calibrated, Origin::fitted})
+        CHECK_MESSAGE(figures.notes.find(name_of(origin)) != std::string::npos, name_of(origin));
+
+    std::map<Origin, std::vector<std::string>> rows;
+    for (const Cell& cell : figures.cells)
+        rows[cell.origin].push_back(cell.row);
+    CHECK(rows[Origin::outcome] ==
+          std::vector<std::string>{
+              "5 Mbit/s, one way", "10 Mbit/s, one way", "no overlapped acknowledges", "through one C004",
+              "turn beside another, shortest", "turn beside another, longest", "wait beside 1 other, longest",
+              "wait beside 3 others, longest", "wait beside 7 others, longest", "farm of 71 workers, routers high",
+              "farm of 11 workers, routers low", "farm of 35 workers, routers low", "farm of 71 workers, routers low",
+              "farm of 17 workers, routers high, 4500 cycles a packet",
+              "farm of 35 workers, routers high, 4500 cycles a packet",
+              "farm of 53 workers, routers high, 4500 cycles a packet"});
+    CHECK(rows[Origin::constant] ==
+          std::vector<std::string>{"clock of high priority", "clock of low priority", "interrupt, typical",
+                                   "interrupt of divisions, longest", "interrupt of floating point, longest",
+                                   "copy outside of the chip", "copy on the chip", "crossbar switch, one way"});
+    CHECK(rows[Origin::calibrated] ==
+          std::vector<std::string>{"half a round trip, to start",
+                                   "farm of 11 workers, routers high, 4500 cycles a packet",
+                                   "farm of 71 workers, routers high, 4500 cycles a packet"});
+    CHECK(rows[Origin::fitted].size() == 8);
+    CHECK(rows[Origin::workload].empty());
 }

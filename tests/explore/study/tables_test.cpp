@@ -145,7 +145,7 @@ TEST_CASE("what is wrong in a table is refused with its place") {
                         "give one value for each column, or a single value without brackets for all of them");
     check_study_refused(table + columns + rows + "origin = \"guess\"\n", "\"guess\" is not an origin");
     check_study_refused(table + columns + rows + "origin = \"guess\"\n",
-                        "an origin is \"outcome\", \"calibrated\" or \"workload\"");
+                        "an origin is \"outcome\", \"calibrated\", \"workload\", \"fitted\" or \"constant\"");
     check_study_refused(table + columns + "rows = [{name = \"a\", figure = \"rate /\"}]\n", "it cannot be understood");
     check_study_refused(table + "columns = [{name = \"a\", set = {a = \"0..1\"}}]\n" + rows,
                         "\"a\" has several values");

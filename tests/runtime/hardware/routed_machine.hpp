@@ -56,10 +56,10 @@ inline Graph line(std::size_t n) {
 /// A simulation of it, with a router at every processor.
 class RoutedMachine {
 public:
-    explicit RoutedMachine(const Graph& graph) : graph_(graph) {
+    explicit RoutedMachine(const Graph& graph, const hardware::RouterCosts& costs = {}) : graph_(graph) {
         for (std::size_t i = 0; i < graph.nodes; ++i) {
             processors.push_back(&simulation.add<hardware::Processor>("t" + std::to_string(i)));
-            routers.push_back(&simulation.add<hardware::Router>(processors.back()));
+            routers.push_back(&simulation.add<hardware::Router>(processors.back(), costs));
         }
         for (auto [a, b] : graph.links) {
             links.push_back(&simulation.add<hardware::Link>());

@@ -1,0 +1,69 @@
+// What routers ask of their processors: at which priority they run, and what a packet costs them.
+
+#include "runtime/channel.hpp"
+#include "runtime/executive.hpp"
+#include "runtime/timer.hpp"
+#include "tests/runtime/cycle.hpp"
+#include "tests/runtime/hardware/routed_machine.hpp"
+
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+
+using namespace placedpar;
+using hardware::Processor;
+using std::chrono::microseconds;
+using test::cycle;
+using test::line;
+using test::RoutedMachine;
+
+namespace {
+
+/// When a message over a processor that computes for 10 ms reaches its end, and when that computation ends.
+struct BesideAComputation {
+    Time message{}, computation{};
+};
+
+BesideAComputation send_beside_a_computation(const hardware::RouterCosts& costs) {
+    RoutedMachine machine(line(3), costs);
+    Channel<int> c("c", machine.route({0, 1, 2}));
+    BesideAComputation at;
+    machine.simulation.process(
+        "outputs", [&] { wait_until(microseconds{100}), c.out().output(1); }, machine.processors[0]);
+    machine.simulation.process(
+        "computes", [&] { compute(Cycles{200'000}), at.computation = now(); }, machine.processors[1]);
+    machine.simulation.process(
+        "inputs", [&] { c.in().input(), at.message = now(); }, machine.processors[2]);
+    CHECK(machine.simulation.run().ending == Ending::completed);
+    return at;
+}
+
+} // namespace
+
+TEST_CASE("routers of low priority wait for their turn beside a computation and interrupt nothing") {
+    BesideAComputation high = send_beside_a_computation({}),
+                       low = send_beside_a_computation({.priority = Priority::low});
+    constexpr Time slice = Processor::timeslice;
+    CHECK(high.message < microseconds{200});
+    // It arrives in the first period, and its receiver has its turn after the second. Its sender waits behind the
+    // computation, which then has two periods more.
+    CHECK(low.message > 4 * slice);
+    CHECK(low.message < 4 * slice + microseconds{50});
+    constexpr Time first_inputs = 2 * 19 * cycle;          // of the receivers at the two links
+    constexpr Time passed_on = 2 * 2 * (200 + 19) * cycle; // a packet and its acknowledge
+    constexpr Time interrupts = 2 * 2 * 19 * cycle;
+    CHECK(high.computation == 200'000 * cycle + first_inputs + passed_on + interrupts);
+    CHECK(low.computation == 200'000 * cycle + first_inputs + passed_on);
+}
+
+TEST_CASE("a packet costs what its router says, at every processor on its way") {
+    BesideAComputation usual = send_beside_a_computation({}),
+                       slow = send_beside_a_computation({.handling = Cycles{1200}}),
+                       free = send_beside_a_computation({.handling = Cycles{0}});
+    // It is sent, passed on and received, and its acknowledge is sent before the inputting process goes on.
+    CHECK(slow.message - usual.message == 5 * 1000 * cycle);
+    CHECK(usual.message - free.message == 5 * 200 * cycle);
+    CHECK(slow.computation - usual.computation == 2 * 2 * 1000 * cycle);
+    CHECK_THROWS_WITH_AS(RoutedMachine(line(2), {.handling = Cycles{-1}}),
+                         "a router handles a packet in a negative number of cycles", std::logic_error);
+}
