@@ -5,6 +5,9 @@
 // next byte follows 3.6 bits, 120 ns and the wire after the start of the acknowledge, 340 ns. So a byte takes 640 ns.
 
 #include "runtime/hardware/link_state.hpp"
+#include "runtime/random.hpp"
+#include "tests/sanitized.hpp"
+#include "tests/seeds.hpp"
 
 #include <doctest/doctest.h>
 
@@ -352,4 +355,78 @@ TEST_CASE("link packets: two busy directions of which one began 100 ns later rep
         REQUIRE(then.streams[0].bytes_left == 100 - begun_by(before - Time{1}, 0ns, 990ns));
         REQUIRE(then.streams[1].bytes_left == 60 - begun_by(before - Time{1}, 100ns, 890ns));
     }
+}
+
+namespace {
+
+PacketTimes random_times(RandomStream& random) {
+    LinkTiming timing;
+    timing.bits_per_second = std::array<std::int64_t, 4>{1000, 5'000'000, 10'000'000, 20'000'000}[random.below(4)];
+    timing.wire_delay = random.chance(0.5) ? std::chrono::nanoseconds{random.below(2000)} : Time{};
+    timing.overlapped_acknowledge = random.chance(0.7);
+    return PacketTimes(timing);
+}
+
+/// A direction in the middle of a part, or at its end, or with nothing to send. Its last byte began before the moment
+/// 0 and what comes next is asked for within four bytes; whole tenths of a bit make much of it happen at one moment.
+LinkPackets::Stream random_stream(RandomStream& random, const PacketTimes& times) {
+    LinkPackets::Stream stream;
+    if (random.chance(0.1))
+        return stream;
+    const Time tenth = times.byte().carried / 110;
+    stream.acknowledge = random.chance(0.5);
+    stream.bytes_left = random.below(random.chance(0.3) ? 4 : 200) + std::uint32_t{!stream.acknowledge};
+    stream.due = random.below(440) * tenth;
+    return stream;
+}
+
+/// The same packets one by one.
+LinkPackets run_each(LinkPackets packets, const PacketTimes& times, const LinkLimit& limit) {
+    LinkPeriod unknown;
+    unknown.run(packets, times, limit);
+    return packets;
+}
+
+/// In what makes a difference: when a wire became free that has been free for long does not.
+void check_same(const LinkPackets& one, const LinkPackets& other) {
+    REQUIRE(one.now == other.now);
+    for (std::size_t d : {0u, 1u}) {
+        REQUIRE(std::max(one.free_at[d], one.now) == std::max(other.free_at[d], other.now));
+        REQUIRE(one.streams[d].bytes_left == other.streams[d].bytes_left);
+        REQUIRE(one.streams[d].due == other.streams[d].due);
+        REQUIRE(one.streams[d].last_start == other.streams[d].last_start);
+    }
+}
+
+} // namespace
+
+TEST_CASE("link packets: periods that are passed at once come to what single packets come to, from any beginning") {
+    int simple = 0;
+    for (std::uint64_t seed : test::seeds(test::sanitized ? 200 : 2000)) {
+        INFO(test::replay(seed));
+        RandomStream random(seed, "periods against packets");
+        const PacketTimes times = random_times(random);
+        LinkPackets start;
+        for (LinkPackets::Stream& stream : start.streams)
+            stream = random_stream(random, times);
+        const LinkLimit limit{.before = random.chance(0.5) ? never : random.below(200) * times.byte().carried,
+                              .last_bytes_stop = random.chance(0.2)};
+        LinkPackets found = start;
+        LinkPeriod period;
+        period.find(found, times, limit);
+        check_same(found, run_each(start, times, limit));
+        for (int n = 0; n < 20; ++n) {
+            const Time moment{static_cast<std::int64_t>(random.uniform() * static_cast<double>(found.now.count()))};
+            const LinkPackets then = run_each(start, times, {moment, limit.last_bytes_stop});
+            LinkPackets run = start;
+            period.run(run, times, {moment, limit.last_bytes_stop});
+            check_same(run, then);
+            if (!period.is_simple_around(moment))
+                continue;
+            ++simple;
+            REQUIRE(period.bytes_left(0, moment - Time{1}) == then.streams[0].bytes_left);
+            REQUIRE(period.bytes_left(1, moment - Time{1}) == then.streams[1].bytes_left);
+        }
+    }
+    CHECK((simple > 1000 || !test::all_seeds()));
 }
