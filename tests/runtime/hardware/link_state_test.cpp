@@ -293,28 +293,46 @@ TEST_CASE("link state: what comes after the end of virtual time is noted") {
 
 TEST_CASE("link packets: of a run of bytes it is known at every moment how many have begun") {
     constexpr std::uint32_t bytes = 100;
-    LinkState start;
-    begin_part(start, 0, bytes, Receiver::waits);
-    LinkPackets packets = start.packets;
-    LinkPeriod period;
-    REQUIRE(period.find(packets, usual, {}));
-    const Time last = (bytes - 1) * 640ns;
-    CHECK(packets.now == last);
-    CHECK(packets.streams[0].bytes_left == 0);
-    CHECK(packets.streams[0].last_start == last);
-    CHECK(packets.streams[0].due == last + 300ns);
-    CHECK(packets.free_at[0] == last + 550ns);
-    CHECK(period.length == 640ns);
-    CHECK(period.until == last);
-    CHECK(!period.is_simple_around(last));
-    CHECK(period.since <= 5us);
-    for (Time moment = period.since; moment < last; moment += 10ns) {
-        REQUIRE(period.is_simple_around(moment) == (moment > period.since));
-        REQUIRE(period.bytes_left(0, moment) == bytes - 1 - moment / 640ns);
-        LinkPackets then = start.packets;
-        period.run(then, usual, {.before = moment});
-        REQUIRE(then.streams[0].bytes_left == bytes - (moment + 639ns) / 640ns);
+    for (std::size_t direction : {0u, 1u}) {
+        LinkState start;
+        begin_part(start, direction, bytes, Receiver::waits);
+        LinkPackets packets = start.packets;
+        const LinkPackets::Stream& stream = packets.streams[direction];
+        LinkPeriod period;
+        REQUIRE(period.find(packets, usual, {}));
+        const Time last = (bytes - 1) * 640ns;
+        CHECK(packets.now == last);
+        CHECK(stream.bytes_left == 0);
+        CHECK(stream.last_start == last);
+        CHECK(stream.due == last + 300ns);
+        CHECK(packets.free_at[direction] == last + 550ns);
+        CHECK(period.length == 640ns);
+        CHECK(period.until == last);
+        CHECK(!period.is_simple_around(last));
+        CHECK(period.since <= 5us);
+        for (Time moment = period.since; moment < last; moment += 10ns) {
+            REQUIRE(period.is_simple_around(moment) == (moment > period.since));
+            REQUIRE(period.bytes_left(direction, moment) == bytes - 1 - moment / 640ns);
+            LinkPackets then = start.packets;
+            period.run(then, usual, {.before = moment});
+            REQUIRE(then.streams[direction].bytes_left == bytes - (moment + 639ns) / 640ns);
+        }
     }
+}
+
+TEST_CASE("link packets: a run ends with a last byte, before it if the trace is to see it, and before its acknowledge") {
+    LinkState start;
+    begin_part(start, 0, 3, Receiver::waits);
+    LinkPackets up_to_last = start.packets, before_last = start.packets;
+    LinkPeriod period;
+    CHECK(period.find(up_to_last, usual, {}));
+    CHECK(up_to_last.now == 1280ns);
+    CHECK(up_to_last.streams[0].bytes_left == 0);
+    CHECK(!period.find(up_to_last, usual, {}));
+    CHECK(period.find(before_last, usual, {.last_bytes_stop = true}));
+    CHECK(before_last.now == 940ns); // the acknowledge of the second byte
+    CHECK(before_last.streams[0].bytes_left == 1);
+    CHECK(!period.find(before_last, usual, {.last_bytes_stop = true}));
 }
 
 /// Of those that begin at `first` and at `second`, and again every 1780 ns.
@@ -415,8 +433,11 @@ TEST_CASE("link packets: periods that are passed at once come to what single pac
         LinkPeriod period;
         period.find(found, times, limit);
         check_same(found, run_each(start, times, limit));
+        CHECK(!period.is_simple_around(later(found.now, Time{1})));
+        const std::int64_t grid = random.chance(0.5) ? times.byte().carried.count() / 110 : 1;
         for (int n = 0; n < 20; ++n) {
-            const Time moment{static_cast<std::int64_t>(random.uniform() * static_cast<double>(found.now.count()))};
+            const double anywhere = random.uniform() * static_cast<double>(found.now.count() / grid);
+            const Time moment{static_cast<std::int64_t>(anywhere) * grid};
             const LinkPackets then = run_each(start, times, {moment, limit.last_bytes_stop});
             LinkPackets run = start;
             period.run(run, times, {moment, limit.last_bytes_stop});
