@@ -320,7 +320,8 @@ TEST_CASE("link packets: of a run of bytes it is known at every moment how many 
     }
 }
 
-TEST_CASE("link packets: a run ends with a last byte, before it if the trace is to see it, and before its acknowledge") {
+TEST_CASE(
+    "link packets: a run ends with a last byte, before it if the trace is to see it, and before its acknowledge") {
     LinkState start;
     begin_part(start, 0, 3, Receiver::waits);
     LinkPackets up_to_last = start.packets, before_last = start.packets;
