@@ -149,8 +149,13 @@ CountedCourses count_on_runtime(const LinkTiming& timing, const std::array<Traff
     simulation.process("lets the run go on", [] { wait_until(1ms); });
     CHECK(simulation.run().ending == Ending::completed);
     CountedCourses courses;
-    for (std::size_t d : {0u, 1u})
+    for (std::size_t d : {0u, 1u}) {
         courses[d] = {{givers[d]->ended(), takers[d]->ended()}, takers[d]->byte_waited(), directions[d]->byte_waits()};
+        std::uint64_t taken = 0;
+        for (const Traffic::Transfer& transfer : traffic[d].taken)
+            taken += transfer.bytes;
+        CHECK(directions[d]->bytes_carried() == taken + std::uint64_t{directions[d]->byte_waits()});
+    }
     return courses;
 }
 
