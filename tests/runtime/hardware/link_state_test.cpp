@@ -4,6 +4,7 @@
 // noticed after 5.2 bits and the wire, 300 ns; its acknowledge is carried for 100 ns and has arrived after 140; the
 // next byte follows 3.6 bits, 120 ns and the wire after the start of the acknowledge, 340 ns. So a byte takes 640 ns.
 
+#include "runtime/hardware/link_period.hpp"
 #include "runtime/hardware/link_state.hpp"
 #include "runtime/random.hpp"
 #include "tests/sanitized.hpp"
