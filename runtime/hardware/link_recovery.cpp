@@ -30,7 +30,7 @@ bool LinkDirection::is_lost(LinkStep step) {
 /// The message under way does: something of it is lost, or its receiver has left and the next byte has not been sent.
 bool LinkDirection::gets_no_further() const {
     const Phase now = phase();
-    return now == Phase::byte_lost || now == Phase::acknowledge_lost || now == Phase::broken_off ||
+    return now == Phase::byte_lost || now == Phase::acknowledge_lost ||
            (ends() == Ends::receiver_left && now != Phase::travels);
 }
 
@@ -85,8 +85,6 @@ void LinkDirection::drop_output(LinkCourse::Touch& touch) {
         bytes_left_over_ = bytes_taken();
         if (bytes_left_over_ > 0)
             direction.ends = Ends::sender_left;
-        else if (direction.ends == Ends::sender_left)
-            direction.ends = Ends::agree;
         break_off(touch);
     }
     touch->drop_end_of_sending(number_);

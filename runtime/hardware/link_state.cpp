@@ -91,7 +91,7 @@ std::size_t LinkState::first_arrival() const {
 LinkState::Outcome LinkState::take(const Next& next, const PacketTimes& times, Fate fate) {
     const std::size_t d = next.direction;
     Direction& direction = directions[d];
-    packets.now = std::max(packets.now, next.at);
+    packets.now = next.at;
     switch (next.step) {
     case LinkStep::byte_begins: return begin_byte(d, times, fate);
     case LinkStep::acknowledge_begins: return begin_acknowledge(d, times, fate);
@@ -122,9 +122,7 @@ LinkState::Outcome LinkState::begin_byte(std::size_t d, const PacketTimes& times
         return {.loses = true};
     }
     const bool is_first = stream.bytes_left + 1 == direction.part_bytes;
-    if (is_first && is_first_byte_foreseen(d, times))
-        drop_first_byte(d); // of the part before
-    else if (is_first)
+    if (is_first && !is_first_byte_foreseen(d, times))
         expect_first_byte(d, times);
     if (direction.receiver_is == User::program || (is_first && !is_sure_of_receiver(d))) {
         direction.phase = Phase::unnoticed;
@@ -149,7 +147,6 @@ LinkState::Outcome LinkState::begin_acknowledge(std::size_t d, const PacketTimes
     }
     if (is_last)
         expect(end_of_sending(d), later(packets.now, times.acknowledge_arrival()));
-    direction.phase = Phase::travels;
     if (is_last || direction.sender_is == User::program) {
         direction.phase = direction.sender_is == User::program ? Phase::restarts : Phase::idle;
         direction.at = std::exchange(stream.due, never);
@@ -166,7 +163,7 @@ LinkState::Outcome LinkState::last_byte_arrives(std::size_t d) {
         return {};
     direction.receiver = Receiver::absent;
     const bool waits_for_acknowledge =
-        direction.phase == Phase::travels && stream.acknowledge && stream.bytes_left == 0 && !expects_last_byte(d);
+        direction.phase == Phase::travels && stream.acknowledge && stream.bytes_left == 0;
     if (waits_for_acknowledge)
         direction.phase = Phase::taken;
     return {.delivers = waits_for_acknowledge, .wakes = true};
