@@ -13,7 +13,7 @@ namespace placedpar::hardware {
 using Phase = LinkState::Phase;
 
 void LinkDirection::move_by_counts(ByteUser& sender, ByteUser& receiver) {
-    counts_ = std::make_unique<Counts>(sender, receiver);
+    counts_ = std::make_unique<Counts>(Counts{sender, receiver});
 }
 
 void LinkDirection::give(std::uint32_t bytes) {

@@ -16,7 +16,10 @@ bool begins_packet(LinkStep step) { return step == LinkStep::byte_begins || step
 } // namespace
 
 LinkCourse::LinkCourse(Kernel& kernel, const PacketTimes& times, LinkObserver& observer)
-    : first_rank_(kernel.new_ranks(LinkState::ranks)), kernel_(kernel), times_(times), observer_(observer) {}
+    : first_rank_(kernel.new_ranks(LinkState::ranks)), kernel_(kernel), times_(times), observer_(observer) {
+    state_ = &states_[0];
+    ahead_ = &states_[1];
+}
 
 /// In a large machine they are in no near cache.
 void LinkCourse::fetch_states() const {

@@ -116,8 +116,8 @@ private:
     // In the order of use, in lines of the cache.
     Time quiet_until_{};                    ///< until then the state is that of now
     Time runs_from_ = never, runs_until_{}; ///< when packets run by themselves, within what was looked at
-    LinkState* state_ = &states_[0];        ///< when it was touched last
-    LinkState* ahead_ = &states_[1];        ///< just before the next visible step
+    LinkState* state_ = nullptr;            ///< when it was touched last
+    LinkState* ahead_ = nullptr;            ///< just before the next visible step
     LinkPeriod period_;                     ///< of the packets between the two
     std::array<LinkState, 2> states_;
     LinkState::Next next_; ///< the visible step
