@@ -83,6 +83,9 @@ void LinkDirection::move_messages_of(MemoryOfEngines& memory) {
 }
 
 void LinkDirection::serve(AnyChannel& channel) {
+    if (counts_)
+        throw std::logic_error(
+            fmt::format("channel {} uses {}, whose bytes are moved by counts, not by messages", channel.name(), name_));
     if (channel_ && channel_ != &channel)
         throw std::logic_error(fmt::format("channels {} and {} use the same direction of a link: "
                                            "several channels need routers",

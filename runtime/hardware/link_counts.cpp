@@ -6,13 +6,19 @@
 #include "runtime/hardware/link.hpp"
 #include "runtime/kernel.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <stdexcept>
 
 namespace placedpar::hardware {
 
 using Phase = LinkState::Phase;
 
 void LinkDirection::move_by_counts(ByteUser& sender, ByteUser& receiver) {
+    if (channel_ || writer_ || reader_)
+        throw std::logic_error(
+            fmt::format("{} carries messages already, so that its bytes cannot be moved by counts", name_));
     counts_ = std::make_unique<Counts>(Counts{sender, receiver});
 }
 

@@ -99,6 +99,7 @@ void LinkCourse::catch_up_and_stay() {
 }
 
 void LinkCourse::look_ahead() {
+    forget_run();
     if (state_->may_lose_packets)
         steady_until_ = observer_.steady_until();
     for (std::size_t direction : {0u, 1u})

@@ -19,8 +19,9 @@ bool LinkDirection::is_lost(LinkStep step) {
     const bool acknowledge = step == LinkStep::acknowledge_begins;
     if (!acknowledge && state().directions[number_].ends != Ends::agree)
         return false;
-    const AnyChannel::Cargo& cargo = channel_->cargo();
-    FaultEffect::Hit hit{kernel_.now(), cargo.channel ? cargo.channel->name() : channel_->name(), acknowledge,
+    const AnyChannel::Cargo cargo = channel_ ? channel_->cargo() : AnyChannel::Cargo{};
+    const std::string& own_name = channel_ ? channel_->name() : name_; // no channel: bytes are moved by counts
+    FaultEffect::Hit hit{kernel_.now(), cargo.channel ? cargo.channel->name() : own_name, acknowledge,
                          bytes_before_part_ + bytes_started() + std::uint64_t{!acknowledge}};
     if (cargo.channel)
         hit.message = cargo.acknowledges ? Message::acknowledging_packet : Message::packet;
@@ -149,7 +150,7 @@ bool LinkDirection::give_up_input(AnyChannel& channel) {
         if (unnoticed) {
             direction.phase = Phase::unnoticed;
             direction.at = std::exchange(stream.due, never);
-            if (bytes_started() == 1 && times_.overlaps())
+            if (bytes_started() == 1 && times_.overlaps() && !touch->expects_first_byte(number_))
                 touch->expect_first_byte(number_, times_);
         }
         taken_when_given_up_ = bytes_taken();

@@ -3,6 +3,7 @@
 
 #include "bit_model.hpp"
 
+#include "runtime/channel.hpp"
 #include "runtime/event.hpp"
 #include "runtime/hardware/link.hpp"
 #include "runtime/kernel.hpp"
@@ -19,6 +20,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <numeric>
+#include <stdexcept>
 #include <vector>
 
 using namespace placedpar;
@@ -266,4 +268,41 @@ TEST_CASE("processes begin transfers by counts: as on a circuit of bits") {
     for (const Pauses& pauses : orders)
         if (!some.passes_over())
             compare_all_pairs(at(20'000'000, true), pauses, Busy::both, false, Begins::in_process);
+}
+
+TEST_CASE("a direction whose bytes are moved by counts carries no messages, and the other way round") {
+    struct User final : ByteUser {
+    } user;
+    struct Byte {
+        WireForm wire_form() const { return WireForm(1); }
+    };
+    Simulation simulation;
+    Link& link = simulation.add<Link>();
+    link.from_a_to_b().move_by_counts(user, user);
+    Channel<Byte> counted("counted", link.from_a_to_b()), carried("carried", link.from_b_to_a());
+    simulation.process("outputs", [&] {
+        CHECK_THROWS_WITH_AS(counted.out().output({}), doctest::Contains("moved by counts"), std::logic_error);
+        carried.out().output({});
+        CHECK_THROWS_AS(link.from_b_to_a().move_by_counts(user, user), std::logic_error);
+    });
+    simulation.process("inputs", [&] { carried.in().input(); });
+    CHECK(simulation.run().ending == Ending::completed);
+}
+
+TEST_CASE("what faults do to bytes that are moved by counts is noted by the name of the direction") {
+    struct Sender final : ByteUser {
+        void sent() override { FAIL_CHECK("a byte was lost, and its sender goes on"); }
+    } sender;
+    Simulation simulation;
+    Link& link = simulation.add<Link>();
+    const FaultEffect& effect = link.suffer({.kind = LinkFault::Kind::silent});
+    link.from_a_to_b().move_by_counts(sender, sender);
+    simulation.process("gives", [&] {
+        link.from_a_to_b().give(3);
+        wait_until(1ms);
+    });
+    simulation.run();
+    REQUIRE(effect.first);
+    CHECK(effect.first->channel == "a -> b");
+    CHECK(effect.bytes_lost == 1);
 }
