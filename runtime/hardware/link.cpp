@@ -15,7 +15,7 @@ namespace placedpar::hardware {
 
 namespace {
 
-/// The last part of a message that is not empty: empty parts do not travel.
+/// Returns the index of the last part that is not empty. Empty parts do not travel.
 std::size_t last_travelling_part(const WireForm& form) {
     std::size_t part = form.parts() - 1;
     while (part > 0 && form[part] == 0)
@@ -37,8 +37,8 @@ Link::Link(Kernel& kernel, const LinkTiming& timing, const std::string& a, const
       a_to_b_(kernel, a + " -> " + b, times_, course_, 0), b_to_a_(kernel, b + " -> " + a, times_, course_, 1),
       timing_(timing) {}
 
-Process* Link::taken(LinkState& state, const LinkState::Next& next, const LinkState::Outcome& outcome) {
-    return direction(next.direction).taken(state, next.step, outcome);
+Process* Link::step_performed(LinkState& state, const LinkState::Next& next, const LinkState::Outcome& outcome) {
+    return direction(next.direction).step_performed(state, next.step, outcome);
 }
 
 const FaultEffect& Link::suffer(const LinkFault& fault) { return faults().add(fault); }
@@ -171,7 +171,7 @@ void LinkDirection::send(Process& sender, std::uint32_t bytes, bool last_part) {
     touch.begin_if_free(number_);
 }
 
-/// Returns whether the part is there already: then it is taken.
+/// Receives a part, and returns whether all of it is there already.
 bool LinkDirection::receive(Process& receiver) {
     if (course_.waits_idly(number_)) {
         receiver_ = &receiver;
@@ -183,7 +183,7 @@ bool LinkDirection::receive(Process& receiver) {
     return all_here;
 }
 
-/// For a part; returns the same.
+/// Asks for a part, and returns whether all of it is there already.
 bool LinkDirection::receiver_asks(LinkCourse::Touch& touch) {
     using Phase = LinkState::Phase;
     LinkState::Direction& direction = touch->directions[number_];
@@ -197,7 +197,7 @@ bool LinkDirection::receiver_asks(LinkCourse::Touch& touch) {
     } else {
         direction.receiver = LinkState::Receiver::waits;
     }
-    const Phase phase = all_here ? Phase::taken : Phase::travels;
+    const Phase phase = all_here ? Phase::delivered : Phase::travels;
     if (direction.phase == Phase::owed) {
         touch->ask_for_acknowledge(number_, phase, kernel_.now());
         touch.begin_if_free(number_);
@@ -207,10 +207,10 @@ bool LinkDirection::receiver_asks(LinkCourse::Touch& touch) {
     return all_here;
 }
 
-/// The receiver has the part, before its process or the sender's goes on.
+/// Hands the part to the receiver, before the receiving process or the sending one goes on.
 void LinkDirection::deliver() {
     took_last_part_ = last_part_;
-    if (last_part_) // a part of a message
+    if (last_part_)
         channel_->hand_over();
 }
 
@@ -244,20 +244,20 @@ LinkDirection::Ended LinkDirection::read_byte() {
     const bool ends_part = touch->packets.streams[number_].bytes_left == 0, ends_message = ends_part && last_part_;
     if (ends_part)
         deliver();
-    touch->ask_for_acknowledge(number_, ends_part ? Phase::taken : Phase::travels, kernel_.now());
+    touch->ask_for_acknowledge(number_, ends_part ? Phase::delivered : Phase::travels, kernel_.now());
     touch.begin_if_free(number_);
     return ends_message ? Ended::message : ends_part ? Ended::part : Ended::nothing;
 }
 
-Process* LinkDirection::taken(LinkState& state, LinkStep step, const LinkState::Outcome& outcome) {
+Process* LinkDirection::step_performed(LinkState& state, LinkStep step, const LinkState::Outcome& outcome) {
     if (counts_)
-        return taken_by_counts(state, step, outcome), nullptr;
+        return step_performed_by_counts(state, step, outcome), nullptr;
     if (outcome.delivers)
         deliver();
     switch (step) {
     case LinkStep::byte_begins: return trace_byte(state, outcome), nullptr;
     case LinkStep::acknowledge_begins:
-        if (outcome.loses)
+        if (outcome.is_lost)
             trace_standstill();
         return nullptr;
     case LinkStep::byte_is_noticed:
@@ -285,9 +285,7 @@ Process* LinkDirection::sending_ended(LinkState& state) {
     return writer_ ? nullptr : sender;
 }
 
-bool LinkDirection::first_byte_waits() const {
-    return state().directions[number_].first_byte == LinkState::FirstByte::waits;
-}
+bool LinkDirection::byte_waits() const { return state().directions[number_].first_byte == LinkState::FirstByte::waits; }
 
 std::uint32_t LinkDirection::bytes_started() const {
     return state().directions[number_].part_bytes - state().packets.streams[number_].bytes_left;
@@ -301,12 +299,11 @@ void LinkDirection::trace_byte(const LinkState& state, const LinkState::Outcome&
     trace_bytes(kernel_.now());
     if (state.packets.streams[number_].bytes_left == 0 || writer_)
         trace_break(kernel_.now());
-    if (outcome.loses)
+    if (outcome.is_lost)
         trace_standstill();
 }
 
-/// Bytes follow each other without a break from the first of a part to the last, except that the first may have to wait
-/// for its acknowledge.
+/// The trace shows the bytes of a part as one stretch, unless the first byte waits for its acknowledge.
 void LinkDirection::trace_bytes(Time since) {
     if (course_.trace_carries(number_))
         return;
@@ -320,7 +317,7 @@ void LinkDirection::trace_break(Time byte_started) {
     kernel_.trace()->leaves({name_, later(byte_started, times_.byte().carried), bytes}, kernel_.now());
 }
 
-/// Nothing more comes of the message under way.
+/// Ends the stretch, since the message under way gets no further.
 void LinkDirection::trace_standstill() {
     if (kernel_.trace() && course_.trace_carries(number_))
         trace_break(state().packets.streams[number_].last_start);

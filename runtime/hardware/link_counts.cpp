@@ -1,7 +1,7 @@
-// Bytes that are moved by counts at both ends, which need not agree.
+// Bytes that both ends move by counts, which need not agree.
 //
-// What the ends agree on is a part: as many bytes as both have said. When it ends for one of them it has done what it
-// was asked for, or a new part begins with what the other has said meanwhile.
+// The bytes on which both ends agree are a part: as many as the smaller count. When the part ends for an end, either
+// its count is done, or a new part begins, as long as the other end's next count allows.
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/kernel.hpp"
@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace placedpar::hardware {
 
@@ -23,6 +24,8 @@ void LinkDirection::move_by_counts(ByteUser& sender, ByteUser& receiver) {
 }
 
 void LinkDirection::give(std::uint32_t bytes) {
+    if (bytes == 0 || std::exchange(counts_->gives, true))
+        throw std::logic_error(fmt::format("{}: give() wants bytes, and the bytes before them sent", name_));
     LinkCourse::Touch touch(course_);
     counts_->to_give = bytes;
     begin_part_by_counts(*touch);
@@ -30,11 +33,13 @@ void LinkDirection::give(std::uint32_t bytes) {
 }
 
 void LinkDirection::take(std::uint32_t bytes) {
+    if (bytes == 0 || std::exchange(counts_->takes, true))
+        throw std::logic_error(fmt::format("{}: take() wants bytes, and the bytes before them taken", name_));
     counts_->to_take = bytes;
     ask_by_counts();
 }
 
-/// With all that is to be given, if nobody asks yet.
+/// Begins a part: all bytes that are to be given, or fewer if the receiver has asked for fewer.
 void LinkDirection::begin_part_by_counts(LinkState& state) {
     begin_part_of(state, counts_->to_give);
     counts_->to_give = 0;
@@ -43,8 +48,8 @@ void LinkDirection::begin_part_by_counts(LinkState& state) {
         agree_on_part(state);
 }
 
-/// The receiver asks while not more than the first byte of a part has begun: so the part may still be made shorter, as
-/// its count says. Returns whether a part is there to be taken.
+/// Makes the part as short as the receiver's count, if no more than its first byte has begun. Returns whether a part is
+/// there that the receiver can take.
 bool LinkDirection::agree_on_part(LinkState& state) {
     LinkState::Direction& direction = state.directions[number_];
     LinkPackets::Stream& stream = state.packets.streams[number_];
@@ -63,7 +68,7 @@ bool LinkDirection::agree_on_part(LinkState& state) {
     return true;
 }
 
-/// For as many bytes as are to be taken.
+/// Asks for the bytes that are to be taken.
 void LinkDirection::ask_by_counts() {
     bool all_here = false;
     {
@@ -77,15 +82,15 @@ void LinkDirection::ask_by_counts() {
         end_of_taking();
 }
 
-/// The part has arrived.
+/// Call when a part has arrived.
 void LinkDirection::end_of_taking() {
     if (counts_->to_take > 0)
-        ask_by_counts();
-    else
-        counts_->receiver.taken();
+        return ask_by_counts();
+    counts_->takes = false;
+    counts_->receiver.taken();
 }
 
-void LinkDirection::taken_by_counts(LinkState& state, LinkStep step, const LinkState::Outcome& outcome) {
+void LinkDirection::step_performed_by_counts(LinkState& state, LinkStep step, const LinkState::Outcome& outcome) {
     switch (step) {
     case LinkStep::first_byte_arrives:
         if (state.directions[number_].first_byte == LinkState::FirstByte::waits)
@@ -97,9 +102,10 @@ void LinkDirection::taken_by_counts(LinkState& state, LinkStep step, const LinkS
         return;
     case LinkStep::sending_ends:
         end_part(state);
-        if (counts_->to_give == 0)
-            return counts_->sender.sent();
-        return begin_part_by_counts(state);
+        if (counts_->to_give > 0)
+            return begin_part_by_counts(state);
+        counts_->gives = false;
+        return counts_->sender.sent();
     default: return;
     }
 }

@@ -21,7 +21,7 @@ LinkCourse::LinkCourse(Kernel& kernel, const PacketTimes& times, LinkObserver& o
     ahead_ = &states_[1];
 }
 
-/// In a large machine they are in no near cache.
+/// In a large machine the states of a link are in no near cache.
 void LinkCourse::fetch_states() const {
     constexpr std::size_t line = 64;
     const char* first = reinterpret_cast<const char*>(states_.data());
@@ -32,24 +32,24 @@ void LinkCourse::fetch_states() const {
 void LinkCourse::Touch::begin_if_free(std::size_t direction) {
     LinkState::Next next = course_.state_->next_packet(direction);
     if (next.at <= course_.kernel_.now())
-        course_.take(next);
+        course_.perform(next);
 }
 
-/// With those who are to know.
-Process* LinkCourse::take(const LinkState::Next& next) {
+/// Performs the step, asking the observer before and telling it afterwards.
+Process* LinkCourse::perform(const LinkState::Next& next) {
     LinkState::Fate fate = state_->may_lose_packets && begins_packet(next.step) ? observer_.packet_begins(next)
                                                                                 : LinkState::Fate::comes_over;
-    LinkState::Outcome outcome = state_->take(next, times_, fate);
-    return observer_.taken(*state_, next, outcome);
+    LinkState::Outcome outcome = state_->perform(next, times_, fate);
+    return observer_.step_performed(*state_, next, outcome);
 }
 
 void LinkCourse::happen() noexcept {
     fetch_states();
-    if (next_is_ == Ahead::after_others)
+    if (where_next_ == Ahead::after_others)
         std::swap(state_, ahead_);
     forget_run();
     quiet_until_ = later(kernel_.now(), Time{1});
-    Process* woken = take(next_);
+    Process* woken = perform(next_);
     look_ahead();
     if (woken)
         kernel_.make_ready(*woken);
@@ -69,24 +69,24 @@ bool LinkCourse::waits_idly(std::size_t direction) {
     return true;
 }
 
-/// Takes the steps up to now that nobody sees.
-void LinkCourse::take_steps_until(Time now) {
+/// Performs the invisible steps up to now.
+void LinkCourse::perform_steps_until(Time now) {
     if (runs_from_ <= now) {
         if (state_->packets.now < runs_from_)
-            take_unseen_steps(runs_from_);
+            perform_unseen_steps(runs_from_);
         const std::array<std::uint32_t, 2> before = state_->bytes_left();
-        period_.run(
+        period_.replay(
             state_->packets, times_,
             {.before = later(std::min(now, runs_until_), Time{1}), .last_bytes_stop = kernel_.trace() != nullptr});
         state_->note_last_bytes(before, times_);
     }
-    take_unseen_steps(now);
+    perform_unseen_steps(now);
 }
 
-void LinkCourse::take_unseen_steps(Time until) {
+void LinkCourse::perform_unseen_steps(Time until) {
     LinkState::Next next = state_->next();
     for (; next.at <= until && !is_visible(*state_, next); next = state_->next())
-        state_->take(next, times_);
+        state_->perform(next, times_);
     quiet_until_ = next.at;
 }
 
@@ -107,27 +107,28 @@ void LinkCourse::look_ahead() {
     const LinkState::Next next = state_->next();
     quiet_until_ = next.at;
     if (next.at == never) {
-        next_is_ = Ahead::nowhere;
+        where_next_ = Ahead::nowhere;
         stand_still();
     } else if (is_visible(*state_, next)) {
-        next_is_ = Ahead::at_once;
+        where_next_ = Ahead::at_once;
         schedule(next);
     } else {
         run_ahead(next);
     }
 }
 
-/// From the state, whose next step nobody sees, to one that is seen. If none is, the link falls silent with the last.
+/// Runs a copy of the state, whose next step is invisible, ahead to the next visible step. If there is none, the link
+/// falls silent with its last step.
 void LinkCourse::run_ahead(LinkState::Next next) {
     *ahead_ = *state_;
-    next_is_ = Ahead::after_others;
+    where_next_ = Ahead::after_others;
     LinkState::Next last;
     do {
-        if (period_.since == never && begins_packet(next.step) && may_run(next) && run(*ahead_)) {
+        if (period_.since == never && begins_packet(next.step) && may_run(next) && run_packets(*ahead_)) {
             last.at = ahead_->packets.now;
         } else {
             last = next;
-            ahead_->take(next, times_);
+            ahead_->perform(next, times_);
         }
         next = ahead_->next();
     } while (next.at != never && !is_visible(*ahead_, next));
@@ -136,7 +137,7 @@ void LinkCourse::run_ahead(LinkState::Next next) {
     schedule(next);
 }
 
-/// Packets may run by themselves from the next one on.
+/// Whether packets may run by themselves, from this one on.
 bool LinkCourse::may_run(const LinkState::Next& next) const {
     if (next.at >= ahead_->runs_before(next.direction, times_))
         return false;
@@ -149,8 +150,8 @@ bool LinkCourse::may_run(const LinkState::Next& next) const {
     return is_told(0) && is_told(1);
 }
 
-/// Lets the packets begin that call for nothing but their times. Returns whether there are any.
-bool LinkCourse::run(LinkState& state) {
+/// Lets packets begin that need nothing but their times worked out. Returns whether any has begun.
+bool LinkCourse::run_packets(LinkState& state) {
     Time before = std::min({end_of_time, steady_until_, state.arrivals[state.first_arrival()]});
     for (std::size_t direction : {0u, 1u})
         before = std::min(before, state.runs_before(direction, times_));
@@ -164,7 +165,8 @@ bool LinkCourse::run(LinkState& state) {
     return true;
 }
 
-/// Nothing is to come, or nothing before the end of virtual time, which the kernel reports.
+/// Takes the link out of the kernel's queue, since no step is due. If one would come after the end of virtual time, the
+/// event stays there, and the kernel reports it.
 void LinkCourse::stand_still() {
     next_ = {};
     if (state_->lasts_too_long)
@@ -192,7 +194,7 @@ bool LinkCourse::is_visible(const LinkState& state, const LinkState::Next& next)
     case LinkStep::byte_begins: return next.at >= steady_until_ || trace_sees_byte(state, next.direction);
     case LinkStep::acknowledge_begins:
         return next.at >= steady_until_ ||
-               (state.packets.streams[next.direction].bytes_left == 0 && direction.phase != Phase::taken);
+               (state.packets.streams[next.direction].bytes_left == 0 && direction.phase != Phase::delivered);
     case LinkStep::byte_is_noticed:
         return direction.receiver_is == LinkState::User::program ||
                (kernel_.trace() && state.packets.streams[next.direction].bytes_left > 0);

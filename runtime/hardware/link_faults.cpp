@@ -19,18 +19,18 @@ std::int64_t LinkFaults::bits_per_second(Time now) const {
     return std::max<std::int64_t>(bits_per_second_ / factor, 1);
 }
 
-bool LinkFaults::Each::takes(const FaultEffect::Hit& packet, bool leaves_a) const {
+bool LinkFaults::Each::strikes(const FaultEffect::Hit& packet, bool leaves_a) const {
     if (fault.kind == LinkFault::Kind::slow || !acts(packet.at) || !(leaves_a ? fault.wire_from_a : fault.wire_from_b))
         return false;
     return fault.kind == LinkFault::Kind::silent || packet.acknowledge;
 }
 
-bool LinkFaults::take(const FaultEffect::Hit& packet, bool leaves_a) {
+bool LinkFaults::strike(const FaultEffect::Hit& packet, bool leaves_a) {
     for (Each& each : faults_) {
-        bool takes = each.takes(packet, leaves_a);
-        if (takes || (each.fault.kind == LinkFault::Kind::slow && each.acts(packet.at)))
+        const bool is_lost = each.strikes(packet, leaves_a);
+        if (is_lost || (each.fault.kind == LinkFault::Kind::slow && each.acts(packet.at)))
             each.effect.first = each.effect.first.value_or(packet);
-        if (takes) {
+        if (is_lost) {
             ++(packet.acknowledge ? each.effect.acknowledges_lost : each.effect.bytes_lost);
             each.effect.last = packet;
             each.spent = each.fault.kind == LinkFault::Kind::loses_acknowledge;

@@ -6,8 +6,9 @@ namespace {
 
 constexpr std::size_t none = 2;
 
-/// The direction whose packet begins next; none if no packet may within the limit. If both directions want one wire,
-/// the acknowledge goes first. On two wires the order of one instant makes no difference.
+/// Returns the direction whose packet begins next; none if the limit stops it. If both directions want one wire, the
+/// acknowledge goes first, as in comes_before() of link_state.cpp. Simultaneous packets on different wires do not
+/// affect each other.
 std::size_t next_within(const LinkPackets& packets, const LinkLimit& limit) {
     Time begins[] = {packets.begin_of_next(0), packets.begin_of_next(1)};
     bool first = begins[0] < begins[1] || (begins[0] == begins[1] && packets.streams[0].acknowledge);
@@ -17,7 +18,7 @@ std::size_t next_within(const LinkPackets& packets, const LinkLimit& limit) {
     return begins[direction] >= limit.before || stops ? none : direction;
 }
 
-/// Lets that packet begin, and returns its direction.
+/// Lets the next packet begin, and returns its direction; none if the limit stops it.
 std::size_t begin_next(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) {
     std::size_t direction = next_within(packets, limit);
     if (direction != none) {
@@ -27,7 +28,7 @@ std::size_t begin_next(LinkPackets& packets, const PacketTimes& times, const Lin
     return direction;
 }
 
-/// When the first of the last bytes of parts began, of those that have; else never.
+/// Returns when the last byte of a part began, the earlier of two; never if no last byte has begun.
 Time end_of_a_part(const LinkPackets& packets) {
     Time end = never;
     for (const LinkPackets::Stream& stream : packets.streams)
@@ -36,8 +37,8 @@ Time end_of_a_part(const LinkPackets& packets) {
     return end;
 }
 
-/// Whether everything will come again as it came then, seen from each moment. REQUIRES: the direction that is not
-/// `other` began a byte at both.
+/// Whether the packets after `now` repeat those after `then`. REQUIRES: the direction that is not `other` began a byte
+/// at both times.
 bool is_in_phase(const LinkPackets& now, const LinkPackets& then, std::size_t other) {
     auto ahead = [](Time moment, Time of) { return std::max(moment - of, Time{0}); };
     const LinkPackets::Stream &stream = now.streams[other], &before = then.streams[other];
@@ -46,10 +47,10 @@ bool is_in_phase(const LinkPackets& now, const LinkPackets& then, std::size_t ot
            ahead(now.free_at[other], now.now) == ahead(then.free_at[other], then.now);
 }
 
-/// Asked of the stream whose packet has begun last.
+/// Whether the packet that has just begun in this direction is the last byte of a part.
 bool has_begun_last_byte(const LinkPackets::Stream& stream) { return stream.acknowledge && stream.bytes_left == 0; }
 
-/// All packets within the limit, up to the last byte of a part.
+/// Lets all packets within the limit begin, up to the last byte of a part.
 void run_each(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) {
     for (std::size_t next; (next = begin_next(packets, times, limit)) != none;)
         if (has_begun_last_byte(packets.streams[next]))
@@ -58,7 +59,7 @@ void run_each(LinkPackets& packets, const PacketTimes& times, const LinkLimit& l
 
 } // namespace
 
-void LinkPeriod::run(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) const {
+void LinkPeriod::replay(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) const {
     if (since < limit.before) {
         if (packets.now < since)
             packets = first;
@@ -67,7 +68,8 @@ void LinkPeriod::run(LinkPackets& packets, const PacketTimes& times, const LinkL
     run_each(packets, times, limit);
 }
 
-/// The present is compared with one moment that was noted: a later one each time that twice as many bytes began.
+/// The packets are compared with those of one earlier time. A new time is noted after 1, 2, 4, 8 ... bytes, so that a
+/// period of any length is found.
 bool LinkPeriod::find(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) {
     since = never;
     LinkPackets noted;
@@ -94,7 +96,7 @@ bool LinkPeriod::find(LinkPackets& packets, const PacketTimes& times, const Link
     return any;
 }
 
-/// Everything is as it was then, so that it has repeated itself since: short periods are known from there on.
+/// Notes the period between the two. If it is short, it is known from its first occurrence on.
 void LinkPeriod::begin(const LinkPackets& then, const LinkPackets& now) {
     length = now.now - then.now;
     first = length <= longest_simple ? then : now;

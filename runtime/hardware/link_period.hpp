@@ -10,47 +10,44 @@
 
 namespace placedpar::hardware {
 
-/// How far packets may run by themselves.
+/// How far packets may run by themselves. The acknowledge of the last byte of a part always stops them.
 struct LinkLimit {
-    Time before = never;          ///< those that begin earlier
-    bool last_bytes_stop = false; ///< and only up to the last byte of a part; its acknowledge always stops them
+    Time before = never;          ///< packets that begin at this time or later stay
+    bool last_bytes_stop = false; ///< the last byte of a part stays, too
 };
 
 /// After a few bytes the two directions of a link repeat themselves: each packet of one begins at the same distance
 /// from the packets of the other. From there on whole periods are passed at once, so that a long message costs what a
 /// short one does.
 ///
-/// What is asked for most stands together in one line of the cache.
+/// The first members share a line of the cache, since they are read most.
 struct alignas(64) LinkPeriod {
-    Time since = never; ///< when it is known
-    Time until{};       ///< until then is_simple(): the last byte of a part, or the end of what has been looked at
-    Time length{};
-    /// A direction at the moment `since`, from which its times count, in picoseconds.
+    Time since = never; ///< start of the first period; never: no period is known
+    Time until{};       ///< bytes_left() holds until then: the last byte of a part, or the end of what was run ahead
+    Time length{};      ///< of one period
+    /// One direction at the time `since`. Its times count from `since`, in picoseconds.
     struct Pace {
         std::uint32_t bytes_left = 0, bytes_a_period = 0;
         std::int32_t last_start = 0, start_before = 0;
     };
     std::array<Pace, 2> paces;
-    std::array<std::uint32_t, 2> part_bytes{}; ///< of the parts under way: kept here for who asks how many have begun
-    LinkPackets first;                         ///< all that the link does at that moment
+    std::array<std::uint32_t, 2> part_bytes{}; ///< lengths of the parts under way: a copy, for bytes_begun_before()
+    LinkPackets first;                         ///< the packets at the time `since`
 
-    /// Lets all packets within the limit begin, up to the last byte of a part, and notes what they repeat from some
-    /// moment on. Returns whether there are any.
+    /// Lets all packets within the limit begin, up to the last byte of a part, and notes the period in which they
+    /// repeat. Returns whether any packet has begun.
     bool find(LinkPackets&, const PacketTimes&, const LinkLimit&);
     void forget() { since = never; }
 
-    /// Does the same once more, of packets that find() has been given or gone through, up to another limit within that
-    /// one.
-    void run(LinkPackets&, const PacketTimes&, const LinkLimit&) const;
-    /// Passes as many whole periods as end before that moment and before the last byte of a part. REQUIRES: the period
-    /// is known at the moment of the packets.
+    /// Lets packets begin once more that find() ran before, up to a limit that is not beyond that of find().
+    void replay(LinkPackets&, const PacketTimes&, const LinkLimit&) const;
+    /// Passes as many whole periods as end before that time and before the last byte of a part. REQUIRES: packets.now
+    /// is within the period that is known.
     void pass_periods(LinkPackets&, Time before) const;
-    /// Whether bytes_left() is known without passing packets, nearly always.
-    bool is_simple(Time moment) const { return since <= moment && moment < until; }
-    /// The same, and just before that moment.
+    /// Whether bytes_left() may be asked for this time and for the picosecond before.
     bool is_simple_around(Time moment) const { return since < moment && moment < until; }
-    /// How many bytes a direction has not begun by that moment, without a branch, since the processor cannot foresee
-    /// the outcome. REQUIRES: is_simple(moment).
+    /// Returns how many bytes a direction has not begun at that time. It has no branch, since the host processor cannot
+    /// predict the outcome. REQUIRES: since <= moment < until.
     std::uint32_t bytes_left(std::size_t direction, Time moment) const {
         const Pace& pace = paces[direction];
         std::int64_t periods = (moment - since - Time{pace.last_start}) / length;
@@ -60,7 +57,7 @@ struct alignas(64) LinkPeriod {
     }
 
 private:
-    /// So that moments of the period before `since` fit a pace.
+    /// The longest period whose times fit into a Pace.
     static constexpr Time longest_simple{std::numeric_limits<std::int32_t>::max()};
 
     bool needs_no_passing() const {

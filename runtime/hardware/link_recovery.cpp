@@ -1,4 +1,4 @@
-// Messages of which something is lost, and messages that are given up.
+// What happens when a byte or an acknowledge is lost, and when a process gives up a message.
 
 #include "runtime/channel.hpp"
 #include "runtime/hardware/link.hpp"
@@ -12,8 +12,7 @@ namespace placedpar::hardware {
 using Phase = LinkState::Phase;
 using Ends = LinkState::Ends;
 
-/// REQUIRES: the link has faults. A byte of a message that was given up at the other end gets no further whatever they
-/// do.
+/// A byte of a message that the other end has given up gets no further, whatever the faults do, and is not counted.
 bool LinkDirection::is_lost(LinkStep step) {
     using Message = FaultEffect::Hit::Message;
     const bool acknowledge = step == LinkStep::acknowledge_begins;
@@ -25,10 +24,11 @@ bool LinkDirection::is_lost(LinkStep step) {
                          bytes_before_part_ + bytes_started() + std::uint64_t{!acknowledge}};
     if (cargo.channel)
         hit.message = cargo.acknowledges ? Message::acknowledging_packet : Message::packet;
-    return faults_->take(hit, acknowledge != (number_ == 0));
+    return faults_->strike(hit, acknowledge != (number_ == 0));
 }
 
-/// The message under way does: something of it is lost, or its receiver has left and the next byte has not been sent.
+/// Whether the message under way gets no further: a packet is lost, or the receiver has left before the next byte was
+/// sent.
 bool LinkDirection::gets_no_further() const {
     const Phase now = phase();
     return now == Phase::byte_lost || now == Phase::acknowledge_lost ||
@@ -47,8 +47,8 @@ bool LinkDirection::input_must_be_reset(const AnyChannel&) const {
     return state().directions[number_].ends == Ends::sender_left;
 }
 
-/// By the receiving end, of the message under way. A byte for which no process has asked counts when it waits there
-/// whole.
+/// Returns how many bytes of the message under way the receiving end has. A byte for which no process has asked counts
+/// once the whole of it has arrived.
 std::uint64_t LinkDirection::bytes_taken() const {
     const LinkState::Direction& direction = state().directions[number_];
     const LinkPackets::Stream& stream = state().packets.streams[number_];
@@ -56,7 +56,7 @@ std::uint64_t LinkDirection::bytes_taken() const {
         return bytes_left_over_;
     if (!channel_ || !channel_->output_waits() || direction.ends == Ends::receiver_left)
         return 0;
-    if (first_byte_waits())
+    if (byte_waits())
         return bytes_before_part_ + 1;
     const bool on_its_way = direction.phase == Phase::byte_lost || direction.phase == Phase::unnoticed ||
                             (direction.phase == Phase::owed && !reader_) ||
@@ -70,8 +70,8 @@ std::uint64_t LinkDirection::bytes_acknowledged() const {
     return bytes_before_part_ + bytes_started() - std::uint64_t{state().is_unacknowledged(number_)};
 }
 
-/// Nothing of the part under way is acknowledged any more, and the arrivals of its bytes are no news. The last byte of
-/// the part before may still be on a long wire, and its receiver waits for it.
+/// Drops the arrivals of the part under way. The last byte of the part before may still be on a long wire; its receiver
+/// waits for it, so that its arrival stays.
 void LinkDirection::break_off(LinkCourse::Touch& touch) {
     touch->drop_first_byte(number_);
     const bool last_byte_has_begun = bytes_started() > 0 && touch->packets.streams[number_].bytes_left == 0;
@@ -79,7 +79,7 @@ void LinkDirection::break_off(LinkCourse::Touch& touch) {
         touch->drop_last_byte(number_);
 }
 
-/// The sender stops in the middle of its message, if it is in one.
+/// Lets the sender stop in the middle of its message, if it is in one.
 void LinkDirection::drop_output(LinkCourse::Touch& touch) {
     LinkState::Direction& direction = touch->directions[number_];
     if (channel_->output_waits()) {
@@ -89,9 +89,7 @@ void LinkDirection::drop_output(LinkCourse::Touch& touch) {
         break_off(touch);
     }
     touch->drop_end_of_sending(number_);
-    direction.at = touch->may_start(number_);
-    touch->withdraw_packet(number_);
-    direction.phase = Phase::idle;
+    touch->stop(number_, Phase::idle);
     trace_standstill();
 }
 
@@ -109,13 +107,13 @@ bool LinkDirection::give_up_output(AnyChannel& channel) {
         sender = std::exchange(sender_, nullptr);
     }
     if (writer_)
-        writer_->register_ready(); // it may sleep until then
+        writer_->register_ready(); // its program may sleep until the register is free
     else if (sender)
         kernel_.make_ready(*sender);
     return true;
 }
 
-/// The receiving end is in no message any more. If the sender is in one, it gets no further.
+/// Takes the receiving end out of its message. If the sender is in one, that message gets no further.
 void LinkDirection::receiver_leaves(LinkCourse::Touch& touch) {
     LinkState::Direction& direction = touch->directions[number_];
     const bool in_message = bytes_taken() > 0;
@@ -124,14 +122,11 @@ void LinkDirection::receiver_leaves(LinkCourse::Touch& touch) {
         break_off(touch);
         direction.ends = Ends::receiver_left;
         const bool is_between_parts = direction.phase == Phase::idle || touch->expects_end_of_sending(number_);
-        if (!is_between_parts && direction.phase != Phase::byte_lost && direction.phase != Phase::acknowledge_lost) {
-            direction.at = touch->may_start(number_);
-            touch->withdraw_packet(number_);
-            direction.phase = Phase::broken_off;
-        }
+        if (!is_between_parts && direction.phase != Phase::byte_lost && direction.phase != Phase::acknowledge_lost)
+            touch->stop(number_, Phase::broken_off);
         trace_standstill();
     }
-    if (in_message) // the end of a part of it may still be on the wire
+    if (in_message) // the end of an earlier part may still be on the wire
         touch->drop_last_bytes(number_);
     direction.first_byte = LinkState::FirstByte::asked_for;
 }

@@ -11,7 +11,7 @@ constexpr std::uint8_t order_of(EventQueue::Priority priority, std::size_t rank)
     return static_cast<std::uint8_t>(priority * LinkState::ranks + rank);
 }
 
-/// The order of an instant in which a direction's packets ask for their wires, and its own wire becomes free.
+/// Where a direction's requests for wires, and the end of a packet on its own wire, stand among simultaneous steps.
 struct Orders {
     std::uint8_t acknowledge_asks, byte_asks, wire_is_free;
 };
@@ -20,7 +20,7 @@ constexpr std::array<Orders, 2> orders{{
     {order_of(EventQueue::request, 5), order_of(EventQueue::start, 5), order_of(EventQueue::start, 4)},
 }};
 
-/// What stands in LinkState::arrivals.
+/// What an entry of LinkState::arrivals is.
 struct Arrival {
     LinkStep step;
     std::uint8_t direction, order;
@@ -38,7 +38,8 @@ constexpr std::array<Arrival, LinkState::most_arrivals> kinds_of_arrivals{{
     {LinkStep::falls_silent, 1, order_of(EventQueue::arrival, 4)},
 }};
 
-/// Of two packets that wait for one wire the acknowledge goes first.
+/// If two packets wait for one wire, the acknowledge goes first. next_within() in link_period.cpp follows the same rule
+/// for packets that run by themselves.
 bool comes_before(const LinkState::Next& a, const LinkState::Next& b) {
     if (a.at != b.at) [[likely]]
         return a.at < b.at;
@@ -76,7 +77,7 @@ LinkState::Next LinkState::next() const {
     return next;
 }
 
-/// Without branches, since the processor cannot foresee the outcome.
+/// The loop has no branches, since the host processor cannot predict the outcome.
 std::size_t LinkState::first_arrival() const {
     Time earliest = arrivals[0];
     std::size_t first = 0;
@@ -88,7 +89,7 @@ std::size_t LinkState::first_arrival() const {
     return first;
 }
 
-LinkState::Outcome LinkState::take(const Next& next, const PacketTimes& times, Fate fate) {
+LinkState::Outcome LinkState::perform(const Next& next, const PacketTimes& times, Fate fate) {
     const std::size_t d = next.direction;
     Direction& direction = directions[d];
     packets.now = next.at;
@@ -109,8 +110,8 @@ LinkState::Outcome LinkState::take(const Next& next, const PacketTimes& times, F
     return {};
 }
 
-/// A first byte whose receiver waits is noticed before it has arrived, if nothing can be lost: then its arrival makes
-/// no difference to anybody.
+/// A first byte whose receiver waits is noticed before it has arrived. If nothing can be lost, its arrival then changes
+/// nothing, and is not expected.
 LinkState::Outcome LinkState::begin_byte(std::size_t d, const PacketTimes& times, Fate fate) {
     Direction& direction = directions[d];
     LinkPackets::Stream& stream = packets.streams[d];
@@ -119,7 +120,7 @@ LinkState::Outcome LinkState::begin_byte(std::size_t d, const PacketTimes& times
     if (fate == Fate::is_lost || direction.ends != Ends::agree) {
         direction.phase = Phase::byte_lost;
         stream.due = never;
-        return {.loses = true};
+        return {.is_lost = true};
     }
     const bool is_first = stream.bytes_left + 1 == direction.part_bytes;
     if (is_first && !is_first_byte_foreseen(d, times))
@@ -137,13 +138,13 @@ LinkState::Outcome LinkState::begin_acknowledge(std::size_t d, const PacketTimes
     Direction& direction = directions[d];
     LinkPackets::Stream& stream = packets.streams[d];
     const bool is_last = stream.bytes_left == 0;
-    const bool delivers = is_last && direction.phase != Phase::taken;
+    const bool delivers = is_last && direction.phase != Phase::delivered;
     packets.begin(times, d);
     lasts_too_long = lasts_too_long || stream.due == never;
     if (fate == Fate::is_lost) {
         direction.phase = Phase::acknowledge_lost;
         stream.due = never;
-        return {.delivers = delivers, .loses = true};
+        return {.delivers = delivers, .is_lost = true};
     }
     if (is_last)
         expect(end_of_sending(d), later(packets.now, times.acknowledge_arrival()));
@@ -154,7 +155,7 @@ LinkState::Outcome LinkState::begin_acknowledge(std::size_t d, const PacketTimes
     return {.delivers = delivers};
 }
 
-/// The part was delivered before, if its acknowledge has begun: certainly if the next part is under way.
+/// The receiver has the part already if the acknowledge has begun, as it must have when the next part is under way.
 LinkState::Outcome LinkState::last_byte_arrives(std::size_t d) {
     Direction& direction = directions[d];
     const LinkPackets::Stream& stream = packets.streams[d];
@@ -165,7 +166,7 @@ LinkState::Outcome LinkState::last_byte_arrives(std::size_t d) {
     const bool waits_for_acknowledge =
         direction.phase == Phase::travels && stream.acknowledge && stream.bytes_left == 0;
     if (waits_for_acknowledge)
-        direction.phase = Phase::taken;
+        direction.phase = Phase::delivered;
     return {.delivers = waits_for_acknowledge, .wakes = true};
 }
 
@@ -197,8 +198,10 @@ Time LinkState::may_start(std::size_t d) const {
     return phase == Phase::travels && !stream.acknowledge ? stream.due : stream.last_start;
 }
 
-/// One that was due leaves the moment at which its wire is free: the link is busy until then.
-void LinkState::withdraw_packet(std::size_t d) {
+/// A packet that waited for its wire leaves the end of the packet that it waited for: the link is busy until then.
+void LinkState::stop(std::size_t d, Phase phase) {
+    directions[d].at = may_start(d);
+    directions[d].phase = phase;
     LinkPackets::Stream& stream = packets.streams[d];
     const std::size_t wire = packets.wire_of(d);
     if (stream.due <= packets.now && packets.free_at[wire] > packets.now)
@@ -217,7 +220,7 @@ void LinkState::drop_last_byte(std::size_t d) {
 
 bool LinkState::is_unacknowledged(std::size_t d) const {
     switch (directions[d].phase) {
-    case Phase::taken:
+    case Phase::delivered:
     case Phase::unnoticed:
     case Phase::owed:
     case Phase::byte_lost:

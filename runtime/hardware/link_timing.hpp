@@ -15,12 +15,12 @@ namespace placedpar::hardware {
 /// 11.5 bit periods by the databook's table 8.1 (T805, 1740 Kbyte/s), 11.4 by K. Koontz (1.75 Mbyte/s,
 /// comp.sys.transputer, January 1991), 11.25 by the ping-pong of Poznan (2008), and 21.5 there through three
 /// switches, which leaves 11.0 without them: these contradict each other by up to 5 %, and 11.2 is within 3 % of each.
-/// Both ways it takes 17.0 (2350 Kbyte/s in sum): 11 and the restart. At 10 and 5 Mbit/s it takes less, so that part of
-/// the restart is taken as logic that does not slow down with the link.
+/// Both ways a byte takes 17.0 bit periods (2350 Kbyte/s in sum): 11 and the restart. At 10 and 5 Mbit/s it takes
+/// fewer, so that part of the restart is modelled as logic that does not slow down with the link.
 struct LinkTiming {
     static constexpr std::int64_t usual_speed = 20'000'000;
     std::int64_t bits_per_second = usual_speed;
-    Time wire_delay{};                  ///< one way, of wire and switches
+    Time wire_delay{};                  ///< delay of wire and switches, one way
     bool overlapped_acknowledge = true; ///< T800, T805, T425; not T414
 
     static constexpr std::int64_t data_bits = 11;
@@ -28,19 +28,19 @@ struct LinkTiming {
     /// Latencies in tenths of a bit period, and the part of the restart that does not depend on the speed.
     static constexpr std::int64_t acknowledge_tenths = 52, restart_tenths = 36;
     static constexpr Time restart_logic = std::chrono::nanoseconds{120};
-    /// A transmission line.
+    /// Delay of a metre of wire, as a transmission line.
     static constexpr Time metre_of_wire = std::chrono::nanoseconds{5};
 
     constexpr Time data() const { return duration_of(data_bits, bits_per_second); }
     constexpr Time acknowledge() const { return duration_of(acknowledge_bits, bits_per_second); }
 
-    /// From the start of a byte at the receiver to the start of its acknowledge, if a process takes the byte
+    /// Returns the time from the start of a byte at the receiver to the start of its acknowledge, if a receiver waits
     /// and the wire is free: 5.2 bit periods; without overlap, counted from the end of the byte.
     constexpr Time acknowledge_latency() const {
         Time latency = duration_of(acknowledge_tenths, 10 * bits_per_second);
         return overlapped_acknowledge ? latency : data() + latency;
     }
-    /// From the start of the acknowledge at the sender to the start of the next byte: 6 bit periods at
+    /// Returns the time from the start of the acknowledge at the sender to the start of the next byte: 6 bit periods at
     /// 20 Mbit/s; without overlap, counted from the end of the acknowledge.
     constexpr Time restart_latency() const {
         Time latency = duration_of(restart_tenths, 10 * bits_per_second) + restart_logic;
@@ -48,11 +48,11 @@ struct LinkTiming {
     }
 };
 
-/// The same, divided once: links ask for them with each packet.
+/// The times of LinkTiming, worked out once, since links need them for each packet.
 struct PacketTimes {
     struct Packet {
-        Time carried;   ///< by its wire, so long
-        Time to_answer; ///< from its start to the request for what answers it: the acknowledge, or the next byte
+        Time carried;   ///< how long its wire carries it
+        Time to_answer; ///< from its start to the request for its answer: the acknowledge of a byte, the byte after it
     };
     explicit constexpr PacketTimes(const LinkTiming& timing)
         : packets{Packet{timing.data(), later(timing.wire_delay, timing.acknowledge_latency())},
@@ -61,7 +61,7 @@ struct PacketTimes {
 
     const Packet& byte() const { return packets[0]; }
     const Packet& acknowledge() const { return packets[1]; }
-    /// From the start of a byte, or of an acknowledge, until the whole of it has arrived.
+    /// Returns the time from the start of a byte, or of an acknowledge, until the whole of it has arrived.
     Time arrival() const { return later(wire_delay, byte().carried); }
     Time acknowledge_arrival() const { return later(wire_delay, acknowledge().carried); }
     /// Whether a byte is noticed before the whole of it has arrived.

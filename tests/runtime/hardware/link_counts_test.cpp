@@ -21,6 +21,7 @@
 #include <initializer_list>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 using namespace placedpar;
@@ -287,6 +288,58 @@ TEST_CASE("a direction whose bytes are moved by counts carries no messages, and 
     });
     simulation.process("inputs", [&] { carried.in().input(); });
     CHECK(simulation.run().ending == Ending::completed);
+}
+
+TEST_CASE("transfers by counts are refused when they are empty, and while the one before is under way") {
+    struct User final : ByteUser {
+    } user;
+    Simulation simulation;
+    LinkDirection& direction = simulation.add<Link>().from_a_to_b();
+    direction.move_by_counts(user, user);
+    simulation.process("both ends", [&] {
+        CHECK_THROWS_AS(direction.give(0), std::logic_error);
+        CHECK_THROWS_AS(direction.take(0), std::logic_error);
+        direction.give(2);
+        CHECK_THROWS_WITH_AS(direction.give(1), doctest::Contains("a -> b"), std::logic_error);
+        direction.take(3);
+        CHECK_THROWS_WITH_AS(direction.take(1), doctest::Contains("a -> b"), std::logic_error);
+        wait_until(1ms);
+        direction.give(1); // the two were sent
+        wait_until(2ms);
+        direction.take(1); // the three were taken
+        direction.give(1);
+    });
+    CHECK(simulation.run().ending == Ending::completed);
+    CHECK(direction.bytes_carried() == 4);
+}
+
+TEST_CASE("a long transfer that begins in sent() costs as few events as the one before it") {
+    struct Ends final : ByteUser {
+        explicit Ends(LinkDirection& d) : direction(d) {}
+        void sent() override {
+            if (!std::exchange(again, true))
+                direction.give(100'000'000);
+        }
+        void taken() override {
+            if (!std::exchange(taken_again, true))
+                direction.take(100'000'000);
+        }
+        LinkDirection& direction;
+        bool again = false, taken_again = false;
+    };
+    Simulation simulation;
+    LinkDirection& direction = simulation.add<Link>().from_a_to_b();
+    Ends ends(direction);
+    direction.move_by_counts(ends, ends);
+    simulation.process("begins", [&] {
+        direction.give(100'000'000);
+        direction.take(100'000'000);
+        wait_until(Time{200s});
+    });
+    const RunResult result = simulation.run();
+    CHECK(result.ending == Ending::completed);
+    CHECK(direction.bytes_carried() == 200'000'000);
+    CHECK(result.events < 20);
 }
 
 TEST_CASE("what faults do to bytes that are moved by counts is noted by the name of the direction") {

@@ -33,7 +33,7 @@ std::vector<Entry> two_bytes(const PacketTimes& times) {
     std::vector<Entry> trace;
     for (LinkState::Next next = state.next(); next.at != never; next = state.next()) {
         trace.push_back({next.step, next.at});
-        state.take(next, times);
+        state.perform(next, times);
     }
     return trace;
 }

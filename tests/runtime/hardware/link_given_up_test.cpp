@@ -119,7 +119,31 @@ TEST_CASE("a message that its receiver has given up twice does not arrive") {
     }
 }
 
-TEST_CASE("a run in which nobody receives ends when the first byte has arrived and has been noticed") {
+TEST_CASE(
+    "a first byte that is under way when the speed changes arrives as it began, also when its receiver gives up") {
+    for (bool every_byte : {false, true}) {
+        CAPTURE(every_byte);
+        TwoWays ways({}, every_byte);
+        ways.link.suffer({.kind = LinkFault::Kind::slow, .from = 100ns, .factor = 8});
+        TwoParts received;
+        Time announced{};
+        ways.simulation.process("sender", [&] { ways.there.out().output({.bytes = 2}); });
+        ways.simulation.process("receiver", [&] {
+            CHECK_FALSE(input_or_fail(ways.there.in(), received, Time{200ns}));
+            CHECK(reset(ways.there.in()) == 0);
+            std::vector<Guard> guards{{Guard::input, &ways.there}, {Guard::timeout, nullptr, Time{50us}}};
+            CHECK(select(guards) == 0);
+            announced = now();
+        });
+        // This byte begins at the new speed before the receiver gives up.
+        ways.simulation.process("sender back", [&] { wait_until(Time{150ns}), ways.back.out().output({.bytes = 1}); });
+        ways.simulation.process("receiver back", [&] { ways.back.in().input(); });
+        ways.simulation.run();
+        CHECK(announced == 550ns); // 11 bits at the usual speed
+    }
+}
+
+TEST_CASE("a run in which no process receives ends when the first byte has arrived and has been noticed") {
     for (bool every_byte : {false, true}) {
         CHECK(end_without_receiver(true, every_byte) == 550ns);  // 11 bits
         CHECK(end_without_receiver(false, every_byte) == 810ns); // 11 bits, then 5.2

@@ -43,7 +43,7 @@ Step shown(const LinkState::Next& next) {
 }
 
 LinkState::Outcome take_next(LinkState& state, LinkState::Fate fate = LinkState::Fate::comes_over) {
-    return state.take(state.next(), usual, fate);
+    return state.perform(state.next(), usual, fate);
 }
 
 /// Takes all steps that are to come.
@@ -51,7 +51,7 @@ Steps drain(LinkState& state) {
     Steps steps;
     for (LinkState::Next next; (next = state.next()).at != never && steps.size() < 100;) {
         steps.push_back(shown(next));
-        state.take(next, usual);
+        state.perform(next, usual);
     }
     return steps;
 }
@@ -99,17 +99,17 @@ TEST_CASE("link state: without overlap a byte arrives before it is acknowledged"
     const PacketTimes in_turn(LinkTiming{.wire_delay = 40ns, .overlapped_acknowledge = false});
     LinkState state;
     begin_part(state, 0, 1, Receiver::waits);
-    state.take(state.next(), in_turn);
+    state.perform(state.next(), in_turn);
     CHECK(state.expects_first_byte(0));
     CHECK(shown(state.next()) == Step{LinkStep::first_byte_arrives, 0, 590ns});
-    state.take(state.next(), in_turn);
+    state.perform(state.next(), in_turn);
     CHECK(shown(state.next()) == Step{LinkStep::last_byte_arrives, 0, 590ns});
-    LinkState::Outcome last_byte = state.take(state.next(), in_turn);
+    LinkState::Outcome last_byte = state.perform(state.next(), in_turn);
     CHECK(last_byte.delivers);
     CHECK(last_byte.wakes);
-    CHECK(state.directions[0].phase == Phase::taken);
+    CHECK(state.directions[0].phase == Phase::delivered);
     CHECK(shown(state.next()) == Step{LinkStep::acknowledge_begins, 0, 850ns});
-    CHECK(!state.take(state.next(), in_turn).delivers);
+    CHECK(!state.perform(state.next(), in_turn).delivers);
     CHECK(shown(state.next()) == Step{LinkStep::sending_ends, 0, 990ns});
     CHECK(state.may_start(0) == 850ns + 440ns); // the acknowledge, and what an overlapped one takes
 }
@@ -129,7 +129,7 @@ TEST_CASE("link state: a byte for which nobody has asked waits, unacknowledged")
     CHECK(state.directions[0].first_byte == LinkState::FirstByte::waits);
     CHECK(state.is_unacknowledged(0));
     state.packets.now = 2us;
-    state.ask_for_acknowledge(0, Phase::taken, state.packets.now);
+    state.ask_for_acknowledge(0, Phase::delivered, state.packets.now);
     CHECK(!take_next(state).delivers);
     CHECK(!state.is_unacknowledged(0));
     CHECK(drain(state) == Steps{{LinkStep::sending_ends, 0, 2140ns}});
@@ -226,7 +226,7 @@ TEST_CASE("link state: a packet that is withdrawn leaves the end of what its wir
         state.packets.now = 400ns;
         state.packets.free_at = {wire_is_free, 0ns};
         state.ask_for_acknowledge(1, Phase::travels, asks);
-        state.withdraw_packet(1);
+        state.stop(1, Phase::idle);
         return drain(state);
     };
     CHECK(left_of(300ns, 500ns) == Steps{{LinkStep::falls_silent, 0, 500ns}});
@@ -242,7 +242,7 @@ TEST_CASE("link state: nothing follows a packet that is lost") {
     LinkState acknowledge_lost = state;
 
     LinkState::Outcome byte = take_next(state, LinkState::Fate::is_lost);
-    CHECK(byte.loses);
+    CHECK(byte.is_lost);
     CHECK(!byte.delivers);
     CHECK(state.directions[0].phase == Phase::byte_lost);
     CHECK(state.is_unacknowledged(0));
@@ -250,7 +250,7 @@ TEST_CASE("link state: nothing follows a packet that is lost") {
 
     take_next(acknowledge_lost);
     LinkState::Outcome acknowledge = take_next(acknowledge_lost, LinkState::Fate::is_lost);
-    CHECK(acknowledge.loses);
+    CHECK(acknowledge.is_lost);
     CHECK(acknowledge.delivers);
     CHECK(acknowledge_lost.directions[0].phase == Phase::acknowledge_lost);
     CHECK(acknowledge_lost.is_unacknowledged(0));
@@ -271,7 +271,7 @@ TEST_CASE("link state: a program writes the next byte when its register is free,
     CHECK(state.may_start(0) == 640ns);
     CHECK(state.runs_before(0, usual) == 640ns);
     REQUIRE(shown(state.next_packet(0)) == Step{LinkStep::register_is_free, 0, 640ns});
-    state.take(state.next_packet(0), usual);
+    state.perform(state.next_packet(0), usual);
     CHECK(state.directions[0].phase == Phase::idle);
 }
 
@@ -315,7 +315,7 @@ TEST_CASE("link packets: of a run of bytes it is known at every moment how many 
             REQUIRE(period.is_simple_around(moment) == (moment > period.since));
             REQUIRE(period.bytes_left(direction, moment) == bytes - 1 - moment / 640ns);
             LinkPackets then = start.packets;
-            period.run(then, usual, {.before = moment});
+            period.replay(then, usual, {.before = moment});
             REQUIRE(then.streams[direction].bytes_left == bytes - (moment + 639ns) / 640ns);
         }
     }
@@ -371,7 +371,7 @@ TEST_CASE("link packets: two busy directions of which one began 100 ns later rep
     }
     for (Time before{}; before <= last; before += 10ns) {
         LinkPackets then = start.packets;
-        period.run(then, usual, {.before = before});
+        period.replay(then, usual, {.before = before});
         REQUIRE(then.streams[0].bytes_left == 100 - begun_by(before - Time{1}, 0ns, 990ns));
         REQUIRE(then.streams[1].bytes_left == 60 - begun_by(before - Time{1}, 100ns, 890ns));
     }
@@ -403,7 +403,7 @@ LinkPackets::Stream random_stream(RandomStream& random, const PacketTimes& times
 /// The same packets one by one.
 LinkPackets run_each(LinkPackets packets, const PacketTimes& times, const LinkLimit& limit) {
     LinkPeriod unknown;
-    unknown.run(packets, times, limit);
+    unknown.replay(packets, times, limit);
     return packets;
 }
 
@@ -442,7 +442,7 @@ TEST_CASE("link packets: periods that are passed at once come to what single pac
             const Time moment{static_cast<std::int64_t>(anywhere) * grid};
             const LinkPackets then = run_each(start, times, {moment, limit.last_bytes_stop});
             LinkPackets run = start;
-            period.run(run, times, {moment, limit.last_bytes_stop});
+            period.replay(run, times, {moment, limit.last_bytes_stop});
             check_same(run, then);
             if (!period.is_simple_around(moment))
                 continue;
