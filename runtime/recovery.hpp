@@ -35,9 +35,10 @@ public:
     Attempt(const Attempt&) = delete;
     Attempt& operator=(const Attempt&) = delete;
 
-    /// Gives up at that moment; when it has passed, as soon as nothing else can happen at this one.
+    /// Sets the time at which the attempt is given up. If the deadline has passed, the attempt is given up as soon as
+    /// nothing else can happen at the current instant.
     void until(Time deadline) { deadline_ = deadline; }
-    /// Gives up when a message waits in the channel.
+    /// Gives up the attempt when a message waits in `failure`.
     void until_told_by(AnyChannel& failure);
     bool failed() const { return failed_; }
 
@@ -54,7 +55,7 @@ private:
     bool failed_ = false;
 };
 
-/// Returns whether the message has gone, with its acknowledge, before the deadline.
+/// Outputs the message; returns whether it was sent and acknowledged before the deadline.
 template <class T>
 bool output_or_fail(Output<T> to, T message, Time deadline, const SourceLocation& where = SourceLocation::current()) {
     Attempt attempt(to.channel(), Attempt::End::output);
@@ -63,7 +64,8 @@ bool output_or_fail(Output<T> to, T message, Time deadline, const SourceLocation
     return !attempt.failed();
 }
 
-/// Returns whether it has gone before a message came from `failure`, which is input then.
+/// Outputs the message; returns whether it was sent before a message came from `failure`. The message from `failure` is
+/// input if it ends the attempt.
 template <class T, class F>
 bool output_or_fail(Output<T> to, T message, Input<F> failure,
                     const SourceLocation& where = SourceLocation::current()) {
