@@ -81,7 +81,7 @@ bool output_or_fail(Output<T> to, T message, Input<F> failure,
     return !failed;
 }
 
-/// Returns whether the message has come before the deadline; else it is as it was.
+/// Inputs a message; returns whether it was received before the deadline. If not, `message` is unchanged.
 template <class T>
 bool input_or_fail(Input<T> from, T& message, Time deadline, const SourceLocation& where = SourceLocation::current()) {
     std::optional<T> slot;
@@ -93,7 +93,8 @@ bool input_or_fail(Input<T> from, T& message, Time deadline, const SourceLocatio
     return !attempt.failed();
 }
 
-/// Returns whether it has come before a message came from `failure`, which is input then.
+/// Inputs a message; returns whether it was received before a message came from `failure`. If not, the message from
+/// `failure` is input, and `message` is unchanged.
 template <class T, class F>
 bool input_or_fail(Input<T> from, T& message, Input<F> failure,
                    const SourceLocation& where = SourceLocation::current()) {
@@ -113,8 +114,9 @@ bool input_or_fail(Input<T> from, T& message, Input<F> failure,
 }
 
 /// Reinitialise, ChanReset: makes the end of the channel ready for a next message, after one was given up there or at
-/// the other end. Returns how many bytes of that had come over: those acknowledged, or those taken; of a soft channel
-/// none. Throws std::logic_error when another process owns the end, or one is in it.
+/// the other end. Returns how many bytes of that message had been transferred: at an output the acknowledged bytes, at
+/// an input the bytes taken; 0 on a soft channel. Throws std::logic_error when another process owns the end, or a
+/// process is communicating there.
 std::uint64_t reset(AnyChannel&, Attempt::End);
 template <class T>
 std::uint64_t reset(Output<T> end) {
