@@ -18,8 +18,8 @@ struct Stack {
     static std::size_t bytes() { return SwitchedStack::is_watched() ? 4 * usual_bytes : usual_bytes; }
     static constexpr std::size_t zone_bytes = 64 * 1024; ///< more than most arrays, which are not written in order
 
-    /// Whether who uses it came by its end to the address where a fault was: into the zone that is guarded or, where it
-    /// is not, through it.
+    /// Returns whether a fault at the address is an overflow of this stack: into its guarded zone, or through a zone
+    /// that is not guarded.
     bool was_left_for(const void* address) const;
     /// Returns whether the end of the zone, which was all zeros, has been overwritten. For stacks that are not guarded.
     bool has_overflowed() const;
