@@ -51,7 +51,7 @@ inline void report(const std::string& what, double nanoseconds_per_event, double
                bytes_per_process, fingerprint);
 }
 
-/// Argument number i, or what is usual; ends the program where it is no number from 1 on.
+/// Argument number i, or what is usual; ends the program if it is not a number of at least 1.
 inline long argument(int argc, char** argv, int i, long usual, const char* usage) {
     if (i >= argc)
         return usual;

@@ -23,9 +23,9 @@ struct Guard {
     SourceLocation where{};        ///< in its program
 };
 
-/// Waits until a guard is ready and returns its index; of several ready ones the first in the order given, which is
-/// occam's PRI ALT, and what the transputer's own instructions choose for ALT. Guards of kind `never` (a condition
-/// that is false) are passed over. The message of an input guard has not been input yet.
+/// Waits until a guard is ready and returns its index. If several guards are ready, the first in the given order is
+/// chosen, as in occam's PRI ALT; the transputer's instructions choose in the same way for ALT. Guards of kind `never`
+/// (a condition that is false) are ignored. select() does not input the message of an input guard.
 /// Throws std::logic_error when no guard could ever be ready (occam: such an ALT acts as STOP).
 std::size_t select(std::span<const Guard> guards, const SourceLocation& = SourceLocation::current());
 
@@ -42,9 +42,9 @@ auto after(Time due, Body body, const SourceLocation& where = SourceLocation::cu
     return std::pair(Guard{Guard::timeout, nullptr, due, where}, std::move(body));
 }
 
-/// occam's SKIP guard: always ready, so that a guard before it is chosen only if it is ready, and one behind it never.
-/// Polling costs a placed process its cycles. One that is not placed polls in no time: others get their turn at this
-/// moment, but time passes only when it waits.
+/// occam's SKIP guard is always ready. Guards listed before it are chosen if they are ready; guards listed after it are
+/// never chosen. Polling costs a placed process cycles. A process that is not placed polls in no virtual time: other
+/// processes get their turn at the same instant, but time passes only when the polling process waits.
 template <std::invocable Body>
 auto skip(Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::skip, nullptr, Time{}, where}, std::move(body));
@@ -58,24 +58,24 @@ auto when(bool condition, std::pair<Guard, Body> guarded) {
     return guarded;
 }
 
-/// Several guards in the place of one: a replicated guard, or an ALT within an ALT.
+/// A group of guards that is passed to alt() like a single guard: a replicated guard, or an ALT within an ALT.
 template <class Body>
 struct Guards {
     std::vector<Guard> guards;
-    std::vector<std::size_t> numbers; ///< of each, the replicator's value
-    Body body;                        ///< is given the number of the one that was chosen
+    std::vector<std::size_t> numbers; ///< the replicator's value for each guard
+    Body body;                        ///< is called with the number of the chosen guard
 };
 template <class Body>
 Guards(std::vector<Guard>, std::vector<std::size_t>, Body) -> Guards<Body>;
 
-/// Whose turn it is in a fair ALT, which remembers it from one time to the next.
+/// The input that a fair ALT tests first; it is kept from one execution of the ALT to the next.
 struct Turn {
     std::size_t next = 0;
 };
 
 namespace detail {
 
-/// One guard of each input, beginning with inputs[first]. `body` is given the number of the input.
+/// Makes one guard for each input, beginning with inputs[first]. `body` is called with the number of the input.
 template <class T, class Body>
 auto replicated(std::span<const Input<T>> inputs, std::size_t first, Body body, const SourceLocation& where) {
     std::vector<Guard> guards;
@@ -89,18 +89,18 @@ auto replicated(std::span<const Input<T>> inputs, std::size_t first, Body body, 
 
 } // namespace detail
 
-/// A replicated guard, `ALT i = 0 FOR n`: `each(inputs, [&](std::size_t i, T message) { ... })`. Of several ready ones
-/// the first is chosen. REQUIRES: the inputs outlive it.
+/// A replicated guard, `ALT i = 0 FOR n`: `each(inputs, [&](std::size_t i, T message) { ... })`. If several
+/// inputs are ready, the first is chosen. REQUIRES: the inputs outlive the returned guards.
 template <class T, std::invocable<std::size_t, T> Body>
 auto each(std::span<const Input<T>> inputs, Body body, const SourceLocation& where = SourceLocation::current()) {
     auto take = [inputs, body = std::move(body), where](std::size_t i) mutable { body(i, inputs[i].input(where)); };
     return detail::replicated(inputs, 0, std::move(take), where);
 }
 
-/// A replicated guard that is fair: the first to be looked at is the one behind that which was chosen last, so that
-/// each that is ready is chosen before another is a second time (G. Jones, Carefully scheduled selection with ALT,
+/// A fair replicated guard: testing starts with the input after the one that was chosen last, so that every ready input
+/// is chosen once before any input is chosen twice (G. Jones, Carefully scheduled selection with ALT,
 /// occam user group newsletter 10, 1989). `each(inputs, turn, [&](std::size_t i, T message) { ... })`. REQUIRES: the
-/// inputs and the turn outlive it.
+/// inputs and the turn outlive the returned guards.
 template <class T, std::invocable<std::size_t, T> Body>
 auto each(std::span<const Input<T>> inputs, Turn& turn, Body body,
           const SourceLocation& where = SourceLocation::current()) {
@@ -122,7 +122,7 @@ auto each(const std::vector<Input<T>>& inputs, Turn& turn, Body body,
     return each(std::span<const Input<T>>(inputs), turn, std::move(body), where);
 }
 
-/// An ALT within an ALT: its guards stand in its place, in their order.
+/// An ALT within an ALT: the inner guards take the place of the inner ALT, in their order.
 template <class... Bodies>
 auto either(std::pair<Guard, Bodies>... alternatives) {
     std::vector<std::size_t> numbers(sizeof...(alternatives));
@@ -137,8 +137,8 @@ auto either(std::pair<Guard, Bodies>... alternatives) {
                   }};
 }
 
-/// A condition before each, `ALT i = 0 FOR n  wanted[i] & c[i] ? x`: `when([&](std::size_t i) { return wanted[i]; },
-/// each(...))`.
+/// Puts a condition before each guard, `ALT i = 0 FOR n  wanted[i] & c[i] ? x`: `when([&](std::size_t i) { return
+/// wanted[i]; }, each(...))`.
 template <std::predicate<std::size_t> Condition, class Body>
 auto when(Condition condition, Guards<Body> several) {
     for (std::size_t k = 0; k < several.guards.size(); ++k)
@@ -147,7 +147,7 @@ auto when(Condition condition, Guards<Body> several) {
     return several;
 }
 
-/// A condition before all of them.
+/// Puts one condition before all guards of the group.
 template <class Body>
 auto when(bool condition, Guards<Body> several) {
     return when([=](std::size_t) { return condition; }, std::move(several));
@@ -190,7 +190,8 @@ inline constexpr bool is_guards<Guards<Body>> = true;
 
 } // namespace detail
 
-/// The same where one of them is several: `alt(each(inputs, ...), after(time, ...))`. Returns the index among all.
+/// Does the same when an alternative is a group of guards: `alt(each(inputs, ...), after(time, ...))`. Returns the
+/// index of the chosen guard, counted over all groups.
 template <class... Alternatives>
 requires(detail::is_guards<Alternatives> || ...) std::size_t alt(Alternatives... alternatives) {
     std::vector<Guard> guards;
@@ -208,7 +209,7 @@ requires(detail::is_guards<Alternatives> || ...) std::size_t alt(Alternatives...
     return chosen;
 }
 
-/// Of one replicated guard alone: `alt(inputs, [&](std::size_t i, T message) { ... })`.
+/// Runs an ALT that consists of one replicated guard: `alt(inputs, [&](std::size_t i, T message) { ... })`.
 template <class T, std::invocable<std::size_t, T> Body>
 std::size_t alt(std::span<const Input<T>> inputs, Body body, const SourceLocation& where = SourceLocation::current()) {
     return alt(each(inputs, std::move(body), where));

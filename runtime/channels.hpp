@@ -11,19 +11,19 @@
 
 namespace placedpar {
 
-/// occam's `[n]CHAN OF T`. It moves, into a container or out of a function; its channels stay where they are, so that
-/// their ends remain theirs, and what it has been moved from is an array of none.
+/// occam's `[n]CHAN OF T`. The array can be moved; its channels keep their addresses, so that their ends stay valid. An
+/// array that was moved from is empty.
 template <class T>
 class Channels {
 public:
-    /// Of none.
+    /// Makes an empty array.
     Channels() = default;
-    /// "name[0]" to "name[count - 1]".
+    /// Makes the channels "name[0]" to "name[count - 1]".
     Channels(const std::string& name, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i)
             channels_.emplace_back(element(name, i));
     }
-    /// Hard channels, one on each carrier, such as a direction of each link. The carriers outlive them.
+    /// Makes one hard channel on each carrier, such as a direction of a link. REQUIRES: the carriers outlive the array.
     Channels(const std::string& name, const std::vector<std::reference_wrapper<Carrier>>& on) {
         for (std::size_t i = 0; i < on.size(); ++i)
             channels_.emplace_back(element(name, i), on[i].get());
@@ -39,12 +39,12 @@ public:
     ~Channels() = default;
 
     std::size_t size() const { return channels_.size(); }
-    /// Throws std::out_of_range where there is none, as occam's subscripts are checked.
+    /// Throws std::out_of_range if the index is too large; occam checks its subscripts, too.
     Channel<T>& operator[](std::size_t i) { return channels_.at(i); }
     auto begin() { return channels_.begin(); }
     auto end() { return channels_.end(); }
 
-    /// All ends, as a replicated ALT, or a process that has them, takes them.
+    /// Returns the ends of all channels, for a replicated ALT or a process.
     std::vector<Input<T>> in() & {
         std::vector<Input<T>> ends;
         for (Channel<T>& each : channels_)
@@ -57,7 +57,7 @@ public:
             ends.push_back(each.out());
         return ends;
     }
-    /// The ends of channels that are gone at the end of the statement.
+    // Deleted: a temporary array's channels are destroyed at the end of the statement.
     std::vector<Input<T>> in() && = delete;
     std::vector<Output<T>> out() && = delete;
 

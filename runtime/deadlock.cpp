@@ -37,7 +37,8 @@ std::string path_of(const AnyChannel::User& user, const Processes& living) {
 
 bool halted(const Process& process) { return process.executive() && process.executive()->halted(); }
 
-/// Who would have to act so that the process in output goes on: the inputter, or who holds up the message.
+/// Returns the processes that would have to act so that the outputting process continues: the inputter, or those that
+/// hold up the message.
 void add_awaited_by_output(const AnyChannel& channel, const Processes& living, Processes& partners) {
     auto held_up_by = channel.held_up_by();
     if (held_up_by.empty() || (channel.output_waits() && !channel.input_waits()))
@@ -249,7 +250,7 @@ bool lacks_partner(const Process& process, const AnyChannel& channel) {
     }
 }
 
-/// Whether nobody can make it go on.
+/// Returns whether no process can make it continue.
 bool is_lost(const Process& process) {
     auto lost = [&](const AnyChannel* channel) {
         return process.activity() == Activity::outputting  ? channel->output_is_lost()

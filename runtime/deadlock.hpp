@@ -14,7 +14,7 @@ class Kernel;
 struct StuckProcess {
     std::string path;
     Activity activity;
-    std::vector<std::string> channels; ///< on which it waits
+    std::vector<std::string> channels; ///< the channels on which the process waits
     std::string where;                 ///< "slave.cpp:57": the file and line of its program
     std::string netlist = "";          ///< "farm.cfs:12", where it is declared; "" without a netlist
 };
@@ -31,7 +31,8 @@ struct StuckChannel {
 /// same deadlock are equal.
 struct Deadlock {
     std::vector<std::string> cycle; ///< paths, each waiting for the next and the last for the first; may be empty
-    /// Why processes wait whose partners are there: "a, b: until c is output, too"; "a: until in resets its end, too".
+    /// Why processes wait although their partners are ready: "a, b: until c is output, too"; "a: until in resets its
+    /// end, too".
     std::vector<std::string> held_up;
     std::vector<StuckProcess> processes;
     std::vector<StuckChannel> channels;
@@ -40,16 +41,16 @@ struct Deadlock {
     std::string text() const;
 };
 
-// REQUIRES, both: called at the end of a run, before the processes are unwound.
+// REQUIRES for both functions: called at the end of a run, before the processes are unwound.
 
-/// Of all processes that are left.
+/// Reports all processes that have not ended.
 Deadlock find_deadlock(const Kernel&);
-/// Of those that wait only for each other, or for processes that have ended, while others could still go on; nothing
-/// where there are none. A process that waits at a channel's end that has had no partner so far is not counted: anyone
-/// may come.
+/// Reports the processes that wait only for each other, or for processes that have ended, while other processes could
+/// still continue. Returns nothing if there are none. A process that waits on a channel whose other end has not been
+/// used yet is not counted: some process may still use that end.
 std::optional<Deadlock> find_partial_deadlock(const Kernel&);
 
-/// "outputs", "alternates", ...
+/// Returns the verb for an activity: "outputs", "alternates", ...
 const char* name_of(Activity);
 
 } // namespace placedpar

@@ -11,7 +11,7 @@ namespace placedpar {
 class EventQueue;
 
 /// Something that will happen at a moment of virtual time: a delay ends, a bit arrives. An event is in the
-/// queue at most once, and leaves it when it is destroyed.
+/// queue at most once; its destructor removes it from the queue.
 class Event {
 public:
     Event() = default;
@@ -48,16 +48,17 @@ public:
     /// REQUIRES: the event is scheduled.
     Time time_of(const Event& event) const { return heap_[event.position_].time; }
 
-    /// Of one time and priority, events happen in the order in which they were scheduled. REQUIRES: the event is not
-    /// scheduled.
+    /// Schedules the event. Events of equal time and priority happen in the order in which they were scheduled.
+    /// REQUIRES: the event is not scheduled.
     void schedule(Event&, Time, Priority);
-    /// The same, but in the order of their ranks (Kernel::new_ranks), so that it makes no difference how early a device
-    /// foresaw them. REQUIRES: the event is not scheduled, and no other event of that time and priority has its rank.
+    /// Schedules the event; events of equal time and priority happen in the order of their ranks (Kernel::new_ranks),
+    /// however early a device scheduled them. REQUIRES: the event is not scheduled, and no other event of that time and
+    /// priority has its rank.
     void schedule(Event&, Time, Priority, std::uint64_t rank);
-    /// The same as to cancel the event, if it is scheduled, and to schedule it, but at less cost.
+    /// Has the same effect as cancel() followed by schedule(), at less cost.
     void reschedule(Event&, Time, Priority);
     void reschedule(Event&, Time, Priority, std::uint64_t rank);
-    /// No effect on an event that is not scheduled.
+    /// Removes the event from the queue, if it is scheduled.
     void cancel(Event&);
     /// Takes the first event out of the queue and lets it happen. REQUIRES: not empty().
     void happen_next();

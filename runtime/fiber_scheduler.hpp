@@ -22,7 +22,7 @@ public:
 
     Context* host() const { return host_; }
 
-    /// The next fiber that Boost announces is a new worker's.
+    /// Tells the scheduler that the next fiber that Boost announces belongs to a new worker.
     void expect_worker() { newest_ = nullptr, expecting_worker_ = true; }
     Context* newest_worker() const { return newest_; }
 
@@ -48,7 +48,7 @@ public:
 private:
     Context* host_;
     Context* newest_ = nullptr;
-    std::deque<Context*> resting_; ///< fibers that are no workers
+    std::deque<Context*> resting_; ///< fibers that are not workers
     bool expecting_worker_ = false;
 };
 

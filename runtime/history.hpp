@@ -12,17 +12,17 @@
 
 namespace placedpar {
 
-/// Thrown through a process that does something else than its history says. One that catches it all the same is unwound
-/// when it next does anything.
+/// Thrown through a process that departs from its history. A process that catches the exception is unwound at its next
+/// operation.
 class Departure {};
 
-/// What the histories of the processes of one run have in common: the course that it takes.
+/// The state that is shared by the histories of all processes of one run.
 struct RunHistory {
-    /// Readings that they may still note, 16 bytes each. A run that has more is not repeated.
+    /// Number of readings that the histories may still record, at 16 bytes each. A run with more is not repeated.
     std::size_t room = 4'000'000;
-    bool can_be_repeated = true;                ///< by what processes did so far
-    bool departed = false;                      ///< a process that does it once more has done something else
-    std::function<void()> on_departure = [] {}; ///< ends the run; called perhaps more than once
+    bool can_be_repeated = true;                ///< no process has done anything that cannot be repeated
+    bool departed = false;                      ///< a process that repeats its history has departed from it
+    std::function<void()> on_departure = [] {}; ///< ends the run; may be called more than once
 };
 
 /// What a process did in a run, and what it saw there that no message told it: which guards its alternations chose, and
@@ -57,9 +57,10 @@ public:
         bits
     };
 
-    /// To note what a process does. `name`: another for each process of the course, which outlives it.
+    /// Makes a history that records what a process does. REQUIRES: `name` is different for each process of the course;
+    /// the course outlives the history.
     History(RunHistory& course, std::uint64_t name) : course_(course), name_(name) {}
-    /// To do it once more. REQUIRES: the original outlives it, and does not change meanwhile.
+    /// Makes a history that repeats the original. REQUIRES: the original outlives it, and does not change meanwhile.
     History(RunHistory& course, const History& original)
         : course_(course), name_(original.name_), original_(&original) {
         next_component_ = original.components_.begin();
@@ -67,14 +68,15 @@ public:
     History(const History&) = delete;
     History& operator=(const History&) = delete;
 
-    /// Whether it is done once more: computations and delays take no time then.
+    /// Returns whether the process repeats a history; its computations and delays take no time then.
     bool repeats() const { return original_ != nullptr; }
 
-    // What the process does, in its order.
+    // Called for the process's actions, in their order.
 
-    /// `what`: less than 2^56, or a hash of which so many bits will do. `how`: always as many words for one action.
-    /// Throws Departure when it did more than it did then, or any process has done something else. That it did another
-    /// thing then is found when it next asks for something, or has ended.
+    /// Records an action. `what` is less than 2^56, or a hash of which 56 bits suffice. `how` always has the same
+    /// number of words for the same kind of action. Throws Departure if the process acts more often than in its
+    /// original, or if any process has departed. A different action is detected at the next observation (sees()) or at
+    /// the end of the process.
     void does(Action action, std::uint64_t what, std::initializer_list<std::uint64_t> how = {}) {
         if (is_silent_)
             return;
@@ -84,12 +86,12 @@ public:
         for (std::uint64_t word : how)
             fingerprint_.mix(word);
     }
-    /// The same, for what destructors may do: the course departs, but nothing is thrown.
+    /// Records an action that destructors may do: a departure is noted, but not thrown.
     void does_quietly(Action, std::uint64_t what);
-    /// The process asks for something that messages do not tell: what it sees by `look`, or saw then. What it does
-    /// while it looks is a part of that. Throws Departure where it did not ask for that then, or any process has done
-    /// something else; but not of the time, for which destructors may ask: that is 0 then, and only who asks for it
-    /// very often is told.
+    /// Returns an observation that messages do not carry: the result of `look`, or, when repeating, the value that the
+    /// original saw. Actions of the process during `look` are not recorded apart. Throws Departure if the original did
+    /// not make this observation at this point, or if any process has departed. Reading the clock then returns 0 and
+    /// does not throw, since destructors may do it; it throws only after 100,000 such reads.
     template <std::invocable Look>
     std::int64_t sees(Action what, Look look) {
         if (is_silent_)
@@ -102,14 +104,15 @@ public:
         note_seen(what, seen);
         return seen;
     }
-    /// Something that cannot be repeated, or that on the machine would be refused.
+    /// Notes an operation that cannot be repeated, or that would be refused on the machine.
     void does_what_is_not_noted();
-    /// The next component of a PAR begins; all that have begun have ended, and their histories are not used any more.
+    /// Returns the history of the next component of a PAR, which begins now.
     History& component();
+    /// Notes that all components that had begun have ended. Their histories are not used any more.
     void components_have_ended();
-    /// The name of a channel that the process makes.
+    /// Returns the name of the next channel that the process makes.
     std::uint64_t next_channel();
-    /// The process has ended. Throws Departure.
+    /// Notes that the process has ended. Throws Departure if it has departed from its original.
     void end();
 
 private:

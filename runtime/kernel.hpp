@@ -73,8 +73,8 @@ public:
 
     /// The kernel that this thread is running; null outside a run.
     static Kernel* current() { return current_; }
-    /// The kernel that runs the caller. Throws std::logic_error when the caller is no process: outside a run nobody can
-    /// communicate, compute or wait.
+    /// The kernel that runs the caller. Throws std::logic_error when the caller is not a process: outside a
+    /// run it is not possible to communicate, compute or wait.
     static Kernel& here() {
         if (!current_ || !current_->hot_.running)
             refuse_outside_a_run();
@@ -84,18 +84,19 @@ public:
     Time now() const { return hot_.now; }
     /// The process whose program is being executed.
     Process& running() const { return *hot_.running; }
-    /// The same; null while an event happens, or the kernel begins a communication for a process.
+    /// Returns the process whose program is being executed; null while an event happens, or the kernel begins a
+    /// communication for a process.
     const Process* who_runs() const { return hot_.between_programs ? nullptr : hot_.running; }
     EventQueue& future() { return hot_.future; }
     Fingerprint& fingerprint() { return hot_.fingerprint; }
-    /// Null if no trace is wanted.
+    /// Returns the sink of the trace; null if the run is not traced.
     TraceSink* trace() const { return hot_.trace; }
     void trace_to(TraceSink& sink) { hot_.trace = &sink; }
-    /// The first of so many successive ranks for the events of one more device. Devices rank in the order in which they
-    /// ask.
+    /// Reserves `count` successive ranks for the events of a device, and returns the first of them. Devices rank in the
+    /// order of their calls.
     std::uint64_t new_ranks(std::uint64_t count) { return std::exchange(ranks_, ranks_ + count); }
 
-    /// Lets a process go on: at once if it is not placed, else when its executive gives it its turn.
+    /// Lets a process continue: at once if it is not placed, else when its executive gives it its turn.
     void make_ready(Process& p) {
         if (hot_.trace || p.executive())
             tell_and_make_ready(p);
@@ -107,7 +108,8 @@ public:
     /// Takes the running process off its executive and runs others until it is made ready. A successor, which needs an
     /// executive, is made ready. Throws Unwinding when the simulation is over.
     void wait(Process* successor = nullptr);
-    /// The same, but the process keeps its executive, as while it computes, or has left it already.
+    /// Runs other processes until the running process is made ready, but does not take it off its executive: it keeps
+    /// the executive while it computes, or has left it already.
     void give_way();
     /// Every operation of the running process begins here: output, input, ALT, computation, delay, PAR. Returns the
     /// process's history, which records the operation; null if it keeps none. Throws Unwinding when the simulation is
@@ -131,7 +133,8 @@ public:
             heed_operations();
     }
     static constexpr std::uint64_t most_operations_at_once = 100'000'000;
-    /// So many readings of the clock are not checked for an interruption: a destructor may read it, and must not throw.
+    /// Number of readings of the clock that are not checked for an interruption: a destructor may read the clock, and
+    /// must not throw.
     static constexpr std::uint64_t unheeded_readings = most_operations_at_once / 1000;
     /// Makes the process ready when the work is over. It waits until then.
     void after_work(Process& p) { end_.after_work.push_back(p); }
@@ -139,7 +142,7 @@ public:
     /// Same effect as waiting, without two context switches.
     bool pass_time(Time until);
 
-    /// What it calls at the end of the work, and at the end of the run.
+    /// Functions that the kernel calls at the end of the work, and at the end of the run.
     struct Observer {
         std::function<void()> work_over = [] {};
         std::function<void(Ending)> run_over = [](Ending) {};
@@ -217,15 +220,16 @@ private:
         TraceSink* trace = nullptr;
         Process* running = nullptr;
         SwitchedStack* stack_in_use = nullptr;
-        Time operations_at{};                 ///< when the operations were done that took no time
-        std::uint64_t operations_at_once = 0; ///< and how many
+        Time operations_at{};                 ///< when the last operations that took no time were done
+        std::uint64_t operations_at_once = 0; ///< how many operations took no time then
         bool between_programs = false;
         bool stacks_exceed_cache = false;
     };
     /// The processes that exist.
     struct Population {
-        std::vector<Process*> all;      ///< in no order
-        std::size_t of_the_program = 0; ///< that have not ended; none: Circumstances::nobody_left
+        std::vector<Process*> all; ///< in no order
+        std::size_t of_the_program =
+            0; ///< processes of the program that have not ended; if 0: Circumstances::nobody_left
         std::uint32_t next_ordinal = 0;
     };
     /// What processes run on.
@@ -234,7 +238,7 @@ private:
         std::vector<std::unique_ptr<Worker, EndWorker>> workers;
         std::vector<Worker*> idle; ///< workers without a process
         FiberScheduler* scheduler = nullptr;
-        SwitchedStack host_stack; ///< of the fiber that called run
+        SwitchedStack host_stack; ///< the stack of the fiber that called run()
         SwitchedStack* stack_left = nullptr;
     };
     /// How the work and the run end, and what is called then.
@@ -250,7 +254,7 @@ private:
     Population population_;
     Fibers fibers_;
     End end_;
-    std::uint64_t ranks_ = 0;             ///< how many were given out
+    std::uint64_t ranks_ = 0;             ///< number of ranks that were given out
     std::optional<RandomStream> shuffle_; ///< Circumstances::shuffled
 };
 

@@ -107,44 +107,45 @@ public:
 
     /// "cluster[0].master", or for a component of a PAR "cluster[0].master/1".
     std::string path() const;
-    /// As it was given; empty for a component of a PAR.
+    /// Returns the name that the process was given; empty for a component of a PAR.
     const std::string& name() const { return name_; }
     /// Counts the processes of a simulation in the order of their creation.
     std::uint32_t ordinal() const { return ordinal_; }
     /// The process whose PAR this one is a component of; null at the outermost level.
     const Process* parent() const { return join_ ? &join_->parent : nullptr; }
-    /// Its ancestor at the outermost level, perhaps itself.
+    /// Returns the process's ancestor at the outermost level, which may be the process itself.
     const Process& outermost() const { return *outermost_; }
-    /// Whether a process of that ordinal is another component of a PAR of which this one is a part.
+    /// Returns whether the process with the given ordinal is another component of a PAR that contains this process.
     bool is_beside(std::uint32_t ordinal) const;
-    /// Null if it is not placed.
+    /// Returns the process's executive; null if the process is not placed.
     Executive* executive() const { return executive_; }
     Priority priority() const { return priority_; }
     Kernel& kernel() const { return kernel_; }
     bool ended() const { return activity_ == Activity::ended; }
-    /// Whether it has had a turn. REQUIRES: it has not ended.
+    /// Returns whether the process has had a turn. REQUIRES: it has not ended.
     bool has_begun() const { return worker_ != nullptr; }
     /// Makes it a part of the machine instead of the program: a run does not wait for it to end.
     void serve_machine();
     bool serves_machine() const { return machine_; }
-    /// Notes in it from now on what it does, or does what it says. REQUIRES: it has not begun; the history outlives the
-    /// run.
+    /// Makes the process record its actions in the history, or repeat those in it. REQUIRES: the process has not begun;
+    /// the history outlives the run.
     void keep(History&);
-    /// Null where it keeps none, and while it is unwound.
+    /// Returns the process's history; null if it keeps none, and while the process is unwound.
     History* history() const { return history_; }
 
     // For reports.
     Activity activity() const { return activity_; }
-    /// The channels of its wait; of its last one if it does not wait and that was not for several at once.
+    /// Returns the channels on which the process waits. If it does not wait, returns the channel of its last wait,
+    /// unless that was a wait for several channels.
     std::span<const AnyChannel* const> awaited_channels() const {
         return awaited_channel_ ? std::span(&awaited_channel_, 1) : alternatives_;
     }
-    /// Whether its last wait ends at a certain moment if nothing else ends it before.
+    /// Returns whether the process's last wait has a time limit.
     bool awaits_timer() const { return awaits_timer_; }
-    /// From now on its waits end at a certain moment, or by another process, if their partner does not come; or not
-    /// any more.
+    /// States whether the process's waits may from now on be ended by a time limit or by another process, if their
+    /// partner does not come.
     void may_give_up(bool may) { may_give_up_ = may; }
-    /// Where it last waited.
+    /// Returns where in its program the process last waited.
     const SourceLocation& place_in_program() const { return where_; }
     /// For a process at the outermost level: how long it and all components of its PARs waited for partners or delays
     /// at once. A wait lasts until the process runs again; one that still lasts counts up to now.
@@ -158,8 +159,8 @@ public:
     /// Computes on its executive. REQUIRES: this process is running, and is placed. Throws what
     /// Executive::begin_computing does, and Unwinding when the simulation is over.
     void compute(Cycles, const Grain&);
-    /// Computes for so many cycles, if it is placed, then begins the communication, and waits as long as that does.
-    /// Throws the same. REQUIRES: this process is running.
+    /// Computes for the given cycles, if the process is placed, then begins the communication, and waits until it is
+    /// over. Throws what compute() does. REQUIRES: this process is running.
     void compute_and_communicate(Communication&, Cycles);
     /// For a communication: the process waits from now on until it is made ready. Notes for reports why and where.
     void begin_wait(Activity, const AnyChannel*, const SourceLocation&);
@@ -219,7 +220,8 @@ private:
     unsigned times_unwound_ = 0;
 };
 
-/// First in, first out. Linked through the processes themselves, so that a process stands in at most one queue.
+/// A queue, first in, first out. It is linked through the processes themselves, so that a process stands in at most one
+/// queue.
 class ProcessQueue {
 public:
     bool empty() const { return !first_; }

@@ -24,7 +24,8 @@ public:
     requires(sizeof...(Bytes) >= 1 && sizeof...(Bytes) <= most_parts) constexpr WireForm(Bytes... bytes)
         : bytes_{length(bytes)...}, parts_(sizeof...(Bytes)) {}
 
-    /// The same behind a tag, a byte that is a communication of its own. Throws std::length_error beyond most_parts.
+    /// Returns the form with a tag put first, a byte that is a communication of its own. Throws std::length_error
+    /// beyond most_parts.
     constexpr WireForm behind_tag() const {
         if (parts_ == most_parts)
             throw std::length_error("a variant of a message has 3 parts at most, behind its tag");
@@ -60,7 +61,7 @@ template <class T>
 inline constexpr bool has_wire_form = requires(const T& message) {
     { message.wire_form() } -> std::same_as<WireForm>;
 };
-/// Its bytes are all that it is: no address of what the other process does not have.
+/// Tells whether the bytes of a value are the whole value: it holds no address of memory that the other process lacks.
 template <class T>
 inline constexpr bool is_plain =
     std::is_trivially_copyable_v<T> && !std::is_pointer_v<T> && !std::is_member_pointer_v<T> &&

@@ -35,9 +35,10 @@ public:
     Attempt(const Attempt&) = delete;
     Attempt& operator=(const Attempt&) = delete;
 
-    /// Gives up at that moment; when it has passed, as soon as nothing else can happen at this one.
+    /// Sets the time at which the attempt is given up. If the deadline has passed, the attempt is given up as soon as
+    /// nothing else can happen at the current instant.
     void until(Time deadline) { deadline_ = deadline; }
-    /// Gives up when a message waits in the channel.
+    /// Gives up the attempt when a message waits in `failure`.
     void until_told_by(AnyChannel& failure);
     bool failed() const { return failed_; }
 
@@ -54,7 +55,7 @@ private:
     bool failed_ = false;
 };
 
-/// Returns whether the message has gone, with its acknowledge, before the deadline.
+/// Outputs the message; returns whether it was sent and acknowledged before the deadline.
 template <class T>
 bool output_or_fail(Output<T> to, T message, Time deadline, const SourceLocation& where = SourceLocation::current()) {
     Attempt attempt(to.channel(), Attempt::End::output);
@@ -63,7 +64,8 @@ bool output_or_fail(Output<T> to, T message, Time deadline, const SourceLocation
     return !attempt.failed();
 }
 
-/// Returns whether it has gone before a message came from `failure`, which is input then.
+/// Outputs the message; returns whether it was sent before a message came from `failure`. The message from `failure` is
+/// input if it ends the attempt.
 template <class T, class F>
 bool output_or_fail(Output<T> to, T message, Input<F> failure,
                     const SourceLocation& where = SourceLocation::current()) {
@@ -79,7 +81,7 @@ bool output_or_fail(Output<T> to, T message, Input<F> failure,
     return !failed;
 }
 
-/// Returns whether the message has come before the deadline; else it is as it was.
+/// Inputs a message; returns whether it was received before the deadline. If not, `message` is unchanged.
 template <class T>
 bool input_or_fail(Input<T> from, T& message, Time deadline, const SourceLocation& where = SourceLocation::current()) {
     std::optional<T> slot;
@@ -91,7 +93,8 @@ bool input_or_fail(Input<T> from, T& message, Time deadline, const SourceLocatio
     return !attempt.failed();
 }
 
-/// Returns whether it has come before a message came from `failure`, which is input then.
+/// Inputs a message; returns whether it was received before a message came from `failure`. If not, the message from
+/// `failure` is input, and `message` is unchanged.
 template <class T, class F>
 bool input_or_fail(Input<T> from, T& message, Input<F> failure,
                    const SourceLocation& where = SourceLocation::current()) {
@@ -111,8 +114,9 @@ bool input_or_fail(Input<T> from, T& message, Input<F> failure,
 }
 
 /// Reinitialise, ChanReset: makes the end of the channel ready for a next message, after one was given up there or at
-/// the other end. Returns how many bytes of that had come over: those acknowledged, or those taken; of a soft channel
-/// none. Throws std::logic_error when another process owns the end, or one is in it.
+/// the other end. Returns how many bytes of that message had been transferred: at an output the acknowledged bytes, at
+/// an input the bytes taken; 0 on a soft channel. Throws std::logic_error when another process owns the end, or a
+/// process is communicating there.
 std::uint64_t reset(AnyChannel&, Attempt::End);
 template <class T>
 std::uint64_t reset(Output<T> end) {

@@ -12,8 +12,8 @@
 namespace placedpar {
 
 /// Whether two messages of a protocol are the same. A carrier that sends one message to several channels at once asks.
-/// Nothing where that is not known: the type has no ==, and bytes of it may mean nothing. An == of its base would be
-/// taken for its own.
+/// Returns nothing if that is not known: the type has no ==, and may contain padding. An == of its base class counts as
+/// its own.
 template <class T>
 struct SameMessage {
     static constexpr bool by_equality = requires(const T& a, const T& b) {
@@ -32,7 +32,7 @@ struct SameMessage {
     }
 };
 
-// The standard's own have an == whatever they are made of, which does not compile if that has none.
+// The standard's containers have an == for every element type, but it does not compile if the elements have none.
 
 template <class T>
 struct SameMessage<std::vector<T>> {

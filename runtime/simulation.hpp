@@ -22,13 +22,13 @@ namespace placedpar {
 struct RunResult {
     Ending ending = Ending::completed;
     Time time{};                   ///< virtual time at the end of the work
-    std::uint64_t fingerprint = 0; ///< of the whole run
-    std::uint64_t events = 0;      ///< of the machine: what the run costs the host, besides its processes
+    std::uint64_t fingerprint = 0; ///< fingerprint of the whole run
+    std::uint64_t events = 0; ///< number of the machine's events: the host's cost of the run, besides the processes
     /// If the run ended stuck: all processes that are left. If it was stopped before its end: those that would never
     /// have gone on, however long it had lasted.
     std::optional<Deadlock> deadlock;
-    /// Processes that were left and had not had a single turn: who else had their processor, or that it was halted,
-    /// kept them from it. In order of creation.
+    /// Processes that had not had a single turn at the end, because other processes occupied their processor or it was
+    /// halted. In order of creation.
     std::vector<std::string> never_ran;
 };
 
@@ -61,17 +61,18 @@ public:
         devices_.push_back(device);
         return *device;
     }
-    /// A process that starts when the simulation does. Without an executive its program takes no time.
+    /// Adds a process that starts when the simulation does. Without an executive its program takes no time.
     Process& process(std::string name, Process::Body, Executive* on = nullptr, Priority = Priority::low);
-    /// The same, of which is known from the beginning what ends it will use, as of a process of a netlist:
-    /// `simulation.process("ping", {there.out(), back.in()}, ...)`. Else a deadlock before the first communication
-    /// cannot say who waits for whom. Throws std::logic_error when an end is another process's already.
+    /// Adds a process and declares the channel ends that it will use, as a netlist does:
+    /// `simulation.process("ping", {there.out(), back.in()}, ...)`. Without the ends, the report of a deadlock before
+    /// the first communication cannot name the partners. Throws std::logic_error when another process already owns an
+    /// end.
     Process& process(std::string name, const std::vector<DeclaredEnd>&, Process::Body, Executive* on = nullptr,
                      Priority = Priority::low);
-    /// In the order in which they were made.
+    /// Returns the processes in the order of their creation.
     const std::list<Process>& processes() const { return processes_; }
 
-    /// Another of the program's possible courses: see Kernel::shuffle.
+    /// Selects another of the program's possible courses: see Kernel::shuffle.
     void shuffle(std::uint64_t seed) { kernel_.shuffle(seed); }
     /// The sink must outlive run().
     void trace_to(TraceSink& sink) { kernel_.trace_to(sink); }

@@ -6,13 +6,13 @@
 
 namespace placedpar {
 
-/// A place in the program, by which reports name the statement that waits. It is no std::source_location, which Clang
+/// A place in the program, by which reports name the statement that waits. It is not std::source_location, which Clang
 /// before version 15 cannot compile: a program may be compiled by another compiler than the rooms that it links.
 struct SourceLocation {
     const char* file = "";  ///< as the compiler was told of it
-    std::uint32_t line = 0; ///< 0 for no place
+    std::uint32_t line = 0; ///< 0 if no place is known
 
-    /// The caller's; where this is a default argument, the caller's of that function.
+    /// Returns the place of the call; as a default argument of a function, the place where that function is called.
     static constexpr SourceLocation current(const char* file = __builtin_FILE(),
                                             std::uint32_t line = __builtin_LINE()) {
         return {file, line};

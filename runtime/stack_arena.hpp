@@ -7,10 +7,10 @@
 
 namespace placedpar {
 
-/// A fiber's stack. Below it lies a zone that nobody may write to; at its other end stands its Worker.
+/// A fiber's stack. Below it lies a zone that must not be written to; at its other end stands its Worker.
 struct Stack {
     std::byte* bottom = nullptr; ///< the lowest address of the stack; the zone ends here
-    bool guarded = false;        ///< who writes to the zone is stopped at once
+    bool guarded = false;        ///< a write to the zone faults at once
 
     static constexpr std::size_t usual_bytes = 256 * 1024;
     /// Only the pages that a process touches take memory. AddressSanitizer's red zones make stack frames several
@@ -18,10 +18,10 @@ struct Stack {
     static std::size_t bytes() { return SwitchedStack::is_watched() ? 4 * usual_bytes : usual_bytes; }
     static constexpr std::size_t zone_bytes = 64 * 1024; ///< more than most arrays, which are not written in order
 
-    /// Whether who uses it came by its end to the address where a fault was: into the zone that is guarded or, where it
-    /// is not, through it.
+    /// Returns whether a fault at the address is an overflow of this stack: into its guarded zone, or through a zone
+    /// that is not guarded.
     bool was_left_for(const void* address) const;
-    /// Whether somebody has written to the end of the zone, which was all zeros. For stacks that are not guarded.
+    /// Returns whether the end of the zone, which was all zeros, has been overwritten. For stacks that are not guarded.
     bool has_overflowed() const;
 };
 

@@ -25,7 +25,7 @@ void write_error(std::string_view text) noexcept {
     }
 }
 
-/// When it returns, the fault happens again and goes to whoever handled faults before.
+/// When it returns, the fault happens again and goes to the handler that was installed before.
 void on_fault(int, siginfo_t* fault, void*) {
     if (auto user = who_overflowed ? who_overflowed(fault->si_addr) : std::nullopt)
         report_stack_overflow(*user);

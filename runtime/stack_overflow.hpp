@@ -6,10 +6,10 @@
 
 namespace placedpar {
 
-/// Whose stack it is. (What a process is, this file need not know.)
+/// Names the process that a stack belongs to.
 struct StackUser {
     std::string_view process; ///< at the outermost level
-    bool is_component;        ///< of its PAR, and not the process itself
+    bool is_component;        ///< the stack belongs to a component of its PAR, not to the process itself
 };
 
 /// While one exists, a process of the simulation that runs on this thread cannot overflow its stack without being named
@@ -17,7 +17,8 @@ struct StackUser {
 /// AddressSanitizer, which has its own report.
 class StackOverflowWatch {
 public:
-    /// Called in a signal handler, for an address where a fault was: who overflowed a stack by going there, if anybody.
+    /// Called in a signal handler, for an address where a fault was: the owner of the stack that overflowed there, if
+    /// any.
     using WhoOverflowed = std::optional<StackUser> (*)(const void* address);
 
     explicit StackOverflowWatch(WhoOverflowed);
@@ -29,7 +30,7 @@ private:
     std::vector<char> handler_stack_; ///< empty where the thread had one already
 };
 
-/// Says on standard error that somebody has used up the stack. May be called from a signal handler.
+/// Reports on standard error that the owner has used up its stack. May be called from a signal handler.
 void report_stack_overflow(const StackUser&) noexcept;
 
 } // namespace placedpar

@@ -26,8 +26,8 @@ constexpr Time clamped(WideInteger count) {
     return count > Time::max().count() ? Time::max() : Time{static_cast<std::int64_t>(count)};
 }
 
-/// How long so many periods (cycles of a clock, bits on a wire) last at a frequency, to the nearest picosecond, at most
-/// Time::max(). REQUIRES: periods >= 0, hertz > 0.
+/// Returns the duration of `periods` periods (cycles of a clock, bits on a wire) at a frequency, to the nearest
+/// picosecond, at most Time::max(). REQUIRES: periods >= 0, hertz > 0.
 constexpr Time duration_of(std::int64_t periods, std::int64_t hertz) {
     constexpr std::int64_t picoseconds_in_a_second = 1'000'000'000'000;
     return clamped((WideInteger{periods} * picoseconds_in_a_second + hertz / 2) / hertz);
@@ -46,7 +46,7 @@ public:
     explicit constexpr Clock(std::int64_t hertz) : hertz_(hertz), cycle_(1'000'000'000'000 / hertz) {}
 
     constexpr std::int64_t hertz() const { return hertz_; }
-    /// Of so many cycles. REQUIRES: cycles >= 0.
+    /// Returns the duration of the given number of cycles. REQUIRES: cycles >= 0.
     constexpr Time duration(std::int64_t cycles) const {
         if (left_ == 0)
             return times(cycles, cycle_);
@@ -64,7 +64,7 @@ private:
 
 constexpr double in_milliseconds(Time t) { return static_cast<double>(t.count()) * 1e-9; }
 
-/// For reports: "1.234567 ms", in a unit that suits the size.
+/// Formats a time for reports, in a unit that suits its size: "1.234567 ms".
 std::string to_string(Time);
 
 } // namespace placedpar

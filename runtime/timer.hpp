@@ -7,19 +7,19 @@
 
 namespace placedpar {
 
-/// Virtual time now. A program that is placed should ask its Timer instead, as on the real machine.
+/// Returns the current virtual time. A placed program should read its Timer instead, as on the real machine.
 Time now();
 
-/// The running process waits until the virtual time `due`. If that has passed already, others still get their turn
-/// first, so that a process that polls starves nobody: one that is not placed lets everything else of this moment
-/// happen before it goes on; one that is placed pays for the instruction, so that its timeslice passes.
+/// Makes the running process wait until the virtual time `due`. If `due` has passed already, other processes still get
+/// their turn first, so that a polling process does not starve them: a process that is not placed lets everything else
+/// of this instant happen before it continues; a placed process pays for the instruction, so that its timeslice passes.
 void wait_until(Time due, const SourceLocation& = SourceLocation::current());
-/// The same, for so long from now. REQUIRES: how_long >= 0.
+/// Makes the running process wait for the given time. REQUIRES: how_long >= 0.
 void wait_for(Time how_long, const SourceLocation& = SourceLocation::current());
 
-/// The running process waits until the work of the simulation is over: nothing else can happen unless a process that
-/// waits here goes on. What happens from then on is a measurement of its own, such as of the machine that the work has
-/// left behind: the run's time, its trace and its limit are those of the work.
+/// Makes the running process wait until the work of the simulation is over: nothing else can happen unless a process
+/// that waits here continues. Activity after the work is measured apart, such as a test of the machine in its final
+/// state: the run's time, its trace and its limit are those of the work.
 void wait_until_work_is_over(const SourceLocation& = SourceLocation::current());
 
 // What occam does with readings of a clock of 32 bits, which wraps round: at high priority after 71 minutes and 35

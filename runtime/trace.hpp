@@ -11,26 +11,27 @@ namespace placedpar {
 /// A place begins to be used: a direction of a link by a channel, a bus or a track of a device by what occupies it.
 struct PlaceTaken {
     const std::string& place;
-    const std::string& subject;          ///< the channel; what the bus carries; a master that waits for it
-    Time since;                          ///< may be to come
-    const AnyChannel* channel = nullptr; ///< of a link
+    const std::string& subject;          ///< the channel, what the bus carries, or a master that waits for the bus
+    Time since;                          ///< may lie in the future
+    const AnyChannel* channel = nullptr; ///< the channel, if the place is a direction of a link
 };
 
 /// The use of a place ends.
 struct PlaceLeft {
     const std::string& place;
-    Time until;                         ///< may be to come
-    std::uint64_t bytes = 0;            ///< of a link: it carried so many, one behind the other without a break
-    const Process* moves_for = nullptr; ///< of a bus that was one process's own
-    Time since{};                       ///< of moves_for: when the bus began to be its own
+    Time until;                         ///< may lie in the future
+    std::uint64_t bytes = 0;            ///< bytes that a link carried without a break
+    const Process* moves_for = nullptr; ///< the process that had the bus to itself, if any
+    Time since{};                       ///< when `moves_for` got the bus to itself
 };
 
 /// The log of a run: each process and each place does one thing from one notice on until the next. A sink is told
 /// while the run goes on; it must change nothing.
 ///
-/// 1. Notices come in the order of the moments that they are of. What an operation in no time would begin and end comes
-///    as two notices of one moment.
-/// 2. Processes, channels and what they refer to may be gone after the call; those that wait stay until they go on.
+/// 1. Notices come in the order of their times. The beginning and the end of an operation that takes no time are two
+///    notices of the same time.
+/// 2. Processes, channels and what they refer to may be destroyed after the call; those that wait exist until they
+///    continue.
 class TraceSink {
 public:
     /// From a moment on a process does something else:
@@ -50,7 +51,7 @@ public:
     virtual void communicated(const AnyChannel&, Time) = 0;
     virtual void takes(const PlaceTaken&, Time now) = 0;
     virtual void leaves(const PlaceLeft&, Time now) = 0;
-    /// The work is over; the processes that are left still stand where they wait. Nothing is said afterwards.
+    /// The work is over; the remaining processes are still in their waits. No notice follows.
     virtual void over(Time) = 0;
 
 protected:

@@ -8,7 +8,7 @@ namespace placedpar {
 
 // One program for every processor: what gains from wide registers is compiled for each width, and the widest that the
 // processor has is taken while it runs. INVARIANT: all widths give the same bits. No width may therefore contract a
-// multiplication and an addition into one rounding: whoever compiles this needs -ffp-contract=off.
+// multiplication and an addition into one rounding: compile it with -ffp-contract=off.
 // Rejected: Google Highway and the like, whose functions can only be called from code that is marked for their target,
 // so that nobody's plain struct could be evaluated in wide registers.
 
@@ -39,7 +39,8 @@ std::size_t widest_vector_width();
 
 /// The width in use: the widest, unless a test or a benchmark has said otherwise.
 std::size_t vector_width();
-/// Throws std::invalid_argument when it is none of vector_widths, or beyond the widest.
+/// Sets the width in use. Throws std::invalid_argument if the width is not in vector_widths, or exceeds the widest one
+/// that the processor has.
 void use_vector_width(std::size_t width);
 
 #ifdef __x86_64__

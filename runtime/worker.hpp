@@ -18,7 +18,7 @@ struct EndWorker;
 /// of its stack, another page of memory for each, and with a worker without a process there is nothing to unwind.
 class Worker {
 public:
-    /// At the beginning of that stack, which must outlast it: who switches to the worker looks at that page of memory
+    /// At the beginning of that stack, which must outlast it: a switch to the worker reads that page of memory
     /// anyway.
     static std::unique_ptr<Worker, EndWorker> make(Kernel&, const Stack&);
     /// Leaves the fiber where it is. REQUIRES: it runs no process.

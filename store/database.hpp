@@ -28,14 +28,14 @@ private:
 /// time.
 class Database {
 public:
-    /// `make`: the file, when there is none.
+    /// Opens the database. `make`: create the file if it does not exist.
     explicit Database(const std::filesystem::path& path, bool make = true);
 
-    /// Any number of statements without parameters, whose results nobody wants.
+    /// Executes any number of statements without parameters, and discards their results.
     void run(const std::string& sql);
-    /// Ends the transaction, as if it had not begun, if one is under way.
+    /// Rolls back the current transaction, if there is one.
     void roll_back() noexcept;
-    /// The first column of the first row; 0 or "" when there is none.
+    /// Returns the first column of the first row; 0 or "" if there is no row.
     std::int64_t integer(const std::string& sql);
     std::string text(const std::string& sql);
 
@@ -61,9 +61,9 @@ public:
         (bind_one(++index, values), ...);
         return *this;
     }
-    /// Goes to the next row; is there one?
+    /// Goes to the next row; returns whether there is one.
     bool step();
-    /// Binds, and does it.
+    /// Binds the parameters and executes the statement.
     template <typename... Values>
     void run(const Values&... values) {
         bind(values...);
@@ -72,14 +72,14 @@ public:
         reset();
     }
 
-    /// Binds, and gives the first column of the first row; 0 when there is none.
+    /// Binds the parameters and returns the first column of the first row; 0 if there is no row.
     template <typename... Values>
     std::int64_t only_integer(const Values&... values) {
         std::int64_t found = bind(values...).step() ? integer(0) : 0;
         reset();
         return found;
     }
-    /// Reads no further: an unfinished statement keeps the write-ahead log from beginning anew.
+    /// Stops reading rows: an unfinished statement keeps the write-ahead log from beginning anew.
     void reset();
 
     /// Columns of the present row, from 0; valid until the next step.

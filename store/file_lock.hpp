@@ -5,21 +5,22 @@
 
 namespace placedpar::store {
 
-/// A lock on a file that is there, whatever its names: symbolic and hard links lead to the same one. Goes with the
-/// program, however that ends. SQLite's own locks are of another kind, so that both can be had.
+/// A lock on an existing file. All names of the file, symbolic and hard links included, lead to the same lock. The
+/// system releases it when the program ends, in whatever way. SQLite's own locks are of another kind, so that both can
+/// be had.
 class FileLock {
 public:
-    /// Throws UserError when another program has it, or the file cannot be opened to read and write. Messages call the
-    /// file `shown`, and that program `user`: "placedpar monitor".
+    /// Throws UserError when another program holds the lock, or the file cannot be opened for reading and writing.
+    /// Messages call the file `shown`, and the other program `user`: "placedpar monitor".
     FileLock(const std::filesystem::path& path, const std::string& shown, const std::string& user);
     ~FileLock();
     FileLock(const FileLock&) = delete;
     FileLock& operator=(const FileLock&) = delete;
 
-    /// The file's first bytes, at most so many.
+    /// Returns the first bytes of the file, at most the given number.
     std::string beginning(std::size_t bytes) const;
     std::size_t size() const;
-    /// Does the path lead to the locked file still, rather than to another or to none?
+    /// Returns whether the path still leads to the locked file.
     bool is_at(const std::filesystem::path& path) const;
 
 private:

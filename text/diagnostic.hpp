@@ -25,11 +25,11 @@ struct Diagnostic {
     std::vector<SecondPlace> others = {}; ///< mostly none or one
 };
 
-/// One in a text whose name only the caller knows.
+/// A diagnostic of a text whose name only the caller knows.
 Diagnostic error_at(std::size_t line, std::size_t column, std::string message, std::string hint = "");
 Diagnostic warning_at(std::size_t line, std::size_t column, std::string message, std::string hint = "");
 
-/// Whether one of them is an error: then the text cannot be used.
+/// Returns whether a diagnostic is an error: then the text cannot be used.
 bool has_errors(const std::vector<Diagnostic>& diagnostics);
 
 /// As compilers print it: `path:line:column: error: message`, the source line, a caret under the column,

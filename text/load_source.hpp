@@ -22,12 +22,12 @@ struct LoadedSource {
 /// Reads a whole file. A missing file, a directory, a device, one that is too large or is no text is a
 /// problem. A Ctrl-Z ends the text, as it does in DOS.
 LoadedSource load_source(const std::filesystem::path& path);
-/// The same, but "-" is standard input (text/standard_streams.hpp), which is read once: who asks again gets the same
-/// text.
+/// The same, but "-" is standard input (text/standard_streams.hpp), which is read once; later calls return the
+/// same text.
 LoadedSource load_input(const std::filesystem::path& path);
-/// The same checks of a text that is there already, or of a piece of one.
+/// Makes the same checks of a text in memory, or of a piece of a text.
 LoadedSource check_source(std::string shown_path, std::string text, std::size_t first_line = 1);
-/// "" where the path can be opened as a file or a pipe, else why not.
+/// Returns "" if the path can be opened as a file or a pipe, else the reason why it cannot.
 std::string why_not_a_file(const std::filesystem::path& path);
 
 } // namespace placedpar

@@ -6,7 +6,7 @@
 
 namespace placedpar {
 
-/// Its ASCII letters.
+/// Returns the ASCII letters of the word.
 std::string lower_case(std::string_view word);
 
 /// The number of single-character insertions, deletions, replacements and swaps of neighbours between two

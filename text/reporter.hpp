@@ -19,8 +19,8 @@ inline constexpr std::size_t most_warnings = 200;
 /// Errors at places that have one already: what is read in a loop goes wrong each time.
 inline constexpr std::size_t most_repeated = 50;
 
-/// Thrown when reading on makes no sense: too many errors, a bound exceeded. The last diagnostic says why. It is no
-/// error of its own: the reader that owns the reporter catches it.
+/// Thrown when reading on makes no sense: too many errors, a bound exceeded. The last diagnostic says why. It is not
+/// an error of its own: the reader that owns the reporter catches it.
 struct GiveUp {};
 
 /// Collects what is wrong while a text is read.
@@ -30,7 +30,7 @@ public:
     /// most_counted_errors were found.
     void error(const Location& location, std::string message, std::string hint = "",
                std::vector<SecondPlace> others = {});
-    /// The last error: there is no sense in reading on.
+    /// Reports the last error, after which it makes no sense to read on.
     [[noreturn]] void give_up(const Location& location, std::string message, std::vector<SecondPlace> others = {});
     void warning(const Location& location, std::string message, std::string hint = "");
     /// Each diagnostic in this file will say where the file is included.
@@ -46,13 +46,13 @@ public:
     /// The file of the first error; null without one.
     std::shared_ptr<const SourceFile> first_file() const;
     std::vector<Diagnostic> take() { return std::move(diagnostics_); }
-    /// Of the errors and warnings that were not kept; "" if all were.
+    /// Returns a note on the errors and warnings that were not kept; "" if all were kept.
     std::string not_shown() const;
 
 private:
     void keep(Diagnostic diagnostic);
     void note_options(Diagnostic& diagnostic) const;
-    /// False where the place has an error already.
+    /// Returns false if the place has an error already.
     bool is_first_at(const Location& place);
 
     std::vector<Diagnostic> diagnostics_;

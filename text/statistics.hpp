@@ -7,7 +7,7 @@ namespace placedpar {
 /// Standard deviation of a sample. REQUIRES: two values at least.
 double deviation(const std::vector<double>& values);
 double mean(const std::vector<double>& values);
-/// How many of the values are at most `limit`, in percent.
+/// Returns the share of the values that are at most `limit`, in percent.
 double percent_within(const std::vector<double>& values, double limit);
 
 /// Half of the values lie on either side of it: the middle one, or the mean of the middle two (Boost.Math's).

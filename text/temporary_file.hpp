@@ -11,12 +11,12 @@ class TemporaryFile {
 public:
     /// With the permissions of any new file. errno says why it could not be opened, if so.
     explicit TemporaryFile(const std::filesystem::path& destination);
-    /// Nothing is left of it unless it took its place.
+    /// Removes the file, unless it has taken its place.
     ~TemporaryFile();
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
 
-    /// Below 0 where it could not be opened.
+    /// Returns the file's descriptor; below 0 if the file could not be opened.
     int descriptor() const { return file_; }
     /// At once, whether a file is there or not. False if it cannot; errno says why. REQUIRES: it is open; called once.
     bool take_place();

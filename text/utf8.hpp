@@ -12,10 +12,10 @@ struct Utf8Character {
     std::size_t bytes = 0; ///< 0: the text begins with none
 };
 
-/// What the text begins with. Overlong forms and surrogates are no characters.
+/// Returns the first character of the text. Overlong forms and surrogates are not characters.
 Utf8Character first_character(std::string_view text);
 
-/// The text with every byte that is no part of a UTF-8 character taken as Latin-1, as old files have it.
+/// The text with every byte that is not part of a UTF-8 character taken as Latin-1, as old files have it.
 std::string as_utf8(std::string_view text);
 
 /// The text of an element, or the value of an attribute, of XML or HTML: `<`, `>`, `&` and `"` written as these want
@@ -26,7 +26,7 @@ std::string as_markup(std::string_view text);
 /// JSON lets pass written as `\u009b`. REQUIRES: the others are written so already.
 std::string as_json(std::string_view json);
 
-/// The text as a terminal may have it: control characters, and bytes that are no UTF-8, as `\x1b`. Tabs stay.
+/// The text as a terminal may have it: control characters, and bytes that are not UTF-8, as `\x1b`. Tabs stay.
 std::string escaped(std::string_view text);
 
 } // namespace placedpar

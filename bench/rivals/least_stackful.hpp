@@ -33,7 +33,8 @@ private:
     Context* running_ = nullptr;
 };
 
-/// Synchronous and unbuffered, from one process to one other. Who comes second copies and goes on.
+/// Synchronous and unbuffered, from one process to one other. The process that arrives second copies the message and
+/// continues.
 template <auto& kernel>
 class Rendezvous {
 public:

@@ -28,15 +28,15 @@ private:
 /// A direction between a master and the transputer of a dual-ported memory: messages go through a buffer in the memory,
 /// one at a time. The master moves its words over the bus; the transputer copies them from or to where its process
 /// wants them, and converts them where the two computers differ in the order of bytes: a 68020 is big endian, a T800
-/// little endian. Each end raises an interrupt at the other when the buffer is its to use.
+/// little endian. Each end raises an interrupt at the other end when the other end may use the buffer.
 class MemoryLane final : public Carrier {
 public:
-    /// Ours: of the memory, for one direction. A longer message is moved in parts.
+    /// Size of the buffer for one direction, in bytes (our choice). A longer message is moved in parts.
     static constexpr std::int64_t buffer_bytes = 65536;
 
-    /// Who outputs: the master, or the transputer whose memory it is.
+    /// Which end outputs: the master, or the transputer whose memory it is.
     enum class From { master, memory };
-    /// `conversion`: cycles of the transputer for each word, none where no bytes need to be exchanged.
+    /// `conversion`: cycles of the transputer for each word, 0 if both computers have the same byte order.
     /// REQUIRES: they outlive it, and the processes at the two ends are executed by what the master and the memory
     /// belong to.
     MemoryLane(Kernel&, VmeMaster&, DualPortedMemory&, From, Cycles conversion);
@@ -61,9 +61,9 @@ private:
     From from_;
     Cycles conversion_;
     bool full_ = false;          ///< the buffer holds a part of a message
-    std::int64_t bytes_ = 0;     ///< of it
-    bool last_ = false;          ///< it ends its message
-    Process* waiting_ = nullptr; ///< for the buffer
+    std::int64_t bytes_ = 0;     ///< length of that part, in bytes
+    bool last_ = false;          ///< the part is the last of its message
+    Process* waiting_ = nullptr; ///< the process that waits for the buffer
 };
 
 } // namespace placedpar::hardware

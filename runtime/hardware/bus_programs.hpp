@@ -22,12 +22,12 @@ constexpr BusProgram bbk_v2{.byte_access = Cycles{20},
                             .write_word = instructions::block_move_start,
                             .in_blocks = true};
 
-/// The running process spends that on the program: it is a part of its communication, and no computation of its own.
+/// Charges the running process with the cycles of the program, as communication and not as computation.
 inline void spend(const Kernel& kernel, Cycles cycles) {
     charge(kernel.running(), [cycles](const OperationCosts&) { return cycles; });
 }
 
-/// Ours: of a bus master, to exchange the bytes of a word for a host of the other byte order.
+/// Cycles in which a bus master swaps the bytes of a word for a host of the other byte order (our choice).
 constexpr Cycles conversion{4};
 
 } // namespace placedpar::hardware::bus_programs

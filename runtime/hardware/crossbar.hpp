@@ -61,28 +61,30 @@ public:
 
     Crossbar(Kernel&, std::string name);
 
-    /// The one that executes the running process. Throws std::logic_error if that is on none.
+    /// Returns the crossbar that executes the running process. Throws std::logic_error if no crossbar executes it.
     static Crossbar& here();
 
-    /// Does what the command says, now. The answer is of `enquire`. Throws std::invalid_argument for a link that it
-    /// does not have, and a kind that does not exist.
+    /// Obeys the command at once. Only `enquire` has an answer. Throws std::invalid_argument for a link that the switch
+    /// does not have, and for an unknown kind of command.
     std::optional<SwitchAnswer> obey(const SwitchCommand&);
 
-    /// Whether what comes in at the input goes out at the output.
+    /// Returns whether data that arrives at the input leaves at the output.
     bool leads(int input, int output) const;
 
-    /// From a the link comes in at one of the links, and goes on to b by the other. REQUIRES: before the run.
+    /// Leads a link through the switch: its end a is wired to the switch's link `at_a`, its end b to `at_b`. REQUIRES:
+    /// before the run.
     void lead_on(Link&, int at_a, int at_b);
 
-    /// What was lost at an output that did not lead on what came in for it.
+    /// Data of a link that the switch lost because no output led it on.
     struct Loss {
         const Link* link;
-        bool leaves_a; ///< it came from there
+        bool leaves_a; ///< the data came from end a
         FaultEffect effect;
         int output;        ///< of the first packet
         std::string state; ///< what the output did then: "was connected to no input"
     };
-    /// Of each direction of a link that lost anything, in the order of lead_on(), first those from a.
+    /// Returns the losses, one for each direction of a link that lost data, in the order of lead_on(); the direction
+    /// from a comes first.
     std::deque<Loss> losses() const;
     std::uint64_t commands() const { return commands_; }
     /// Made, one for each output.
@@ -94,14 +96,14 @@ public:
     void leave(Process&, Process* successor) override;
 
 private:
-    /// What an output puts out.
+    /// The input that an output is connected to.
     struct Choice {
         int input = nothing;
         bool ready = false; ///< command 3 has come
     };
     static constexpr int nothing = -1;
 
-    /// A link that leads through it.
+    /// A link that leads through the switch.
     struct Way final : Passage {
         Way(Crossbar& c, Link& l, int a, int b)
             : crossbar(c), link(l), at_a(a), at_b(b), from_a{&l, true, {}, 0, ""}, from_b{&l, false, {}, 0, ""} {}

@@ -25,12 +25,12 @@ class Route;
 /// What routers send each other: a part of a message on its way, or the acknowledge of one on its way back.
 struct Packet {
     static constexpr std::uint32_t header_bytes = 4; ///< ours: one word names the channel and the kind of packet
-    static constexpr std::int64_t most_bytes = 256;  ///< ours: of a message, in one packet
+    static constexpr std::int64_t most_bytes = 256;  ///< ours: bytes of a message in one packet
 
     Route* route;
     bool acknowledge;
-    bool last;       ///< of its message
-    std::size_t hop; ///< of its way: which link it goes over, or has come by
+    bool last;       ///< the packet is the last of its message
+    std::size_t hop; ///< index in the route of the link that the packet goes over, or has come by
     std::int64_t bytes;
 
     WireForm wire_form() const { return WireForm(header_bytes + bytes); }
@@ -88,7 +88,7 @@ private:
 
         bool is_on(const Executive& executive) const { return router_.executive_ == &executive; }
         bool halted() const;
-        /// Whether no packet that is here will ever get over the link.
+        /// Returns whether no packet that waits here will ever get over the link.
         bool stands_still() const;
         bool holds_packet_of(const Route&) const;
 
@@ -101,8 +101,8 @@ private:
         Channel<Packet>& out_;
         Channel<Packet>& in_;
         const Port* opposite_ = nullptr;       ///< at the other end of the link
-        const Route* being_sent_ = nullptr;    ///< whose packet the sender has
-        bool on_link_ = false;                 ///< and outputs
+        const Route* being_sent_ = nullptr;    ///< route of the packet that the sender has
+        bool on_link_ = false;                 ///< the sender is outputting that packet
         std::deque<std::deque<Packet>> turns_; ///< the packets of each channel that has any, the next to send first
         bool sender_idle_ = false;             ///< it waits for a packet to send
         Process sender_, receiver_;
@@ -146,7 +146,7 @@ struct Hop {
 class Route final : public Carrier {
 public:
     static constexpr std::size_t most_under_way = 4; ///< ours: packets that the sender is ahead of acknowledges
-    /// Bytes that each processor on its way, both ends included, keeps for it.
+    /// Bytes of memory that each processor on the route, both ends included, reserves for the channel.
     static constexpr std::int64_t room = most_under_way * (Packet::header_bytes + Packet::most_bytes);
 
     /// REQUIRES: at least one hop; each begins at the router where the one before ends, and none is passed twice.
@@ -156,7 +156,7 @@ public:
     void input(AnyChannel&, const SourceLocation&) override;
     bool message_waits(const AnyChannel&) const override { return !here_.empty(); }
     std::string why_not_given_up() const override { return "travels in packets, which routers carry to their end"; }
-    /// A packet of the message under way, or the acknowledge of one, stands still.
+    /// Returns whether a packet of the current message, or the acknowledge of a packet, stands still.
     bool output_is_lost(const AnyChannel&) const override { return is_stopped(); }
     bool input_is_lost(const AnyChannel&) const override { return inputter_ && is_stopped(); }
     /// It does at this link; it does since this processor, which it leads from, to or over, has halted.
@@ -172,7 +172,8 @@ private:
         return std::ranges::any_of(forth_, has) || std::ranges::any_of(back_, has);
     }
 
-    /// The packet, which has come over a link, goes on at that router; nothing if it has arrived.
+    /// Advances the packet, which has come over a link; returns the port by which it is sent on, or null if it has
+    /// arrived.
     Router::Port* onward(Packet&) const;
     void arrived(const Packet&);
     void send_packet();
@@ -185,7 +186,7 @@ private:
     Process* outputter_ = nullptr;
     std::int64_t bytes_left_ = 0; ///< not yet sent
     bool all_sent_ = false;
-    std::size_t under_way_ = 0; ///< packets sent and not yet acknowledged
+    std::size_t under_way_ = 0; ///< number of packets sent and not yet acknowledged
 
     Process* inputter_ = nullptr; ///< from when it asks for a message until it has it
     std::deque<Packet> here_;     ///< arrived, and no process has taken them

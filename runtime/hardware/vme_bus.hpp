@@ -19,9 +19,10 @@ namespace placedpar::hardware {
 
 class VmeMaster;
 
-/// Who gets a VMEbus of those that ask for it. `priority` (PRI): the highest request level. `round_robin` (RRS): the
-/// levels take turns, downwards from the one below that which had the bus last. `single_level` (SGL): there is only
-/// BR3. Within a level the grant is passed from slot to slot: the lowest one that asks keeps it (VMEbus specification).
+/// Determines which of the requesting masters gets a VMEbus. `priority` (PRI): the highest request level. `round_robin`
+/// (RRS): the levels take turns, downwards from the one below that which had the bus last. `single_level` (SGL): there
+/// is only BR3. Within a level the grant is passed from slot to slot: the lowest one that asks keeps it (VMEbus
+/// specification).
 enum class Arbitration { priority, round_robin, single_level };
 
 /// When a master gives up the bus: `when_done` (RWD) after each block of words, `on_request` (ROR) when another asks.
@@ -35,27 +36,28 @@ struct VmeTiming {
     Time time_out = std::chrono::microseconds{125};   ///< published: a common default of bus timers
 };
 
-/// Something that answers on a bus.
+/// A device that responds to accesses on a bus.
 class BusSlave {
 public:
     virtual ~BusSlave() = default;
     virtual const std::string& bus_name() const = 0;
 
-    /// From one moment to another it is not there, as a board that is pulled out of its slot.
+    /// A period in which the slave does not respond, as a board that is pulled out of its slot.
     struct Absence {
         Time from, until;
         std::uint64_t unanswered = 0; ///< accesses
     };
-    /// Adds one, which lasts as long as the slave. REQUIRES: before the run.
+    /// Adds a period without response. The returned reference is valid as long as the slave exists. REQUIRES: before
+    /// the run.
     const Absence& leave(Time from, Time until) { return absences_.emplace_back(Absence{from, until}); }
-    /// An access begins. Whether it is answered.
+    /// Begins an access; returns whether the slave responds.
     bool answer(Time now);
 
 private:
     std::deque<Absence> absences_;
 };
 
-/// Nobody answered: the bus timer has ended the cycle.
+/// Thrown when no slave responds: the bus timer has ended the cycle.
 class BusError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -68,12 +70,12 @@ public:
 ///    another asks for it; one that releases when done does so if a higher level asks for it and the arbitration is PRI
 ///    (BCLR). The rest of its block waits for its next turn.
 /// 3. A master that releases on request keeps a bus that nobody asks for, and then needs no arbitration.
-/// 4. The words of a block follow each other without a break; one event stands for all of them until somebody asks for
-///    whom the holder must give up the bus. Who asks when a word ends comes after the next has begun.
+/// 4. The words of a block follow each other without a break; one event covers the block until a request
+///    arrives that the holder must yield to. A request at the end of a word waits for the next word.
 class VmeBus {
 public:
-    /// Throws std::logic_error unless a word, a byte and the time-out take time and arbitration does not take less than
-    /// none.
+    /// Throws std::logic_error unless the times of a word, a byte and the time-out are positive and that of the
+    /// arbitration is not negative.
     VmeBus(Kernel&, std::string name, Arbitration = Arbitration::priority, const VmeTiming& = {});
     VmeBus(const VmeBus&) = delete;
     VmeBus& operator=(const VmeBus&) = delete;
@@ -83,7 +85,7 @@ public:
     const VmeTiming& timing() const { return timing_; }
     const std::vector<VmeMaster*>& masters() const { return masters_; }
 
-    /// How long it has moved words so far, those that nobody answered included.
+    /// Returns how long the bus has moved words so far, accesses without a response included.
     Time time_busy() const;
 
 private:
@@ -118,9 +120,9 @@ private:
     std::uint64_t first_rank_;
     std::vector<VmeMaster*> masters_;
     VmeMaster* holder_ = nullptr;
-    int last_level_ = 0; ///< that had the bus last
+    int last_level_ = 0; ///< level of the master that had the bus last
     Time block_began_{}; ///< the words that are under way
-    Time busy_{};        ///< without those
+    Time busy_{};        ///< time of the words before those
     StepEvent<&VmeBus::arbitrate> arbitrate_{*this};
     StepEvent<&VmeBus::end_block> end_block_{*this};
 };
@@ -140,7 +142,7 @@ struct BusProgram {
     Cycles write_word{};          ///<
     bool in_blocks = false;       ///< words of memory are moved by one instruction, without the program between them
     Cycles interrupt{};           ///< from an interrupt to the process that it wakes
-    std::int64_t most_polls = 32; ///< of a status register in vain; then it waits for an interrupt
+    std::int64_t most_polls = 32; ///< unsuccessful reads of a status register before the program waits for an interrupt
 };
 
 /// A requester: it asks for the bus for the processes of one executive, one after the other.
@@ -157,8 +159,8 @@ public:
     const VmePlace& place() const { return place_; }
     const BusProgram& program() const { return program_; }
 
-    /// The running process moves so many words, or accesses a register once. It keeps its executive, which stands still
-    /// meanwhile. Throws BusError if nobody answers. REQUIRES: words > 0.
+    /// Moves the given number of words for the running process, or accesses a register once. The process keeps its
+    /// executive, which stands still meanwhile. Throws BusError if no slave responds. REQUIRES: words > 0.
     void move_words(BusSlave&, std::uint64_t words);
     void access_byte(BusSlave&);
     /// It holds the bus for so long in one cycle that cannot be left, as a device that does not let go.

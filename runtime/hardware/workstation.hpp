@@ -20,14 +20,14 @@ class Workstation final : public Executive {
 public:
     /// A Sun 3/280's 68020 (data sheet).
     static constexpr std::int64_t sun_3_clock = 25'000'000;
-    /// Of its clocks, at both priorities: that of a 50 Hz Unix.
+    /// Tick of its clocks at both priorities, as in a 50 Hz Unix.
     static constexpr Time clock_tick = std::chrono::milliseconds{20};
 
     /// Throws std::logic_error unless clock_hz > 0.
     Workstation(Kernel&, std::string name, std::int64_t clock_hz = sun_3_clock);
 
     std::int64_t clock_hz() const { return clock_hz_; }
-    /// How long it has computed so far, without waiting for the bus.
+    /// Returns how long the workstation has computed so far, without waiting for the bus.
     Time time_busy() const;
 
     Time tick(Priority) const override { return clock_tick; }
