@@ -66,8 +66,8 @@ private:
     template <class MayPass, class Reach>
     void reach_before(std::size_t node, const Ends&, MayPass may_pass, Reach reach);
     void forget_distances();
-    /// Makes a node a hub when its searches have looked at more nodes than the network has; from then on the cost of
-    /// making a hub is repaid.
+    /// Makes a node a hub when its searches have looked at more nodes than the network has, so that making the hub
+    /// costs no more than these searches.
     void count_as_spent(std::size_t from, std::size_t to);
     void make_hub(std::size_t node);
     /// Returns the nodes on routes of the least cost, the farthest from the hub first, and marks them in within_.
