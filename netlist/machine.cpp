@@ -38,7 +38,7 @@ Machine::Machine(const Network& network, const Catalogue& catalogue, std::uint64
     start_processes();
 }
 
-/// What has slots looks for what is in them, and behind that.
+/// Devices with slots are made later, since they look for the devices in their slots and beyond.
 void Machine::make_nodes(bool with_slots) {
     parts_.nodes.resize(network_.nodes.size());
     for (std::size_t i = 0; i < network_.nodes.size(); ++i)

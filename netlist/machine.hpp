@@ -18,16 +18,16 @@
 
 namespace placedpar {
 
-/// A network turned into a simulation: its processors, links and processes, wired as the netlist says.
-/// Runs once.
+/// Simulates a network: its processors, links and processes, wired as the netlist says. A machine runs once.
 class Machine {
 public:
-    /// Throws RefusedInput, which names all of them, if processes' kinds are not in the catalogue or stand for programs
-    /// that PlacedPar does not have, or if channels lead to an edge, where no process is.
+    /// Throws RefusedInput if the kind of a process is not in the catalogue or stands for a program that PlacedPar does
+    /// not have, or if a channel leads to an edge without a process. The exception names all such processes and
+    /// channels.
     Machine(const Network&, const Catalogue&, std::uint64_t seed);
 
-    /// Throws UserError when a process refuses to work with what it was given, with its place, and when the run would
-    /// pass the end of virtual time.
+    /// Throws UserError when a process refuses its parameters or channels (the text says where the process stands in
+    /// the netlist), and when the run would pass the end of virtual time.
     RunReport run(Time limit = Time::max());
     Simulation& simulation() { return simulation_; }
     /// Notes what the processes do, so that the run can be repeated with other seeds. REQUIRES: before run(); the
@@ -43,12 +43,12 @@ private:
         CarrierPair carriers = {};
         hardware::RouterLink* router_link = nullptr; ///< null where no channel travels in packets
     };
-    /// What a fault does in the run.
+    /// Holds the effects of one fault in the run.
     struct Effects {
-        std::vector<const hardware::FaultEffect*> of_links; ///< of each that it strikes
+        std::vector<const hardware::FaultEffect*> of_links; ///< effect on each link that the fault affects
         FaultEffects of_device = {};
     };
-    /// Calls the member of the node's device.
+    /// Calls the member function of the node's device.
     template <class Member, class... Arguments>
     auto ask(std::size_t node, Member member, Arguments&&... arguments) const {
         return ask_device(network_.nodes[node], [&] {
@@ -78,7 +78,7 @@ private:
     std::vector<std::string> channels_stopped_by(const Fault&) const;
     bool is_stopped_by(const hardware::Route&, const Fault&) const;
 
-    RecordedRun* record_ = nullptr; ///< null: none is wanted
+    RecordedRun* record_ = nullptr; ///< null: the run is not recorded
     Network network_;
     Software software_;
     MachineParts parts_{simulation_, network_, {}, {}};

@@ -21,8 +21,8 @@ namespace placedpar {
 
 namespace {
 
-/// Of those that wait when the work of the run is over, a process goes on if no deadlock holds it: it waits for that
-/// moment, or for one that does (see wait_until_work_is_over).
+/// A process that still waits at the end of the work will continue unless it is in a deadlock, so its wait is not
+/// reported: it waits for the end of the work, or for a process that does (see wait_until_work_is_over).
 void forget_waits_that_end(RunReport& report) {
     auto is_held = [&](const ProcessUse& process) {
         const auto& stuck = report.result.deadlock->processes;
@@ -47,7 +47,8 @@ const ProcessInstance* outermost(const Network& network, std::string_view path) 
     return find_named(network.processes, path.substr(0, path.find('/')));
 }
 
-/// Where the netlist declares what is stuck. The channels stand in its order, and after them those that a program made.
+/// Adds the places where the netlist declares the stuck processes and channels. Channels are in the order of the
+/// netlist, followed by the channels that a program made.
 void add_places(Deadlock& deadlock, const Network& network) {
     for (StuckProcess& stuck : deadlock.processes)
         if (const ProcessInstance* process = outermost(network, stuck.path))
@@ -115,7 +116,7 @@ bool has_own_devices(const Network& network) {
     }
 }
 
-/// What no process threw.
+/// Rethrows an exception that no process threw.
 [[noreturn]] void rethrow_for_the_kernel() {
     try {
         throw;

@@ -48,7 +48,7 @@ void check_size(WrittenOut out, const Location& at, Reporter& reporter) {
             at, fmt::format("the network is too large: written out it would have more than {} words", most_tokens));
 }
 
-/// What is wrong with a text that is occam is not its words.
+/// If the text is occam, reports that instead of errors in its words.
 void recognise_occam(const std::shared_ptr<const SourceFile>& main, Reporter& reporter) {
     auto found = occam_in(main);
     if (auto first = reporter.first_file(); !found && first)
@@ -88,7 +88,7 @@ std::string render(const ReadResult& result) { return render(result.diagnostics)
 struct ParsedNetlist::Syntax {
     Syntax(const LoadedSource& source, const std::filesystem::path& path, const ReadOptions& options);
     void parse(const std::filesystem::path& path);
-    /// None where the reporter has failed. It has been told what this one knows.
+    /// Returns no network if the reporter has errors. REQUIRES: the reporter already has the diagnostics of `found`.
     std::optional<Network> network(const Catalogue&, const Overrides&, Reporter&, Declared&) const;
 
     std::shared_ptr<const SourceFile> file;

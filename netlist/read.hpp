@@ -13,7 +13,7 @@
 
 namespace placedpar {
 
-/// So many are declared; of a netlist that is refused too, as far as its statements could be executed.
+/// Counts the declared things. For a refused netlist, counts the things of the statements that could be executed.
 struct Declared {
     std::size_t processors = 0, processes = 0;
 };
@@ -21,32 +21,34 @@ struct Declared {
 struct ReadResult {
     std::optional<Network> network;      ///< there exactly if no diagnostic is an error
     std::vector<Diagnostic> diagnostics; ///< in the order of the text; at most 20 errors
-    std::string not_shown = "";          ///< a line on how many more there were; "" if none
+    std::string not_shown = "";          ///< a line that says how many more errors there are; "" if none
     Declared declared = {};
 };
 
-/// The diagnostics as people read them, and how many more there were.
+/// Returns the diagnostics as text, and how many more there were.
 std::string render(const ReadResult& result);
 
-/// What a netlist finds around it.
+/// Holds what a netlist is read with besides its own text.
 struct ReadOptions {
-    std::vector<std::filesystem::path> include_folders = {}; ///< where included files are, if not beside the including
-    std::vector<std::string> faults = {};                    ///< stated by options: `t[0].link[1] silent (from = 20ms)`
-    ProgramKinds programs = {};                              ///< a program that the netlist does not use is an error
+    std::vector<std::filesystem::path> include_folders =
+        {};                               ///< folders searched for files that are not beside the including file
+    std::vector<std::string> faults = {}; ///< stated by options: `t[0].link[1] silent (from = 20ms)`
+    ProgramKinds programs = {};           ///< a program that the netlist does not use is an error
 };
 
-/// What a netlist and the files that it includes say, before anything is set: read and parsed once, however many
-/// networks are wanted. Nothing in it changes: it is copied without cost, and serves several threads at once.
+/// Holds the syntax of a netlist and of the files that it includes, before overrides are applied. It is read and parsed
+/// once for any number of networks. It is immutable: copies are cheap, and several threads may use it at once.
 class ParsedNetlist {
 public:
-    /// "-" is standard input, and its `#include` relative to the working directory. Throws nothing that the text can
-    /// cause: what is wrong with it is said of each network.
+    /// Reads the file; "-" is standard input, whose `#include` is relative to the working directory. Errors in the text
+    /// are not thrown: each read() reports them.
     explicit ParsedNetlist(const std::filesystem::path& path, const ReadOptions& options = {});
-    /// The same for a text that is not a file; `#include` is then relative to the working directory.
+    /// Parses a text that is not a file; its `#include` is relative to the working directory.
     static ParsedNetlist of_text(const std::string& text, const std::string& shown_path = "netlist",
                                  const ReadOptions& options = {});
 
-    /// Elaborates and checks it with these settings. Throws nothing that the text or they can cause.
+    /// Elaborates and checks the netlist with these overrides. Errors in the text or in the overrides are reported in
+    /// the result, not thrown.
     ReadResult read(const Catalogue& catalogue, const Overrides& overrides = {}) const;
 
 private:
@@ -56,11 +58,11 @@ private:
     std::shared_ptr<const Syntax> syntax_;
 };
 
-/// A netlist of which one network is wanted.
+/// Parses and reads a netlist of which one network is needed.
 ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& catalogue, const Overrides& overrides = {},
                         const ReadOptions& options = {});
 
-/// The same for a text that is not a file.
+/// Parses and reads a text that is not a file.
 ReadResult read_netlist_text(const std::string& text, const Catalogue& catalogue, const Overrides& overrides = {},
                              const std::string& shown_path = "netlist", const ReadOptions& options = {});
 

@@ -45,7 +45,8 @@ std::optional<RunReport> RepeatedRun::run() {
         if (!course_.departed)
             throw;
         return std::nullopt;
-    } catch (...) { // a departure; or what on the machine may come to pass at another moment, if it does
+    } catch (...) { // a departure from the record, or an exception that on the machine might come at another time or
+                    // not at all
         return std::nullopt;
     }
     if (course_.departed)
@@ -61,7 +62,7 @@ std::optional<RunReport> RepeatedRun::run() {
     return report;
 }
 
-/// Each process makes its own in the order in which it made them then.
+/// Returns the measurements in the recorded order; each process makes its own in the same order as in the recorded run.
 std::vector<Measurement> RepeatedRun::in_recorded_order(const std::vector<Measurement>& measured) const {
     std::map<std::string, std::list<Measurement>> of_process;
     for (const Measurement& each : measured)

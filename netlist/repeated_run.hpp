@@ -14,33 +14,32 @@
 
 namespace placedpar {
 
-/// A run of a network on its machine, and what its processes did in it (Machine::record).
+/// Holds a run of a network on its machine, and the histories of its processes (Machine::record).
 struct RecordedRun {
-    std::optional<RunReport> report; ///< none where it has not ended, but was refused
-    std::uint64_t events = 0;        ///< their fingerprint
+    std::optional<RunReport> report; ///< empty if the run did not end because it was refused
+    std::uint64_t events = 0;        ///< fingerprint of the events
     RunHistory course;
     std::list<History> histories; ///< by process of the network
 
-    /// It has completed, and its processes did only what can be repeated.
+    /// Returns whether the run has completed and its processes did only what can be repeated.
     bool can_be_repeated() const;
 };
 
-/// Whether what happens in the network follows from what histories note: of all processes
-/// (ProcessKind::is_determinate); none outputs to several on a bus at once, which looks whether these messages are one;
-/// and the machine has no faults, of which programs may be told by exceptions.
+/// Returns whether all that happens in the network follows from what histories record. This requires that all processes
+/// are determinate (ProcessKind::is_determinate), that no channel is broadcast on a bus (the bus compares the messages
+/// of a broadcast), and that the machine has no faults (programs may see faults as exceptions).
 bool is_determinate(const Network&, const Catalogue&);
 
-/// A run with another seed that takes the same course as one on the machine: its processes compute, with their own
-/// numbers, on no machine, and the times, which do not depend on them, are those of the recorded run. Where a process
-/// does anything else than it did then, such as computing longer, there is no such run.
-///
-/// REQUIRES: the network is that of the recorded run, and determinate. All three outlive it.
+/// Repeats a recorded run with another seed without simulating the machine. The processes compute with the numbers of
+/// the new seed, and all times are taken from the recorded run. If a process does anything else than in the recorded
+/// run, such as computing longer, there is no repeated run.  REQUIRES: the network is that of the recorded run, and
+/// determinate. All three arguments outlive this object.
 class RepeatedRun {
 public:
     RepeatedRun(const Network&, const Catalogue&, std::uint64_t seed, const RecordedRun&);
 
-    /// The report of the run on the machine, to the last bit; of an interrupted one only that it is. None where the
-    /// course would be another, or the run would not complete.
+    /// Returns the report that a run on the machine would give, equal to the last bit; the report of an interrupted run
+    /// says only that it was interrupted. Returns nothing if the run would take another course or would not complete.
     std::optional<RunReport> run();
     Simulation& simulation() { return simulation_; }
 

@@ -17,17 +17,17 @@ struct ProcessUse {
     std::string name;
     std::string processor;
     Time waiting;                    ///< how long it waited, with all its components
-    std::optional<Time> waits_since; ///< if it waits at the end, for what does not come: since when
+    std::optional<Time> waits_since; ///< if it still waits at the end and never continues: start of this wait
 };
 
-/// What a run reports: how it ended, what the processes measured, and how its work used the machine.
+/// Reports a run: how it ended, what the processes measured, and how its work used the machine.
 struct RunReport : MachineUse {
-    RunResult result; ///< its fingerprint covers the measurements too
+    RunResult result; ///< its fingerprint covers the measurements, too
     std::vector<Measurement> measurements;
     std::vector<ProcessUse> processes;
     std::vector<FaultUse> faults;
 
-    /// The part of the run that took so long. None in a deadlock, which lasts for ever.
+    /// Returns this time as a fraction of the run's length. Nothing in a deadlock, which lasts for ever.
     std::optional<double> share(Time) const;
 
     /// The measurement of that name by that process; throws UserError if there is none.
@@ -35,10 +35,11 @@ struct RunReport : MachineUse {
     const std::string& measured_text(std::string_view process, std::string_view name) const;
 };
 
-/// Sorted by the processes' places in the netlist; each one's stay in the order in which it made them.
+/// Returns the measurements sorted by the position of their processes in the netlist. The measurements of a process
+/// keep their order.
 std::vector<Measurement> in_order_of_netlist(std::vector<Measurement>, const Network&);
 
-/// The fingerprint of a run: of the order of its events, and of what its processes measured.
+/// Returns the fingerprint of a run, which covers the order of its events and the measurements of its processes.
 std::uint64_t fingerprint_with(std::uint64_t events, const std::vector<Measurement>& measurements);
 
 } // namespace placedpar

@@ -71,7 +71,7 @@ std::string summary(std::size_t programs, std::size_t edges) {
     return programs == 0 ? deserted : edges == 0 ? unknown : unknown + ", and " + deserted;
 }
 
-/// What to say for the first of each, as it would be said.
+/// Returns the statements that would remedy the first program and the first edge.
 std::string remedy(const MissingByName& programs, const MissingByName& edges) {
     std::string text;
     if (auto named = std::ranges::find_if(programs, [](const auto& each) { return !each.first.empty(); });

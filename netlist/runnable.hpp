@@ -5,8 +5,8 @@
 
 namespace placedpar {
 
-/// A network that can be shown need not be one that can be run: programs may be unknown, and channels lead to edges
-/// that have no process. Throws RefusedInput with one message that names all of them.
+/// Checks that a network can be run. A network that can be shown may have unknown programs, or channels to edges
+/// without a process. Throws RefusedInput with one message that names all of these.
 void require_runnable(const Network& network, const Catalogue& catalogue);
 
 } // namespace placedpar

@@ -13,27 +13,27 @@
 
 namespace placedpar {
 
-/// The processes of a network and their channels, whatever they run on.
+/// Holds the processes of a network and their channels, whatever the processes run on.
 class Software {
 public:
-    /// Makes the channels: soft ones. Throws RefusedInput as require_runnable. REQUIRES: network and catalogue outlive
-    /// it.
+    /// Makes all channels as soft channels. Throws RefusedInput as require_runnable() does. REQUIRES: network and
+    /// catalogue outlive this object.
     Software(const Network&, const Catalogue&, std::uint64_t seed);
     Software(const Software&) = delete;
     Software& operator=(const Software&) = delete;
 
-    /// By their place in Network::channels.
+    /// Returns the channel with this index in Network::channels.
     AnyChannel& channel(std::size_t index) const { return *channels_[index]; }
 
-    /// Makes all processes, `executives` by node: null where they take no time. REQUIRES: called once, and it outlives
-    /// the simulation's run.
+    /// Makes all processes. `executives` holds an executive for each node, or null if processes there take no time.
+    /// REQUIRES: called once, and this object outlives the simulation's run.
     void start(Simulation&, const std::vector<Executive*>& executives);
-    /// By their place in Network::processes.
+    /// Returns the processes by their index in Network::processes.
     const std::vector<Process*>& processes() const { return processes_; }
 
     const Catalogue& catalogue() const { return catalogue_; }
 
-    /// So far, in their order.
+    /// Returns the measurements so far, in the order in which they were made.
     const std::vector<Measurement>& measurements() const { return measurements_; }
 
 private:

@@ -7,8 +7,9 @@
 
 namespace placedpar::picture {
 
-/// Where each node stands, in cells: no two are less than one apart both across and down. Blocks (blocks.hpp) are put
-/// down one after the other, from the largest on, each where its wires to those before it are short and cross nothing.
+/// Returns the place of each node, in cells. Any two nodes are at least one cell apart across or down. Blocks
+/// (blocks.hpp) are placed one after the other, the largest first, so that the wires to the blocks already placed are
+/// short and cross nothing.
 std::vector<Point> arrange(const Network&, const Wiring&);
 
 } // namespace placedpar::picture

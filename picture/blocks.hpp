@@ -14,9 +14,10 @@ struct Block {
     std::vector<Shape> shapes; ///< at least one, the best first
 };
 
-/// Every node is in one block. Subscripts and wires give a block its shapes: two dimensions make a grid, one a line, a
-/// ring where it closes, a cube or a torus where it is a hypercube, with cycles at the corners where those are
-/// cube-connected, a circle around the node that all are wired to.
+/// Divides the nodes into blocks; every node is in one block. The shapes of a block follow from subscripts and wires.
+/// Two dimensions make a grid, one dimension makes a line, or a ring if it is closed. A hypercube makes a cube or a
+/// torus; cube-connected cycles have cycles at the corners. Nodes that are all wired to one node make a circle around
+/// it.
 std::vector<Block> blocks_of(const Network&, const Wiring&);
 
 } // namespace placedpar::picture

@@ -16,10 +16,10 @@ inline constexpr double pitch = 8;
 /// Heights of letters, in pixels.
 inline constexpr double name_size = 13, fact_size = 10, process_size = 11, kind_size = 9, number_size = 9;
 
-/// Of a node's box: of its heading, and of a line for a process.
+/// Heights in a node's box, in pixels: its heading, and a line for a process.
 inline constexpr double heading_height = 40, process_height = 16;
 
-/// As wide as such a text is at most in the fonts that a viewer may take, in pixels.
+/// Returns the greatest width of the text in the fonts that a viewer may use, in pixels.
 double width_of(const std::string& text, double size, bool bold = false);
 
 struct ProcessLine {
@@ -33,10 +33,10 @@ struct DrawnNode {
     Box box;
     std::string name, facts; ///< facts: type, memory, clock
     std::vector<ProcessLine> processes;
-    std::string inside; ///< how many channels stay within the node; "": none
+    std::string inside; ///< text on the number of channels within the node; "": no channels
 };
 
-/// The nodes with their texts, in boxes of the size that these take, at the places given in cells. No two overlap, and
+/// Draws the nodes as boxes that have room for their texts, at the given places in cells. Boxes do not overlap, and
 /// there is room for wires between them.
 std::vector<DrawnNode> draw_nodes(const Network&, const std::vector<Span>&, const std::vector<Point>& places);
 

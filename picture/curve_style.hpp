@@ -7,12 +7,12 @@
 
 namespace placedpar {
 
-/// How the parts of a panel look, in gnuplot's words. What has a colour of its own has a symbol and dashes of its own,
-/// too, so that it can be told apart in grey.
+/// Functions for the look of a panel's parts, in gnuplot's words. Each colour has its own symbol and dashes, too, so
+/// that curves differ in grey.
 
-/// As gnuplot writes it: "#0072B2". Beyond the eight they begin anew.
+/// Returns the colour as gnuplot writes it: "#0072B2". The eight colours repeat.
 const char* colour_named(int number);
-/// Of the panel's series at `place`: the one that it asks for, or that of its place.
+/// Returns the colour of the panel's series at `place`: its own colour, or else the colour of this place.
 const char* colour_of(const Panel& panel, std::size_t place);
 
 std::string style_of(const Panel& panel, std::size_t place);

@@ -7,20 +7,20 @@
 
 namespace placedpar {
 
-/// The end of an axis beyond which a series goes, so that it is cut off there.
+/// Names the edge of a panel at which a series is cut off.
 enum class PanelEdge : unsigned char { top, bottom, left, right };
 
 struct CutOff {
     PanelEdge edge;
     double farthest;            ///< how far it goes there, in the axis's unit
-    std::vector<double> places; ///< on the edge, where it leaves, or where it comes in if it begins beyond
+    std::vector<double> places; ///< points on the edge where the series leaves, or enters if it begins beyond the edge
 };
 
-/// Where the ends that the panel's axes are given cut a series off, by edges in their order. What lies beyond the ends
-/// of the other axis does not count, nor does what is beyond by less than can be seen.
+/// Returns where the given ends of the panel's axes cut the series off, in the order of the edges. Points beyond the
+/// ends of the other axis do not count, nor do points that are too near to the edge to see the difference.
 std::vector<CutOff> cut_offs(const Series& series, const Panel& panel);
 
-/// For people: " ↑ to 164 ← to -47"; empty for a series that is drawn whole.
+/// Returns the text for people: " ↑ to 164 ← to -47"; empty for a series that is drawn whole.
 std::string text_of(const std::vector<CutOff>& cut_offs);
 
 } // namespace placedpar

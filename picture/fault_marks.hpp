@@ -10,16 +10,16 @@
 
 namespace placedpar::picture {
 
-/// A fault of the network, at what it strikes.
+/// Marks a fault at the wire or node that it affects.
 struct FaultMark {
-    std::optional<std::size_t> wire, node; ///< one of them
+    std::optional<std::size_t> wire, node; ///< exactly one is set
     std::string text;                      ///< "silent from 20 ms"
     std::string statement;                 ///< "t[0].link[1] silent (from = 20ms)"
-    Box box;                               ///< of the text, beside it
+    Box box;                               ///< box of the text, beside the wire or node
 };
 
-/// In the order of the network's faults. The texts lie on no box or label, and on none of each other, where there is
-/// room.
+/// Returns the marks in the order of the network's faults. If there is room, the texts do not overlap boxes, labels or
+/// each other.
 std::vector<FaultMark> fault_marks(const Network&, const Picture&);
 
 } // namespace placedpar::picture

@@ -27,15 +27,15 @@ struct Box {
     double bottom() const { return centre.y + height / 2; }
 };
 
-/// Larger by this much on every side.
+/// Returns the box enlarged by `by` on every side.
 Box grown(const Box&, double by);
-/// Whether they share more than a border.
+/// Returns whether the boxes share more than a border.
 bool overlap(const Box&, const Box&);
-/// Whether some of the line from a to b lies within the box.
+/// Returns whether part of the line from a to b lies within the box.
 bool crosses(const Box&, Point a, Point b);
-/// Where the line from a point in the box to one outside leaves it.
+/// Returns where the line from a point inside the box to a point outside leaves the box.
 Point way_out(const Box&, Point inside, Point outside);
-/// The smallest box that holds them all. REQUIRES: there is one.
+/// Returns the smallest box that contains all boxes. REQUIRES: there is at least one box.
 Box around(const std::vector<Box>&);
 
 } // namespace placedpar::picture

@@ -8,7 +8,7 @@
 
 namespace placedpar {
 
-/// How a vertex is drawn; told apart without colours, too.
+/// Says how a vertex is drawn; the looks differ without colours, too.
 enum class VertexLook : unsigned char { empty, member, parent, offspring };
 
 /// A vertex of a hypercube. Its number is its binary string read as a whole number: 1100 is vertex 12.
@@ -18,7 +18,7 @@ struct DrawnVertex {
     std::string note = {}; ///< beside it, such as "2 copies"
 };
 
-/// Two vertices: the ends of an arrow, or opposite corners of a smaller hypercube.
+/// Holds two vertices: the ends of an arrow, or opposite corners of a smaller hypercube.
 using VertexPair = std::pair<std::uint32_t, std::uint32_t>;
 
 /// A hypercube as the thesis draws it (Figures 6.2 to 6.4): vertices, and a link wherever two differ in one bit.
@@ -26,16 +26,16 @@ struct DrawnHypercube {
     std::string title;
     std::size_t dimensions = 4;             ///< 1 to 4
     std::vector<DrawnVertex> vertices = {}; ///< all others are empty
-    std::vector<VertexPair> spanned = {};   ///< the links between two parents are thick
+    std::vector<VertexPair> spanned = {};   ///< smaller hypercubes spanned by two parents; their links are thick
     std::vector<VertexPair> moves = {};     ///< arrows
     std::vector<std::string> lines = {};    ///< of text, below
 };
 
-/// What a look means.
+/// Explains the meaning of each look.
 using VertexLegend = std::vector<std::pair<VertexLook, std::string>>;
 
-/// Hypercubes in rows of `columns`, as SVG. The same input gives the same bytes. REQUIRES: vertices below 2^dimensions;
-/// columns >= 1. Throws std::invalid_argument for dimensions outside 1 to 4.
+/// Draws hypercubes in rows of `columns`, as SVG. The same input gives the same bytes. REQUIRES: vertices below
+/// 2^dimensions; columns >= 1. Throws std::invalid_argument for dimensions outside 1 to 4.
 std::string draw_hypercubes(const std::string& title, const std::vector<DrawnHypercube>& cubes, std::size_t columns,
                             const VertexLegend& legend);
 

@@ -11,16 +11,16 @@
 
 namespace placedpar::picture {
 
-/// Finds room for small labels, on none of the boxes and on no other label; where it can, on no wire of others.
+/// Finds room for small labels that overlap no box and no other label, and, if possible, no other wire.
 class LabelRoom {
 public:
     explicit LabelRoom(const std::vector<Box>& boxes);
 
-    /// A piece of the wire of this number.
+    /// Adds a piece of the wire with this number.
     void add_wire(std::size_t wire, const Path&);
-    /// Beside the wire's end that the path begins with.
+    /// Finds room beside the wire's end at which the path begins.
     std::optional<Box> beside_start(std::size_t wire, const Path&, double width, double height);
-    /// On the wire, about the middle of its longest line.
+    /// Finds room on the wire, near the middle of its longest line.
     std::optional<Box> on_middle(std::size_t wire, const Path&, double width, double height);
 
 private:
@@ -41,7 +41,7 @@ private:
     std::map<Tile, std::vector<Line>> lines_;
 };
 
-/// Where a path's longest line begins: the position of that point.
+/// Returns the index of the point at which a path's longest line begins.
 std::size_t longest_line(const Path&);
 
 } // namespace placedpar::picture

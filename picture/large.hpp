@@ -9,13 +9,13 @@
 
 namespace placedpar::picture {
 
-/// From so many nodes on a network is drawn as this file says.
+/// Number of nodes from which a network is drawn by draw_large().
 inline constexpr std::size_t large_network = 200;
 
-/// The picture of a large network, in a time of n log n. Every array stands as its block says (blocks.hpp), single
-/// nodes stand at the left, and the one that most of a ring is wired to in its centre. Wires between neighbours are
-/// straight; others lead between the rows and columns, or inside of a ring, and through no box. Nothing is written on
-/// them.
+/// Draws a large network, in a time of O(n log n). Every array has the shape of its block (blocks.hpp). Single nodes
+/// are at the left, and a node that most nodes of a ring are wired to is in the centre of the ring. Wires between
+/// neighbours are straight; others lead between rows and columns or inside a ring, through no box. Wires have no
+/// labels.
 std::pair<std::vector<DrawnNode>, std::vector<DrawnWire>> draw_large(const Network&, const std::vector<Span>&);
 
 } // namespace placedpar::picture

@@ -8,17 +8,18 @@
 
 namespace placedpar::picture {
 
-/// Where everything stands in the drawing of a network, in pixels.
+/// Holds the place of everything in the drawing of a network, in pixels.
 struct Picture {
     std::vector<DrawnNode> nodes; ///< in the order of the network's
     std::vector<DrawnWire> wires; ///< in the order of the network's connections
 };
 
-/// The same network gives the same picture. No two boxes or labels overlap. The spans are those of its wires.
-/// Without places for its nodes, in cells, they are arranged; those of a large network always are (large.hpp).
+/// Draws a network; the same network gives the same picture. No two boxes or labels overlap. The spans are the spans of
+/// the network's wires. `places` are those of the nodes, in cells; if it is empty, or the network is large (large.hpp),
+/// draw() arranges the nodes itself.
 Picture draw(const Network&, const std::vector<Span>&, const std::vector<Point>& places = {});
 
-/// What all of it takes. REQUIRES: there is a node.
+/// Returns the box that contains the whole picture. REQUIRES: there is a node.
 Box extent_of(const Picture&);
 
 } // namespace placedpar::picture

@@ -13,8 +13,8 @@ struct Point {
 };
 
 enum class Stroke {
-    line,   ///< of the dashes that belong to its colour, unless dashes mean something in its panel
-    dashes, ///< of their own, where they mean something
+    line,   ///< with the dashes of its colour, unless dashes have a meaning in its panel
+    dashes, ///< dashes that have a meaning in the panel
     points,
     plain ///< a line without symbols or dashes, such as stairs
 };
@@ -24,13 +24,14 @@ struct Series {
     std::string name; ///< in the legend; empty: not there
     std::vector<Point> points = {};
     Stroke stroke = Stroke::line;
-    std::optional<int> colour = std::nullopt; ///< which of the eight; none: that of its place among the panel's series
-    /// Of y, and of x, at each point: bars with caps. None: empty; none at a point: not a number. Series that have
-    /// intervals of y at the same x are drawn a little beside each other.
+    std::optional<int> colour =
+        std::nullopt; ///< one of the eight colours; empty: the colour of its place among the panel's series
+    /// Intervals of y, and of x, at each point, drawn as bars with caps. Empty: no intervals; NaN: no interval at this
+    /// point. Series with intervals of y at the same x are drawn slightly beside each other.
     std::vector<Interval> intervals = {}, x_intervals = {};
 };
 
-/// The series through the points that point_at(0), ..., point_at(steps) give.
+/// Returns the series through the points point_at(0), ..., point_at(steps).
 template <class PointAt>
 Series curve(Series series, int steps, PointAt point_at) {
     for (int i = 0; i <= steps; ++i)
@@ -42,18 +43,18 @@ struct BandPoint {
     double x, low, high;
 };
 
-/// The space between two curves, pale, behind all series.
+/// Describes the space between two curves, drawn pale behind all series.
 struct Band {
     std::string name; ///< in the legend; empty: not there
     std::vector<BandPoint> points;
     int colour; ///< which of the eight
 };
 
-/// A horizontal line over the whole width, grey, of other dashes than the panel's other marks.
+/// Describes a grey horizontal line over the whole width. Each mark of a panel has different dashes.
 struct Mark {
     std::string name;
     double y;
-    std::optional<int> colour = std::nullopt; ///< which of the eight, where it belongs to a series
+    std::optional<int> colour = std::nullopt; ///< one of the eight colours, if the mark belongs to a series
 };
 
 struct Axis {
@@ -62,9 +63,9 @@ struct Axis {
     bool logarithmic = false;
 };
 
-/// One diagram. Its legend stands to the right of it. An axis goes farther than it is told where a series would touch
-/// the frame there; a series that an axis cuts off has an arrow there instead, and says how far it goes: in the legend,
-/// or where it has no name beside the arrow.
+/// Describes one diagram with its legend to the right. An axis is extended beyond its given end if a series would touch
+/// the frame there. A series that an axis cuts off has an arrow at the frame; how far it goes is in the legend, or, if
+/// the series has no name, beside the arrow.
 struct Panel {
     std::string title = {};
     Axis x = {}, y = {};
@@ -73,25 +74,26 @@ struct Panel {
     std::vector<Band> bands = {};
 };
 
-/// Panels, one below the other.
+/// Holds panels, one below the other.
 struct Plot {
     std::string title;
     std::vector<Panel> panels;
 };
 
-/// A plot and the name of its file, without .svg.
+/// Holds a plot and the name of its file, without .svg.
 struct NamedPlot {
     std::string name;
     Plot plot;
 };
 
-/// Drawn by gnuplot: the same plot gives the same bytes. Throws std::invalid_argument for a panel without series, a
-/// series or a band without points and a series with intervals at some points only, UserError when gnuplot is not
-/// there, std::runtime_error when it refuses the plot.
+/// Draws the plot by gnuplot; the same plot gives the same bytes. Throws std::invalid_argument for a panel without
+/// series, a series or a band without points and a series with intervals at some points only, UserError when gnuplot is
+/// not there, std::runtime_error when it refuses the plot.
 std::string draw_svg(const Plot&);
 
-/// The points of its curves, intervals and bands as comma-separated values, a point a row, with the labels of its axes,
-/// which have the units. All points, also those beyond the axes, and where they are, not a little beside.
+/// Prints the points of the plot's curves, intervals and bands as comma-separated values: a row for each point, with
+/// the labels of the axes, which have the units. Points beyond the ends of the axes are included, and points are at
+/// their exact x, without the shift that separates intervals.
 std::string curves_csv(const Plot&);
 
 } // namespace placedpar

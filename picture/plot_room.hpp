@@ -7,17 +7,18 @@
 
 namespace placedpar {
 
-/// Room that a panel's axes need beside what is drawn, in gnuplot's words.
+/// Functions for the room that a panel's axes need beside the curves, in gnuplot's words.
 
-/// Sets the variables Xfrom0 and Xto0, or those of the axis Y or of another panel, to the ends that gnuplot has given
-/// to the axis when it drew the panel, but farther out where a series ends at the frame. What an axis cuts off needs no
-/// room. REQUIRES: gnuplot has just drawn the panel.
+/// Sets the variables Xfrom0 and Xto0, or those of the axis Y or of another panel, to the ends that gnuplot chose for
+/// the axis when it drew the panel, or farther out if a series ends at the frame. Parts of a series that an axis cuts
+/// off need no room. REQUIRES: gnuplot has just drawn the panel.
 std::string room_commands(const Panel& panel, std::size_t number);
 
-/// The axes with ends of their own where all that is drawn is at one value, as gnuplot would show a hundredth of it.
+/// Gives an axis ends of its own if all points have the same value, since gnuplot would show only a hundredth of that
+/// value.
 Panel with_wide_axes(Panel panel);
 
-/// The first column of the data of the panel's series at `place`, which is x: moved a little if another series has an
+/// Returns the x column of the data of the panel's series at `place`. x is moved slightly if another series has an
 /// interval at the same x, so that no bar covers another. Uses the variables Xfrom0 and Xto0.
 std::string column_of_x(const Panel& panel, std::size_t number, std::size_t place);
 

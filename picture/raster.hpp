@@ -8,10 +8,10 @@
 
 namespace placedpar::picture {
 
-/// A way of straight lines, from its first point to its last.
+/// A path of straight lines from its first point to its last.
 using Path = std::vector<Point>;
 
-/// A border point of a box, and the direction in which a wire leaves the box there: one unit across or down.
+/// Describes a border point of a box, and the direction in which a wire leaves the box there: one unit across or down.
 struct Port {
     Point at, outward;
 };
@@ -23,16 +23,17 @@ public:
     /// REQUIRES: the borders of the boxes lie on the raster.
     Raster(const Box& area, const std::vector<Box>& boxes);
 
-    /// Nothing leads through it.
+    /// Blocks the box: no path leads through it.
     void block(const Box&);
-    /// A wire is there.
+    /// Adds a wire, which paths may cross but not run along.
     void add(const Path&);
-    /// From one of the ports to one of the others; none where there is no way, or after a very long search.
+    /// Finds a path from one of the ports `from` to one of the ports `to`; nothing if there is no path, or after a very
+    /// long search.
     std::optional<Path> find(const std::vector<Port>& from, const std::vector<Port>& to);
 
 private:
     class Search;
-    /// What is known of a point: a box or a label is there or close by, or wires are, by their direction.
+    /// Says what is at or close to a point: a box or label, or wires of each direction.
     struct Mark {
         bool blocked = false, near = false, across = false, down = false, slanting = false;
 
@@ -47,10 +48,10 @@ private:
 
     Point origin_;
     std::ptrdiff_t columns_, lines_;
-    std::vector<Mark> marks_; ///< none where there are too many points
+    std::vector<Mark> marks_; ///< empty if there are too many points
     std::size_t steps_left_;
-    std::vector<unsigned> costs_;       ///< by state of a search; between searches of none
-    std::vector<unsigned char> before_; ///< by state: the way by which the point before was reached
+    std::vector<unsigned> costs_;       ///< cost of each state of a search; reset between searches
+    std::vector<unsigned char> before_; ///< for each state: direction in which the preceding point was reached
 };
 
 } // namespace placedpar::picture

@@ -8,7 +8,7 @@
 
 namespace placedpar::picture {
 
-/// Where the nodes of a block can stand, each relative to the block, in cells: a node takes a cell of its own.
+/// Holds the places of a block's nodes relative to the block, in cells. Each node has a cell of its own.
 using Shape = std::vector<Point>;
 
 /// The node that a tree's root hangs from.
@@ -18,25 +18,25 @@ inline constexpr std::size_t no_node = static_cast<std::size_t>(-1);
 
 Shape row(std::size_t count);
 Shape column(std::size_t count);
-/// Rows of at most so many, every second one from right to left: neighbours stay neighbours.
+/// Makes rows of at most `longest` nodes. Every second row runs from right to left, so that neighbours stay neighbours.
 Shape snake(std::size_t count, std::size_t longest);
-/// Rows of about as many as there are rows, each from left to right.
+/// Makes about as many rows as columns; each row runs from left to right.
 Shape rectangle(std::size_t count);
-/// Clockwise from the top; four of them are a square.
+/// Makes a circle, clockwise from the top; four nodes make a square.
 Shape circle(std::size_t count);
-/// Whether all stand about as far from the middle.
+/// Returns whether all nodes are at about the same distance from the centre.
 bool is_circle(const Shape&);
 /// Makes a circle with room for a node in the centre.
 Shape star(std::size_t count);
-/// Each node below the one that it hangs from, which stands above the middle of all that hang from it. The
-/// root hangs from no_node.
+/// Makes a tree. Each node is below its parent, and a parent is above the middle of its children. `hangs_from` has the
+/// parent of each node; no_node for the root.
 Shape tree(const std::vector<std::size_t>& hangs_from);
-/// By subscripts: the last goes across, the one before it down, the one before that across again.
+/// Places nodes by their subscripts: the last subscript goes across, the second last down, the third last across again.
 Shape grid(const std::vector<std::vector<std::int64_t>>& subscripts);
-/// Of a hypercube: three dimensions as a cube is drawn, more as a torus, in the order of Gray's code.
+/// Makes a hypercube. Three dimensions are drawn as a cube, more as a torus in the order of the Gray code.
 Shape hypercube(std::size_t dimensions);
-/// The same with a circle of as many nodes as dimensions in the place of each corner, corner by corner. REQUIRES: three
-/// dimensions or more.
+/// Makes a hypercube in which each corner is a circle of `dimensions` nodes; the nodes are in the order of the corners.
+/// REQUIRES: three dimensions or more.
 Shape cube_connected_cycles(std::size_t dimensions);
 
 } // namespace placedpar::picture

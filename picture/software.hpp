@@ -8,12 +8,12 @@
 
 namespace placedpar::picture {
 
-/// A network's software in the form of a network, so that it is drawn as one: a node for each process, and for each
-/// edge that channels lead to; a wire between two of them for all channels that lead from one to the other and back.
+/// Represents a network's software as a network, so that it can be drawn. There is a node for each process and for each
+/// edge with channels. One wire between two nodes stands for all channels between them, in both directions.
 struct Software {
     Network network;
-    std::vector<Span> spans;   ///< at each end the ports that send from there
-    std::vector<Point> places; ///< of its nodes, in cells, where they form a tree that branches; else none
+    std::vector<Span> spans;   ///< labelled at each end with the ports that send from there
+    std::vector<Point> places; ///< places of the nodes, in cells, if they form a tree with branches; else empty
 };
 
 Software software_of(const Network&);

@@ -6,12 +6,12 @@
 
 namespace placedpar {
 
-/// The network drawn as SVG: nodes where their subscripts put them, with their processes; wires with the numbers of
-/// their links and the channels that they carry; a legend. The same network gives the same bytes.
+/// Draws the network as SVG: nodes, placed by their subscripts, with their processes; wires with link numbers and
+/// channels; a legend. The same network gives the same bytes.
 std::string print_svg(const Network& network);
 
-/// The network's software drawn likewise: processes, wherever they are placed, and the channels between them, each with
-/// the name by which its sender knows it.
+/// Draws the network's software as SVG: processes, whatever node they are placed on, and the channels between them,
+/// each with the sender's name for it.
 std::string print_software_svg(const Network& network);
 
 } // namespace placedpar

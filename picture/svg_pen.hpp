@@ -9,13 +9,13 @@
 
 namespace placedpar::picture {
 
-/// A length to a tenth of a pixel.
+/// Prints a length to a tenth of a pixel.
 std::string svg_number(double length);
 inline std::string svg_point(Point p) { return svg_number(p.x) + " " + svg_number(p.y); }
-/// The data of a path that leads straight from corner to corner.
+/// Returns the path data of straight lines from corner to corner.
 std::string svg_corners(const std::vector<Point>& corners);
 
-/// It is written only if it has a value.
+/// An attribute is written only if it has a value.
 struct SvgAttribute {
     SvgAttribute(const char* given, std::string text) : name(given), value(std::move(text)) {}
     SvgAttribute(const char* given, double length) : name(given), value(svg_number(length)) {}
@@ -24,8 +24,8 @@ struct SvgAttribute {
 };
 using SvgAttributes = std::vector<SvgAttribute>;
 
-/// This class writes SVG: elements in the order in which they are painted, each on a line of its own, those of a group
-/// on one. It escapes texts and values.
+/// Writes SVG elements in the order of painting. Each element has a line of its own; the elements of a group share a
+/// line. It escapes texts and values.
 class SvgPen {
 public:
     SvgPen& rect(const Box& b, const SvgAttributes& more = {}) {
@@ -49,12 +49,12 @@ public:
     SvgPen& group(const SvgAttributes&, const SvgPen& contents, std::string_view tooltip = "");
     SvgPen& add(const SvgPen& other);
 
-    /// All that was drawn, on white paper. `arrow_heads` are the markers that its paths end in.
+    /// Returns all that was drawn as a document on white paper. `arrow_heads` are the markers at the ends of paths.
     std::string document(const Box& paper, const std::string& style, const std::string& arrow_heads = "",
                          const std::string& title = "") const;
 
 private:
-    /// What is shown while the mouse rests on an element; it may have several lines.
+    /// Returns the tooltip of an element, which may have several lines.
     static std::string title_of(std::string_view text);
     SvgPen& element(const char* tag, const SvgAttributes&, const SvgAttributes& more, const std::string& contents = "");
 

@@ -10,23 +10,23 @@
 
 namespace placedpar::picture {
 
-/// A stretch of a wire between two devices that it leads to or through; a wire through one switch has two.
+/// Describes a part of a wire between two devices that it leads to or through. A wire through one switch has two spans.
 struct Span {
     std::size_t connection = 0;
     LinkEnd from, to;
-    std::string from_label, to_label; ///< what is written at its ends: the numbers of links
+    std::string from_label, to_label; ///< labels at its ends: the numbers of links
 };
 
-/// Of all wires: from each wire's a to its b.
+/// Returns the spans of all wires, in order from each wire's a to its b.
 std::vector<Span> spans_of(const Network&);
 
-/// Which nodes a wire leads to from where.
+/// Holds the neighbours of each node: the nodes to which wires lead.
 class Wiring {
 public:
     explicit Wiring(const Network&);
 
     bool linked(std::size_t a, std::size_t b) const { return pairs_.contains({a, b}); }
-    /// As often as there are wires.
+    /// Returns the neighbours; a neighbour is repeated for each wire to it.
     const std::vector<std::size_t>& neighbours(std::size_t node) const { return neighbours_[node]; }
 
 private:

@@ -7,34 +7,34 @@
 
 namespace placedpar {
 
-/// One table of an experiment or a study: simulated figures beside known ones.
+/// Describes one table of an experiment or a study: simulated figures beside known figures.
 struct Comparison {
     std::string name;
     std::vector<Cell> cells = {};
     std::string notes = {};         ///< for people, below the table
     std::string against = "thesis"; ///< the source of the cells' references; 7 letters at most
-    bool judged = false;            ///< even where it is not an experiment's first
+    bool judged = false;            ///< the table is judged even if it is not the first of an experiment
     bool names_origins = false;     ///< each row says the origin of its first cell, instead of each cell by a letter
 
     void add(Cell cell);
     bool within_tolerance() const;
 };
 
-/// A table for people: each cell as simulated, known and error: in percent, or in the cell's unit where its tolerance
-/// is or that is percent itself; a cell judged from one side shows its bound instead of an error, and one beside a
-/// claim, which is a bound in words, none. Behind a row stand the tolerances of its cells. What no cell of a column has
-/// is left out. Rows and columns come in the order of the cells. A row with a column that the rows above it do not have
-/// begins a table of its own.
+/// Prints a table for people. Each cell has a simulated figure, a known figure and an error. The error is in percent,
+/// or in the cell's unit if the tolerance is in this unit or the unit is percent. A cell judged from one side shows its
+/// bound instead of an error; a cell beside a claim, which is a bound in words, shows no error. The tolerances of a
+/// row's cells follow the row. Parts that no cell of a column has are left out. Rows and columns keep the order of the
+/// cells. A row with a column that the rows above do not have begins a new table.
 std::string print_comparison(const Comparison&);
 
-/// Whether the first is within its tolerances, and the others that are judged.
+/// Returns whether the first table, and every other judged table, is within its tolerances.
 bool are_within_tolerance(const std::vector<Comparison>&);
-/// Whether these have a cell with a tolerance or bound.
+/// Returns whether any of the tables has a cell with a tolerance or bound.
 bool is_any_judged(const std::vector<Comparison>&);
-/// For people: that every judged cell of them is within its tolerance, or that one is not. The first of several is
-/// `called` the first reading, or table.
+/// Prints for people whether all judged cells are within their tolerances. The first of several tables is `called` the
+/// first reading, or the first table.
 std::string print_verdict(const std::vector<Comparison>&, const std::string& called = "reading");
-/// For people: how far the outcomes are from what is known, of those in the first cell's unit.
+/// Prints for people how far the outcomes are from the known figures; only cells in the unit of the first cell count.
 std::string print_fit(const std::vector<Cell>&);
 
 } // namespace placedpar

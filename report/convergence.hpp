@@ -9,7 +9,7 @@
 
 namespace placedpar {
 
-/// A quantity over the generations, run by run.
+/// Describes a quantity over the generations of each run.
 struct ConvergenceCurve {
     std::string name;                      ///< in the legend
     std::vector<std::vector<double>> runs; ///< each from generation 1 on
@@ -17,17 +17,16 @@ struct ConvergenceCurve {
     Stroke stroke = Stroke::line;          ///< points have no quartiles
 };
 
-/// Over the generations that all runs made, for each curve the median of the runs; around it, where there are two runs
-/// at least, their quartiles. What is not finite is left out. Long runs are thinned out to some hundred points, of
-/// which the last generation is one. Throws std::invalid_argument for a curve without runs or a run without
-/// generations.
+/// Draws the median of the runs of each curve, over the generations that all runs made. With two or more runs, the
+/// quartiles surround it. Values that are not finite are left out. Long runs are thinned to a few hundred points; the
+/// last generation is always kept. Throws std::invalid_argument for a curve without runs or a run without generations.
 Panel convergence_panel(std::string title, std::string label, std::span<const ConvergenceCurve>);
 
-/// Best and mean fitness of all searches together, or the best objective so far and the mean, and below them their
-/// diversity, over the seeds of the logs; of each search where they search for different things. The axis of an
-/// objective that is minimised and stays positive is logarithmic; that of a fitness leaves out what the first
-/// generations may be lower by far. Throws UserError where a run made no generation, or none with a finite objective.
-/// REQUIRES: logs of one network, one at least.
+/// Draws the best and mean fitness of all searches together (or the best objective so far and the mean objective), and
+/// their diversity below, over the seeds of the logs. Searches with different problems are drawn separately. The axis
+/// of a positive objective that is minimised is logarithmic. The axis of a fitness leaves out the far lower values of
+/// the first generations. Throws UserError where a run made no generation, or none with a finite objective. REQUIRES:
+/// at least one log; all logs are of one network.
 Plot convergence_plot(std::string title, std::span<const SeededLog>);
 
 } // namespace placedpar

@@ -13,13 +13,13 @@
 
 namespace placedpar {
 
-/// A fact of a row of a report, described once: what a table for people shows of it below a heading, and what a
-/// document for programs has of it under a key. Either may be missing.
+/// Describes one fact of a report's row: its text below a heading in a table for people, and its value under a key in a
+/// document for programs. Either may be missing.
 struct Field {
     std::string heading, text;
-    std::size_t width = 0; ///< its column is at least as wide; 0 in all rows: as wide as the widest text or the heading
+    std::size_t width = 0; ///< least width of its column; 0 in all rows: width of the widest text or the heading
     enum class Column { none, left, right } column = Column::none;
-    std::string key = ""; ///< "": in no document
+    std::string key = ""; ///< "": not in documents
     boost::json::value value = nullptr;
 
     static Field left(std::size_t width, std::string heading, std::string text) {
@@ -34,12 +34,12 @@ struct Field {
     }
     /// Returns a fact that only documents have.
     static Field member(std::string key, const auto& value) { return Field().as(std::move(key), value); }
-    /// Returns a time that only documents have, in picoseconds: "busy_ps". It is missing where there is no such moment.
+    /// Returns a time that only documents have, in picoseconds: "busy_ps". The member is missing if there is no time.
     static Field member_ps(const std::string& key, std::optional<Time> time) {
         return time ? member(key + "_ps", time->count()) : Field();
     }
 
-    /// Adds it to documents, with this value, or with its text.
+    /// Adds the fact to documents, with this value, or with its text.
     Field as(std::string its_key, const auto& its_value) && {
         key = std::move(its_key);
         value = boost::json::value(its_value);
@@ -57,18 +57,19 @@ using Row = std::vector<Field>;
 boost::json::object json_of(const Row&);
 boost::json::array json_of(const std::vector<Row>&);
 
-/// Rows of the same fields.
+/// Holds rows of the same fields.
 struct Table {
     Row head; ///< only headings, widths and keys mean something: there may be no rows
     std::vector<Row> rows;
 
-    /// A line of headings, painted and below `before`, and one for each row, without blanks at their ends.
+    /// Returns a painted line of headings, after `before`, and a line for each row, without trailing blanks.
     std::string text(const std::string& before = "") const;
-    /// A line of keys, and one for each row; a cell without a value is empty.
+    /// Returns a line of keys and a line for each row; a cell without a value is empty.
     std::string csv() const;
 };
 
-/// `row_of` describes one thing; also one that is made of nothing, for the headings.
+/// Makes a table of things. `row_of` describes one thing; for the headings it is called with a default-constructed
+/// thing.
 template <class Things, class RowOf>
 Table table_of(const Things& things, RowOf row_of) {
     Table table{row_of(typename Things::value_type()), {}};

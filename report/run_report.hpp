@@ -11,10 +11,10 @@ namespace placedpar {
 
 struct RunReport; // netlist/run_report.hpp
 
-/// For people: how the run ended, what the processes measured, what the generations of those that search were like, how
-/// busy everything was.
+/// Prints the report for people: how the run ended, what the processes measured, the generations of the searches, and
+/// how busy each part was.
 std::string print_report(const RunReport&, const Network&, const GenerationLog& = GenerationLog({}));
-/// The same for machines, with what is needed to run it again.
+/// Returns the report for programs, with all that is needed to repeat the run.
 boost::json::object report_json(const RunReport&, const Network&, const Manifest&,
                                 const GenerationLog& = GenerationLog({}));
 

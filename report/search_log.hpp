@@ -9,24 +9,24 @@
 
 namespace placedpar {
 
-/// Does it hold a population, as ga.traditional, ga.master, ga.island, ga.coarse and ga.fine do?
+/// Returns whether the process holds a population, as ga.traditional, ga.master, ga.island, ga.coarse and ga.fine do.
 bool searches(const ProcessInstance&);
 
 /// Throws UserError when no process searches.
 void require_searches(const Network&);
 
-/// A log, still empty, of the processes that search, in the order of the netlist; comparable where they search for the
-/// same in the same coding.
+/// Makes an empty log of the processes that search, in the order of the netlist. Its searches are comparable if they
+/// have the same problem and coding.
 GenerationLog log_of(const Network&);
 
-/// What the searches of a run with this seed did.
+/// Holds the log of the searches of a run with this seed.
 struct SeededLog {
     std::uint64_t seed;
     GenerationLog log;
 };
 
-/// The rows of the logs as comma-separated values, in long form: seed,generation,time_ms,process,from,quantity,value.
-/// Numbers in the fewest digits that read back as the same.
+/// Prints the rows of the logs as comma-separated values, in long form:
+/// seed,generation,time_ms,process,from,quantity,value. Numbers in the fewest digits that read back as the same.
 std::string log_csv(std::span<const SeededLog>);
 
 } // namespace placedpar

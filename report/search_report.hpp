@@ -9,14 +9,17 @@
 
 namespace placedpar {
 
-// What a report says of the generations of searches, of each and of all together; nothing of a search without any.
+// Functions for the part of a report about the generations of searches, of each search and of all together. A search
+// without generations is left out.
 
-/// For people, of one run: first and last generation, diversity at the end, and what became of immigrants.
+/// Prints the searches of one run for people: first and last generation, diversity at the end, and the fate of
+/// immigrants.
 std::string print_searches(const GenerationLog&);
-/// Of runs with several seeds: medians, and in brackets quartiles. REQUIRES: logs of one network, one at least.
+/// Prints the searches of runs with several seeds: medians, and quartiles in brackets. REQUIRES: logs of one network,
+/// one at least.
 std::string print_searches(std::span<const SeededLog>);
 
-/// For machines: an array, `all` at the end.
+/// Returns the searches for programs: an array, with `all` at the end.
 boost::json::array searches_json(const GenerationLog&);
 
 } // namespace placedpar

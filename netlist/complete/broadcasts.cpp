@@ -125,7 +125,7 @@ std::string Broadcasts::why_not(const NetworkChannel& channel, std::size_t bus) 
                                                 : "which is at the link of no link adapter");
 }
 
-/// Where the sender's adapters lead.
+/// Returns a hint that says where the sender's adapters lead.
 std::string Broadcasts::hint_at_adapters(const NetworkChannel& channel, std::size_t bus) const {
     constexpr std::size_t most = 4;
     std::vector<std::string> ends;
@@ -151,7 +151,7 @@ void Broadcasts::check() const {
             check(channel, out[channel.placement.route.front().connection]);
 }
 
-/// Of two of one broadcast the second is at fault.
+/// If two channels of one broadcast conflict, reports the second.
 void Broadcasts::check(const NetworkChannel& broadcast, const std::vector<const NetworkChannel*>& on_way) const {
     const NetworkChannel& other = *(on_way.front() == &broadcast ? on_way.back() : on_way.front());
     bool both = &other != &broadcast && other.placement.broadcast_on != nowhere;

@@ -9,14 +9,14 @@
 
 namespace placedpar {
 
-/// Channels that the netlist places on a bus, `place p.out[i] on vme;`. Those of one port array on one bus are one
-/// broadcast: what is written on the bus reaches the link adapters before all their receivers at once.
+/// Holds the channels that the netlist places on a bus, `place p.out[i] on vme;`. The channels of one port array on one
+/// bus form a broadcast: a word written on the bus reaches the link adapters of all receivers at once.
 class Broadcasts {
 public:
-    /// REQUIRES: they outlive it. `load` as of RouteSearch.
+    /// REQUIRES: both arguments outlive this object. `load` as of RouteSearch.
     Broadcasts(Completion& completion, const std::vector<std::size_t>& load) : c_(completion), load_(load) {}
 
-    /// The end of a channel that is placed on a bus, and where.
+    /// Names the channel end that is placed on a bus, and the place.
     struct Placed {
         const ChannelEnd& end;
         const DraftPlacement& by;
@@ -24,8 +24,9 @@ public:
     };
     std::optional<Placed> placed(const NetworkChannel&) const;
 
-    /// The way over the bus to the adapter, and by its link to the receiver's processor: of several the one that the
-    /// fewest channels use, then the one at the lowest link of the receiver. Throws StatementRefused after reporting.
+    /// Returns the way over the bus to an adapter and from its link to the receiver's processor. If there are several,
+    /// takes the way that the fewest channels use, then the way at the lowest link of the receiver. Throws
+    /// StatementRefused after reporting.
     RouteHop way_of(const NetworkChannel&, const Placed&) const;
     /// Reports each channel that is not alone on such a way. REQUIRES: all channels are carried.
     void check() const;
@@ -37,7 +38,7 @@ private:
     const std::string& node_name(std::size_t node) const { return c_.network.nodes[node].name; }
     std::string end_name(const ChannelEnd& end) const { return c_.draft.processes[end.process].name + "." + end.port; }
     const DraftPlacement* placement_of(const ChannelEnd&) const;
-    /// Ways over adapters on the bus.
+    /// Returns the ways over adapters on the bus.
     std::vector<std::size_t> adapter_ways(std::size_t bus) const;
     bool is_master(std::size_t node, std::size_t bus) const;
 

@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-/// From what is attached to buses to the ways over them, which their kinds know.
+/// Finds the ways over buses from their attachments; the bus kinds know the ways.
 class Buses {
 public:
     explicit Buses(Completion& c) : c_(c) {}
@@ -100,7 +100,7 @@ private:
             way.bits_per_second = leads.bits_per_second;
         }
         if (way.b.at_edge())
-            return; // nobody is behind it
+            return; // there is no processor behind it
         way.connected = attachments()[over_bus.slave].connected;
         way.over_bus = over_bus;
         c_.network.connections.push_back(std::move(way));

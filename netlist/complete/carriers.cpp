@@ -171,7 +171,7 @@ private:
         return {{wires.front().connection, forwards}};
     }
 
-    /// What switches connect during the run, where no wires lead there.
+    /// Returns the connection that switches make during the run, if no wires lead to the receiver.
     std::optional<std::vector<RouteHop>> way_over_switch(const NetworkChannel& channel) {
         std::optional<RouteHop> best;
         auto between = between_.find({channel.from.node, channel.to.node});
@@ -277,7 +277,7 @@ private:
                way_to_edge(inner.node, outer.node));
     }
 
-    /// What would connect them, as far as links are free.
+    /// Returns a hint how to connect the node with the edge, if links are free.
     std::string way_to_edge(std::size_t node, std::size_t edge) const {
         for (const auto& connection : c_.network.connections)
             for (auto [near, far] : {std::pair(connection.a, connection.b), std::pair(connection.b, connection.a)})
@@ -328,7 +328,7 @@ private:
                std::move(places));
     }
 
-    /// The processors between them that lead no further channel through.
+    /// Adds notes on the processors between the two whose `linkquota` keeps the channel out.
     void add_quotas(std::vector<SecondPlace>& places, std::size_t from, std::size_t to) const {
         for (std::size_t node = 0; node < c_.network.nodes.size(); ++node)
             if (node != from && node != to && search_.is_kept_by_quota(node))

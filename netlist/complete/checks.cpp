@@ -56,7 +56,7 @@ void report(Completion& c, const Complaint& complaint) {
         c.reporter.error(place_of(c, complaint), complaint.message, complaint.hint);
 }
 
-/// What a check throws is said of the process that it looks at.
+/// An exception from a check is reported for the checked process.
 std::vector<Complaint> complaints_of(const Completion& c, std::size_t process) {
     const ProcessKind& kind = *c.kinds[process];
     try {
@@ -136,7 +136,7 @@ const ParameterDescription* wants_floating_point_unit(const Completion& c, std::
     return nullptr;
 }
 
-/// Said once.
+/// Warns once.
 void check_floating_point(Completion& c) {
     for (std::size_t i = 0; i < c.network.processes.size(); ++i)
         if (const ParameterDescription* parameter = wants_floating_point_unit(c, i)) {

@@ -12,26 +12,26 @@
 
 namespace placedpar {
 
-/// Checks a draft as a whole and makes a Network of it: wires are followed through switches, processes get
-/// their kinds and parameters, channels their directions and carriers. What is wrong is reported; then the result must
-/// not be used.
+/// Checks a draft as a whole and makes a Network of it: wires are followed through switches, processes get their kinds
+/// and parameters, channels their directions and carriers. Errors are reported; after an error the result must not be
+/// used.
 Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter);
 
-/// The parts of complete(), in the order they run. They share:
+/// Holds what the parts of complete() share. The parts are declared below in the order in which they run.
 struct Completion {
     Draft draft;
     const Catalogue& catalogue;
     Reporter& reporter;
-    Network network; ///< its nodes, from the beginning those of the draft, and what is complete
+    Network network; ///< has the nodes of the draft from the beginning, and all that is complete so far
     std::map<std::pair<std::size_t, int>, std::size_t> connection_at; ///< by node and link
     std::map<std::size_t, std::size_t> connection_named;              ///< by draft connection
-    std::vector<const ProcessKind*> kinds;                            ///< of each process; null: a stand-in
-    std::vector<bool> kind_refused;                                   ///< unknown, and reported
-    std::vector<std::size_t> draft_channel;                           ///< of each channel of the network
-    std::vector<bool> wire_refused = {};                              ///< of each node: one of its wires leads nowhere
-    bool buses_refused = false;                                       ///< then no ways lead over them
+    std::vector<const ProcessKind*> kinds;                            ///< kind of each process; null for a stand-in
+    std::vector<bool> kind_refused;         ///< of each process: its kind is unknown, which has been reported
+    std::vector<std::size_t> draft_channel; ///< of each channel of the network
+    std::vector<bool> wire_refused = {};    ///< of each node: one of its wires leads nowhere
+    bool buses_refused = false;             ///< some bus was refused: no ways lead over buses
 
-    /// Such as "a.link[2]": the first link of the node that no wire is at; "" if there is none.
+    /// Returns the first link of the node without a wire, such as "a.link[2]"; "" if there is none.
     std::string free_link(std::size_t node) const;
 };
 
@@ -49,7 +49,8 @@ void complete_parameters(Completion& completion, std::size_t process);
 void complete_channels(Completion& completion);
 /// carriers.cpp: what carries each channel.
 void complete_carriers(Completion& completion);
-/// switched.cpp: who shares what switches connect during the run. REQUIRES: carriers are complete.
+/// switched.cpp: checks which channels share the links that switches connect during the run. REQUIRES: carriers are
+/// complete.
 void check_switched(Completion& completion);
 /// faults.cpp: the wires of links that fail.
 void complete_faults(Completion& completion);

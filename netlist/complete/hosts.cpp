@@ -14,7 +14,7 @@ void take_speed(Node& host, const Node& neighbour) {
         host.attributes.insert_or_assign("linkspeed", speed->second);
 }
 
-/// Nobody needs to draw the host computer: the edge keeps its name and is one.
+/// Turns the edge into a workstation of the same name, so that a netlist need not declare the host computer.
 void make_workstation(Completion& c, std::size_t index) {
     const auto& type = c.catalogue.node_types().find("workstation")->second;
     auto& edge = c.network.nodes[index];
@@ -31,7 +31,7 @@ void make_workstation(Completion& c, std::size_t index) {
             }
 }
 
-/// Messages of an edge channel come from beyond the network, where now somebody is.
+/// Edge channels lead out of the network, but now a process is there, so they are refused.
 void refuse_edge_channels(Completion& c, const DraftProcess& process) {
     for (const auto& channel : c.draft.edge_channels)
         if (channel.edge == process.node)

@@ -11,9 +11,9 @@
 
 namespace placedpar {
 
-/// What decides between routes, in this order: what the processors that they lead through ask for it (attribute
-/// `routecost`), how many wires they take, how many channels these carry already in their direction. Of routes that are
-/// equal in all of these the one that leaves its processors, from the first on, by the lowest links is taken.
+/// Compares routes by, in this order: the sum of the attribute `routecost` of the processors passed through, the number
+/// of wires, the number of channels that these wires already carry in the same direction. Among routes of equal cost,
+/// the search takes the route that leaves its processors, from the first on, by the lowest links.
 struct RouteCost {
     std::int64_t processors = 0;
     std::size_t hops = 0;
@@ -25,52 +25,54 @@ struct RouteCost {
     auto operator<=>(const RouteCost&) const = default;
 };
 
-/// The best route over wires from node to node through processors that pass channels on, and there only by as many of
-/// the wired links, the lowest, as the attribute `linkquota` says. What switches connect during
-/// the run is none of them: a processor between could not know when it is connected. The load of connection i is
-/// load[2 i] from b to a, load[2 i + 1] from a to b. REQUIRES: all outlive it.
+/// Finds the best route over wires between two nodes, through processors that pass channels on. Such a processor uses
+/// only its lowest wired links, `linkquota` of them. Wires that switches connect during the run are left out: a
+/// processor between could not know when they are connected. The load of connection i is load[2 i] from b to a, load[2
+/// i + 1] from a to b. REQUIRES: all arguments outlive this object.
 class RouteSearch {
 public:
     RouteSearch(const std::vector<Node>& nodes, const std::vector<LinkConnection>& connections,
                 const std::vector<std::size_t>& load);
 
-    /// Over at least one wire, and through none of the nodes of `around`. Nothing if there is none.
+    /// Returns the best route over at least one wire that avoids the nodes of `around`; nothing if there is none.
     std::optional<std::vector<RouteHop>> best(std::size_t from, std::size_t to,
                                               const std::set<std::size_t>& around = {});
     bool leads_through(std::size_t node) const { return leads_through_[node]; }
-    /// Whether the attribute keeps some channel from leading through the node.
+    /// Returns whether `linkquota` keeps some channel from leading through the node.
     bool is_kept_by_quota(std::size_t node) const;
 
 private:
-    /// What the routes between a node and each other cost at least, whatever wires carry; the same in both directions.
-    /// Nothing for those between which there are none.
+    /// Holds the least cost of a route between one node and each other node, with the load of wires left out; it is the
+    /// same in both directions. A node without a route has no cost.
     using Least = std::vector<std::optional<RouteCost>>;
 
     struct Ends {
         std::size_t from, to; ///< nodes; not the same
     };
-    /// Over a wire to the node behind it.
+    /// Leads over a wire to the node at its other end.
     struct Step {
         RouteHop hop;
         std::size_t node;
     };
 
-    /// Sets distances_ of the nodes that a best route may lead through. Looks at all but those `around`.
+    /// Sets distances_ of the nodes that a best route may lead through. Looks at all nodes but those in `around`.
     void search_around(const Ends&, const std::set<std::size_t>& around);
     /// Searches where one of the two ends is a hub: only among nodes on routes that cost least, loads left out. Returns
     /// false if neither end is a hub.
     bool search_between(const Ends&);
     void search_among(const std::vector<std::size_t>& nodes, const Ends&);
-    /// Sets those of the nodes before one where it is at less over that one, and calls reach(cost, node) for each.
+    /// Lowers the distances of the predecessors of a node that are nearer to the end over this node, and calls
+    /// reach(cost, predecessor) for each of them.
     template <class MayPass, class Reach>
     void reach_before(std::size_t node, const Ends&, MayPass may_pass, Reach reach);
     void forget_distances();
-    /// Makes hubs of nodes whose searches have looked at more nodes than there are: each pays for itself.
+    /// Makes a node a hub when its searches have looked at more nodes than the network has, so that making the hub
+    /// costs no more than these searches.
     void count_as_spent(std::size_t from, std::size_t to);
     void make_hub(std::size_t node);
     /// Returns the nodes on routes of the least cost, the farthest from the hub first, and marks them in within_.
     std::vector<std::size_t> nodes_between(const Least& least, std::size_t other);
-    /// The hop, on a route that passes through the node where it begins, or ends.
+    /// Returns whether a route that passes through the node where this hop begins (or ends) may take the hop.
     bool may_leave(const RouteHop&) const;
     bool may_come_in(const RouteHop& hop) const { return may_leave({hop.connection, !hop.from_a_to_b}); }
     RouteCost cost_of(const Step&, std::size_t to) const;
@@ -80,15 +82,15 @@ private:
     const std::vector<std::size_t>& load_;
     std::vector<std::vector<Step>> leaving_; ///< each node, the lowest link first
     std::vector<bool> beyond_quota_;         ///< a hop that leaves a node: 2 * connection + whether from a to b
-    bool has_quotas_ = false;                ///< any is: what a route costs may then depend on its direction
-    std::vector<bool> leads_through_;        ///< each node
-    std::vector<std::int64_t> routecost_;    ///< of each node that leads channels through
+    bool has_quotas_ = false; ///< some hop is beyond a quota, so the cost of a route may depend on its direction
+    std::vector<bool> leads_through_;                 ///< each node
+    std::vector<std::int64_t> routecost_;             ///< of each node that leads channels through
     std::vector<std::optional<RouteCost>> distances_; ///< of each node from the end of the route that is searched
-    std::vector<std::size_t> reached_;                ///< nodes of which there is one
+    std::vector<std::size_t> reached_;                ///< nodes that have a distance
     std::map<std::size_t, Least> hubs_;
-    std::vector<std::size_t> spent_;    ///< of each node: at so many nodes its searches have looked before it was a hub
-    std::vector<std::uint64_t> within_; ///< of each node: the last search that was to look at it
-    std::uint64_t searches_ = 0;        ///< that were kept within some nodes
+    std::vector<std::size_t> spent_; ///< of each node: number of nodes that its searches looked at before it was a hub
+    std::vector<std::uint64_t> within_; ///< of each node: number of the last search that was allowed to look at it
+    std::uint64_t searches_ = 0;        ///< number of searches that were restricted to some nodes
 };
 
 } // namespace placedpar

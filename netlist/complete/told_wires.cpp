@@ -82,7 +82,7 @@ std::size_t ToldWires::connection_at(const Place& place) const {
     return wires_[found].at_run_time ? connection_to_partner(place) : found;
 }
 
-/// It begins at the processor that holds the process.
+/// Requires that the route begins at the processor that holds the process.
 void ToldWires::require_own_link(const Place& place) const {
     const DraftProcess& process = process_of(place);
     if (end_of_way(place.where()).node != process.node)
@@ -111,7 +111,7 @@ std::size_t ToldWires::connection_at_link(const Place& place) const {
                                    name_of(place), link_of(place)));
 }
 
-/// Of those that switches may make at the link, the one that leads to the channel's other process.
+/// Returns the connection that switches may make at the link and that leads to the channel's other process.
 std::size_t ToldWires::connection_to_partner(const Place& place) const {
     const ChannelEnd& partner = place.inputs() ? place.channel.from : place.channel.to;
     auto told = c_.draft.placements.find({partner.process, partner.port});
@@ -149,7 +149,7 @@ std::size_t ToldWires::way_from_bus(const Place& place) const {
     return *found;
 }
 
-/// To memory, if there is such a way; else by the adapter that the fewest channels use.
+/// Returns the way to memory, if there is one; else the way by the adapter that the fewest channels use.
 std::optional<std::size_t> ToldWires::way_between(std::size_t one, std::size_t other) const {
     std::optional<std::size_t> best;
     auto cost = [&](std::size_t i) {
@@ -167,7 +167,7 @@ std::size_t ToldWires::way_over_bus(std::size_t wire) const {
     return way == ways_.end() ? wire : way->second;
 }
 
-/// Of a link adapter's link, the end at the master that uses it.
+/// For a link adapter's link, returns the end at the master that uses the adapter.
 LinkEnd ToldWires::end_of_way(const LinkEnd& placed) const {
     auto wire = c_.connection_at.find({placed.node, placed.link});
     auto way = wire == c_.connection_at.end() ? ways_.end() : ways_.find(wire->second);

@@ -10,23 +10,23 @@
 
 namespace placedpar {
 
-/// A wire, or a way over a bus, that the netlist names for a channel, and where it does.
+/// Describes a wire, or a way over a bus, that the netlist names for a channel, and the place of that statement.
 struct ToldWire {
     std::size_t connection;
     std::size_t begin; ///< the node where the channel enters it; nowhere: either
     Location at;
 };
 
-/// What the netlist says about the ways of channels: `place` with an end of a channel, or with its connection. All
-/// throw StatementRefused after reporting a placement that cannot be used.
+/// Holds the routes that the netlist states for channels: `place` with an end of a channel, or with its connection. All
+/// functions throw StatementRefused after reporting a placement that cannot be used.
 class ToldWires {
 public:
-    /// REQUIRES: they outlive it, and the connections are complete. `load` as of RouteSearch.
+    /// REQUIRES: the arguments outlive this object, and the connections are complete. `load` as of RouteSearch.
     ToldWires(Completion&, const std::vector<std::size_t>& load);
 
-    /// Wire by wire; nothing where the netlist says nothing.
+    /// Returns the stated wires of the channel in order; empty where the netlist states none.
     std::vector<ToldWire> wires(std::size_t channel) const;
-    /// By `place c1 on c2`.
+    /// Returns the wire that `place c1 on c2` states for the channel.
     std::optional<ToldWire> by_connection(std::size_t channel) const;
 
 private:

@@ -129,7 +129,7 @@ private:
         return false;
     }
 
-    /// Of the switch, those that a wire comes to and no crosspoint leads to, in ascending order.
+    /// Returns the links of the switch that have a wire but no crosspoint, in ascending order.
     std::vector<LinkEnd> open_links(std::size_t node) const {
         std::vector<LinkEnd> open;
         for (const auto& [end, wire] : wire_at_)
@@ -138,7 +138,8 @@ private:
         return open;
     }
 
-    /// Of two wires that end at the switch it is clear which crosspoint is missing, and both errors name the same.
+    /// If exactly two wires end at the switch, suggests the crosspoint between them; both errors then give the same
+    /// hint.
     void refuse_crosspoint(const LinkConnection& connection, const LinkEnd& at) {
         auto open = open_links(at.node);
         auto name = [&](const LinkEnd& end) { return link_name(c_.network.nodes, end); };
@@ -185,7 +186,7 @@ private:
         c_.network.pieces.push_back(std::move(piece));
     }
 
-    /// Of one piece of the wire. False where its speed is another than of the pieces before it.
+    /// Adds the attributes of one piece of the wire. False if its speed differs from the speed of the preceding pieces.
     bool add_attributes(LinkConnection& connection, std::optional<std::int64_t>& speed, std::size_t named) {
         const auto& attributes = c_.draft.connections[named];
         if (attributes.level || attributes.release) {

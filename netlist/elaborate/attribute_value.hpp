@@ -15,14 +15,14 @@ class AttributeValue {
 public:
     AttributeValue(const Setting& setting, Reporter& reporter) : setting_(setting), reporter_(reporter) {}
 
-    /// Of the type that the description states, and within its range.
+    /// Returns the value in the type that the description states. The value must be in its range.
     Value as(const AttributeDescription& attribute) const;
-    /// For an attribute that is only kept: any value but an array.
+    /// Returns the value of an attribute that is only kept for the real tool: anything but an array.
     Value any() const;
     std::string text() const;
 
     [[noreturn]] void illegal(const std::string& value, const std::string& hint) const;
-    /// The attribute is none of `whose`: "a connection has no attribute ...".
+    /// Reports that `whose` has no such attribute: "a connection has no attribute ...".
     [[noreturn]] void refuse_name(const std::string& whose, const std::vector<std::string>& known) const;
     [[noreturn]] void refuse(std::string message, std::string hint) const;
 
@@ -37,7 +37,7 @@ private:
     Reporter& reporter_;
 };
 
-/// Whether the attribute, or the group that it belongs to, is among the names.
+/// Returns whether the attribute, or the group that it belongs to, is among the names.
 bool names_attribute(const std::vector<std::string>& names, const std::string& attribute);
 
 } // namespace placedpar

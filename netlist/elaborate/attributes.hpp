@@ -5,28 +5,29 @@
 
 namespace placedpar {
 
-/// The attributes in the parentheses of a declaration. All functions throw StatementRefused after having reported.
+/// Functions for the attributes in the parentheses of a declaration. All throw StatementRefused after reporting an
+/// error.
 
 /// Evaluates attributes. Groups are flattened: `order (code = 1)` becomes "order.code". None may be given twice.
 std::vector<Setting> evaluate_attributes(Evaluator& evaluator, Reporter& reporter,
                                          const std::vector<Attribute>& attributes);
 
-/// The note to something given twice.
+/// Returns the note that shows where a thing given twice was first given.
 SecondPlace first_given(const Location& at);
-/// `the parameter "n" of "p" is given twice`. Throws StatementRefused.
+/// Reports `the parameter "n" of "p" is given twice`. Throws StatementRefused.
 [[noreturn]] void refuse_given_twice(Reporter& reporter, const Setting& second, std::string_view what,
                                      const std::string& whose, const Location& first);
 
 /// `scopes` knows the types that the attribute `type` may name.
 void apply_node_attributes(NodeType& type, const std::vector<Setting>& settings, const Scopes& scopes,
                            Reporter& reporter);
-/// Whether a declaration of the node may give it; `type` is none.
+/// Returns whether a declaration of the node may give an attribute of this name; `type` does not count as one.
 bool has_node_attribute(const Node& node, const std::string& name);
 /// REQUIRES: has_node_attribute(node, setting.name).
 void apply_node_attribute(Node& node, const Setting& setting, Reporter& reporter);
 void apply_connection_attributes(DraftConnection& connection, const std::vector<Setting>& settings, Reporter& reporter);
 
-/// Those of a wire, then those of a master's place on a bus.
+/// Returns the attributes of a wire, followed by the attributes of a master's place on a bus.
 const std::vector<AttributeDescription>& connection_attributes();
 
 bool is_process_attribute(const std::string& name);

@@ -14,7 +14,7 @@ inline constexpr int deepest_array = 8;
 struct Constant;
 using ConstantArray = std::shared_ptr<const std::vector<Constant>>;
 
-/// The value of an expression. Characters and TRUE, FALSE, HIGH, LOW are integers.
+/// Holds the value of an expression. Characters and TRUE, FALSE, HIGH, LOW are integers.
 struct Constant {
     std::variant<Integer, double, std::string, ConstantArray> value;
     int depth = 0; ///< of an array: how deep its elements nest
@@ -27,12 +27,12 @@ struct Constant {
 };
 
 Constant integer_constant(std::int64_t value);
-/// REQUIRES: it is a number.
+/// Returns the number as a real. REQUIRES: the constant is a number.
 double as_real(const Constant& constant);
 
 /// "an integer", "a real number", "a string", "an array".
 std::string type_name(const Constant& constant);
-/// As it could stand in a netlist, cut short when it is long.
+/// Returns the constant as a netlist would write it, cut short when it is long.
 std::string shown(const Constant& constant);
 
 /// Thrown by the operations below when the language has no result for them; the evaluator reports it with
@@ -42,17 +42,17 @@ struct NoResult {
     std::string hint;
 };
 
-/// Integers are 64 bits wide and never wrap round; with one real operand the result is real. && and || are
-/// the evaluator's.
+/// Integers are 64 bits wide and never wrap round; with one real operand the result is real. The evaluator handles &&
+/// and ||.
 Constant apply_unary(const std::string& symbol, const Constant& operand);
 Constant apply_binary(const std::string& symbol, const Constant& left, const Constant& right);
-/// char, short and int take only what fits them; a real is cut off towards zero.
+/// Casts to a type. Values out of the range of char, short or int are refused; a real is truncated towards zero.
 Constant apply_cast(const std::string& type, const Constant& operand);
 Constant apply_subscript(const Constant& array, const Constant& subscript);
-/// The number of elements of an array, or of characters of a string.
+/// Returns the number of elements of an array, or of characters of a string.
 Constant apply_size(const Constant& array);
 
-/// Whether both have the same type and, for arrays, the same dimensions. REQUIRES: no array is ragged.
+/// Returns whether both have the same type and, for arrays, the same dimensions. REQUIRES: no array is ragged.
 bool have_same_shape(const Constant& left, const Constant& right);
 
 } // namespace placedpar

@@ -14,9 +14,9 @@ struct DeclaredName {
     Location at;
 };
 
-/// What a statement declares in the block that it stands in.
+/// Returns the names that a statement declares in its own block.
 std::vector<DeclaredName> declared_names(const Statement& statement);
-/// Where the first of the statements that declares the name does.
+/// Returns where the name is first declared among the statements; nothing if none declares it.
 std::optional<Location> declaration_among(std::span<const Statement> statements, std::string_view name);
 
 } // namespace placedpar

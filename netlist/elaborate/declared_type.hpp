@@ -8,22 +8,22 @@
 
 namespace placedpar {
 
-/// What the type that an interface declares for a parameter says about its values.
+/// Functions that check values against the type that an interface declares for a parameter.
 
-/// Why a value does not fit, and what would.
+/// Says why a value does not fit, and what would fit.
 struct Misfit {
     std::string message, hint;
 };
 
 /// The type of the parameter's elements: a row of `char` is one text.
 ParameterType element_type(const ParameterDeclaration& parameter);
-/// How many subscripts an element has: one less than dimensions where rows of `char` are texts.
+/// Returns the number of subscripts of an element: one less than the dimensions where rows of `char` are texts.
 std::size_t element_dimensions(const ParameterDeclaration& parameter);
-/// Whether an element of the parameter can hold the value: numbers have ranges, a text its length. A char, short, int
-/// and unsigned have 8, 16, 32 and 32 bits, as on a T800; a long has 64.
+/// Returns a misfit if an element of the parameter cannot hold the value: a number out of range, or a text that is too
+/// long. A char, short, int and unsigned have 8, 16, 32 and 32 bits, as on a T800; a long has 64.
 std::optional<Misfit> misfit(const ParameterDeclaration& parameter, const Value& value);
 
-/// "char name[3][8]", as it is declared.
+/// Returns the declaration as text, such as "char name[3][8]".
 std::string declaration_of(const ParameterDeclaration& parameter);
 
 } // namespace placedpar

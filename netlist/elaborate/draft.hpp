@@ -12,8 +12,9 @@
 
 namespace placedpar {
 
-/// The number of things that one netlist may have, elements of arrays counted one by one: nodes, connections, wires,
-/// edge channels, processes, their channel ends and parameters, values given to these, attributes of the real tool.
+/// Limits the number of things that one netlist may have, elements of arrays counted one by one: nodes, connections,
+/// wires, edge channels, processes, their channel ends and parameters, values given to these, attributes of the real
+/// tool.
 inline constexpr std::size_t most_things = 250'000;
 
 /// What the statements of a netlist say, unrolled but not yet checked as a whole. The elaborator fills it;
@@ -58,7 +59,7 @@ struct ParameterDeclaration {
 struct Interface {
     std::vector<PortDeclaration> ports;
     std::vector<ParameterDeclaration> parameters;
-    std::vector<DeclaredEntry> entries; ///< both, in their order
+    std::vector<DeclaredEntry> entries; ///< channels and parameters, in the order of the declaration
 };
 
 /// `name (n = 4);`
@@ -67,7 +68,7 @@ struct Setting {
     Constant value;
     Location at;
 };
-/// Those of one statement, shared by all elements of an array that it names.
+/// Holds the settings of one statement, shared by all elements of an array that it names.
 using SharedSettings = std::shared_ptr<const std::vector<Setting>>;
 
 struct DraftProcess {
@@ -101,7 +102,7 @@ struct DraftAttachment {
 
 struct DraftChannelEnd {
     std::size_t process = nowhere;
-    std::size_t edge_channel = nowhere; ///< one of the two is nowhere
+    std::size_t edge_channel = nowhere; ///< either a process end or an edge channel: the other is nowhere
     std::string port;
     Location at;
 };
@@ -118,11 +119,12 @@ struct DraftPlacement {
     Location at;
 };
 
-/// Of a device, of the wire at a link, or of the wire of a connection; completed when all wires are known.
+/// A fault of a device, of the wire at a link, or of the wire of a connection. It is completed when all wires are
+/// known.
 struct DraftFault {
     Fault fault;
     std::size_t connection = nowhere; ///< in the draft
-    Location at;                      ///< of what fails
+    Location at;                      ///< place of the failing thing in the statement
 };
 
 /// `place c1 on c2;`

@@ -21,12 +21,12 @@ inline constexpr std::size_t most_interface_entries = 1000;
 /// connected and placed. A statement that is refused is reported and left out; the next one is tried.
 class Elaborator {
 public:
-    /// The overrides are set statements. Those of vals are looked up where the vals are declared. For the others, call
-    /// run() with them after use(). REQUIRES: catalogue and overrides outlive it.
+    /// Takes overrides, which are set statements. Overrides of vals are applied where the vals are declared. For all
+    /// other overrides, call run() with them after use(). REQUIRES: catalogue and overrides outlive it.
     Elaborator(const Catalogue& catalogue, const Statements& overrides, Reporter& reporter);
 
     void run(const Statements& statements);
-    /// These kinds take the place of programs.
+    /// Puts these kinds in the place of programs.
     void use(const ProgramKinds& kinds);
     const Draft& draft() const { return draft_; }
     Draft take();
@@ -43,7 +43,7 @@ private:
     void execute_all(const Statements& statements);
     void perform(const ValStatement& form, const Location& at);
     void perform(const RepStatement& form, const Location& at);
-    /// The first value that a replicator does not take.
+    /// Returns the first value that a replicator does not take.
     std::int64_t behind_last(const Expression& last);
     std::int64_t behind_count(std::int64_t first, const Expression& count);
     void perform(const IfStatement& form, const Location& at);
@@ -83,9 +83,10 @@ private:
     void check_free(const std::string& name, const Location& at);
     std::string claim_name(const std::string& name);
     void count_things(std::size_t count, const Location& at);
-    /// The type of that name with the attributes added.
+    /// Returns the type of that name with the attributes added.
     Type derived_type(const std::string& name, const Location& at, const DeclarationAttributes& attributes);
-    /// For `node` the attribute `element` decides, and is taken out.
+    /// Returns the type of that name. For `node` the attribute `element` decides between processors and processes, and
+    /// is removed from the settings.
     Type base_type(const std::string& name, const Location& at, std::vector<Setting>& settings);
     Type type_of_element(const Location& at, std::vector<Setting>& settings);
     /// Declares the elements of one declarator; `add` writes one of them, by its name, into the draft.
@@ -134,7 +135,7 @@ private:
     };
     Found find(const Reference& reference);
     Elements elements(const Reference& reference, const Found& found);
-    /// One element, completely subscripted.
+    /// Returns the index of one element. The reference must have all subscripts.
     std::size_t element(const Reference& reference, const Found& found);
     std::size_t host(const Location& used);
     LinkEnd link_end(const Reference& reference, const Found& found);
@@ -167,7 +168,7 @@ private:
     ProcessType process_defaults_; ///< of all types
     std::map<std::pair<std::size_t, int>, Location> used_links_, used_crosspoints_;
     std::set<std::tuple<std::size_t, int, int>> crosspoints_; ///< of a switch, the lower link first
-    /// Another of a link that has one.
+    /// Reports a second crosspoint for a link that already has one.
     struct CrosspointAgain {
         LinkEnd end;
         Location at, first;
@@ -177,7 +178,7 @@ private:
     std::set<std::string> claimed_;     ///< names that the network has, without subscripts
     std::map<std::string, int> copies_; ///< how often a name was claimed again
     const Statements& overrides_;
-    std::map<std::string, Location> overridden_vals_;                        ///< by the option here
+    std::map<std::string, Location> overridden_vals_; ///< place of the option that overrides each
     std::map<std::pair<std::string, std::string>, const SetStatement*> set_; ///< by element and member
     std::map<std::size_t, SetByOption> reached_;                             ///< by the option's place
     // These are noted only where there are overrides: what the netlist gives the vals outside of blocks, and the names

@@ -9,20 +9,20 @@
 
 namespace placedpar {
 
-/// Steps of evaluation and elaboration that one netlist may take: seconds, not minutes.
+/// Limits the steps of evaluation and elaboration of one netlist, so that these take seconds, not minutes.
 inline constexpr std::size_t most_steps = 5'000'000;
 
-/// Evaluates expressions in the scopes that are open. Everything throws StatementRefused after having
-/// reported what is wrong.
+/// Evaluates expressions in the scopes that are open. All functions throw StatementRefused after reporting an error.
 class Evaluator {
 public:
     Evaluator(const Scopes& scopes, Reporter& reporter) : scopes_(scopes), reporter_(reporter) {}
 
     Constant evaluate(const Expression& expression);
 
-    /// For `whose`, such as `the attribute "memory"`: "wrong type for ...".
+    /// Evaluates to an integer. `whose`, such as `the attribute "memory"`, names the value in the message "wrong type
+    /// for ...".
     Integer integer(const Expression& expression, std::string_view whose);
-    /// An integer, too.
+    /// Evaluates to a number; an integer is allowed.
     double number(const Expression& expression, std::string_view whose);
     std::string text(const Expression& expression, std::string_view whose);
     bool condition(const Expression& expression);
@@ -54,8 +54,8 @@ private:
     std::size_t steps_ = 0;
 };
 
-/// "is undefined", with where it is declared further on, or with the nearest of the names that could stand there: of
-/// all that are known unless `known` says which. Throws StatementRefused.
+/// Reports that the name is undefined, and shows where it is declared further on, or the nearest name that could stand
+/// there. Candidates are `known`, or all known names if `known` is not given. Throws StatementRefused.
 [[noreturn]] void refuse_undefined(Reporter& reporter, const Scopes& scopes, const std::string& name,
                                    const Location& at, const std::function<std::vector<std::string>()>& known = {});
 

@@ -9,12 +9,12 @@
 
 namespace placedpar {
 
-/// Does what may refuse a text, and reports why then.
+/// Does work that may refuse a text, and reports the refusal.
 template <class Work>
 void attempt(Work work) {
     try {
         work();
-    } catch (const StatementRefused&) { // and reported
+    } catch (const StatementRefused&) { // already reported
     } catch (const GiveUp&) {
     }
 }

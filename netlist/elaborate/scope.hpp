@@ -15,30 +15,30 @@
 
 namespace placedpar {
 
-/// Something declared, or an array of it: elements first, first + 1, ... of the draft, the last dimension
-/// running fastest.
+/// Describes a declared thing or array: elements first, first + 1, ... of the draft, the last dimension running
+/// fastest.
 struct DeclaredThings {
     enum class Category { node, connection, edge_channel, process };
     Category category;
     std::size_t first = 0;
-    std::vector<std::int64_t> dimensions; ///< none: a single one
+    std::vector<std::int64_t> dimensions; ///< empty: a single thing
 };
 
 /// A type that processes can be declared with: `process`, or what a `define` made.
 struct ProcessType {
-    std::vector<Setting> settings;              ///< in order: a later one goes before an earlier one
+    std::vector<Setting> settings;              ///< in order: a later setting overrides an earlier one
     std::shared_ptr<const Interface> interface; ///< null where the type says none
 };
 
 using Type = std::variant<NodeType, ProcessType>;
 
-/// The type `node`: its attribute `element` says whether it is one of processors or of processes.
+/// The type `node`: its attribute `element` says whether it declares processors or processes.
 struct AnyElement {};
 
 /// What a name stands for.
 struct Symbol {
     std::variant<Constant, NodeType, ProcessType, AnyElement, DeclaredThings> meaning;
-    Location declared; ///< no place for what is predefined
+    Location declared; ///< no place if predefined
 };
 
 std::string describe(const Symbol& symbol);
@@ -62,23 +62,23 @@ public:
     bool outermost() const { return scopes_.size() == 2; }
 
     const Symbol* find(std::string_view name) const;
-    /// Null where the name is free in this block; else the declaration that is in the way.
+    /// Returns the declaration of the name in this block; null if the name is free here.
     const Symbol* find_in_this_block(std::string_view name) const;
     void declare(const std::string& name, Symbol symbol);
     void declare_predefined(const std::string& name, Symbol symbol);
 
-    /// The statements of this block that come after the one that is executed. They outlive the block.
+    /// Sets the statements of this block that follow the current statement. REQUIRES: they outlive the block.
     void set_ahead(std::span<const Statement> statements) { ahead_.back() = statements; }
-    /// Where a name that is not known yet is declared further on, in this block or one around it.
+    /// Returns where a name that is not known yet is declared further on, in this block or in an enclosing block.
     std::optional<Location> declared_later(std::string_view name) const;
 
     std::vector<std::string> names() const;
-    /// Of what things can be declared with.
+    /// Returns the names of all types that things can be declared with.
     std::vector<std::string> type_names() const;
-    /// Of the node types that are predefined.
+    /// Returns the names of the predefined node types.
     std::vector<std::string> predefined_node_types() const;
 
-    /// A declaration of this name was refused: a use of it is no second error.
+    /// Notes that a declaration of this name was refused, so that a use of it is not reported as a second error.
     void poison(const std::string& name) { poisoned_.insert(name); }
     bool is_poisoned(const std::string& name) const { return poisoned_.contains(name); }
 

@@ -84,7 +84,7 @@ Constant Elaborator::override_val(const SetStatement& set, const Constant& origi
     return value;
 }
 
-/// A val has taken it where it was declared.
+/// Does nothing more for a val: it took the value where it was declared.
 void Elaborator::perform(const SetStatement& form, const Location&) {
     const Reference& target = form.target;
     if (is_bare(target) && overridden_vals_.contains(target.name))
@@ -149,7 +149,7 @@ void Elaborator::name_connections(Things& things, const std::string& wanted, IsM
         }
 }
 
-/// False where an option that says it more precisely has set it.
+/// Returns false if an option with a more precise target has already set the member.
 bool Elaborator::set_once(const SetStatement& set, const std::string& member, const Settable& element) {
     auto [first, is_new] = set_.emplace(std::pair(element.name, member), &set);
     if (!is_new && first->second->precision() > set.precision())

@@ -55,7 +55,7 @@ Members members_of(const ProcessKind* kind, const Interface* interface) {
     return members;
 }
 
-/// What it wires, or the bus that it puts a master on, says what can be set of each connection.
+/// Returns the members of each connection, which depend on whether it wires links or puts a master on a bus.
 std::vector<SharedMembers> members_of_connections(const Draft& draft) {
     const Members all = members_of(connection_attributes());
     const auto of_none = std::make_shared<const Members>(),

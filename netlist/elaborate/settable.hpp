@@ -19,7 +19,7 @@ struct SettableMember {
     const ParameterDescription* description = nullptr; ///< null where only an interface declares it
     bool takes_text = false;
 
-    /// "it takes an integer: it is at least 1"; "" where that is not known.
+    /// Returns a text such as "it takes an integer: it is at least 1"; "" if the allowed values are not known.
     std::string what_it_takes() const;
 };
 
@@ -27,27 +27,27 @@ struct SettableMember {
 struct Settable {
     std::string name;
     std::variant<Node*, DraftConnection*, DraftProcess*> thing;
-    std::shared_ptr<const std::vector<SettableMember>> members; ///< what a simulation looks at
-    const ProcessKind* kind = nullptr;                          ///< of a process; null for a stand-in
+    std::shared_ptr<const std::vector<SettableMember>> members; ///< attributes and parameters that a simulation uses
+    const ProcessKind* kind = nullptr;                          ///< kind of a process; null for a stand-in
 
     const char* noun() const;
     const char* noun_of_member() const;
-    /// Null for what is only kept for the real tool.
+    /// Returns the member of that name; null if it is only kept for the real tool.
     const SettableMember* member(const std::string& name) const { return find_named(*members, name); }
-    /// Whether it can be set; what is only kept for the real tool, too. Where every element is meant, a connection
-    /// without a speed of its own is not: it follows its ends.
+    /// Returns whether the member can be set, including members that are only kept for the real tool. When an option
+    /// sets every element, a connection without a speed of its own is skipped: its speed follows its ends.
     bool has(const std::string& member, bool as_every_element = false) const;
     /// REQUIRES: has(setting.name). Throws StatementRefused after having reported; values of parameters are
     /// checked later, with those of the netlist.
     void set(const Setting& setting, Reporter&) const;
-    /// "it has memory, clock ..."; cut short when they are many, with the command that lists them all.
+    /// Returns "it has memory, clock ..."; a long list is cut short and names the command that lists all members.
     std::string text_of_members() const;
 };
 
-/// All of a draft, in its order. They refer to it.
+/// Returns all settable elements of a draft, in its order. They refer to the draft.
 std::vector<Settable> settable_elements(Draft&, const Catalogue&);
 
-/// Vals, attributes and parameters by element: notes, cut short where there is much.
+/// Returns notes that list vals, and attributes and parameters by element; long lists are cut short.
 std::vector<SecondPlace> what_can_be_set(const std::vector<std::pair<std::string, Constant>>& vals,
                                          const std::vector<Settable>&);
 

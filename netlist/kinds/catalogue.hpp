@@ -20,7 +20,7 @@ public:
 
     /// REQUIRES: no process kind of that name yet; throws std::logic_error otherwise.
     void add(ProcessKind kind);
-    /// Null where there is none.
+    /// Returns null if there is no kind of this name.
     const ProcessKind* find(std::string_view name) const;
     const std::map<std::string, ProcessKind, std::less<>>& kinds() const { return kinds_; }
 
@@ -30,7 +30,7 @@ public:
     /// a default; throws std::logic_error otherwise.
     void add_device(DeviceKind kind);
     const std::map<std::string, std::shared_ptr<const DeviceKind>, std::less<>>& devices() const { return devices_; }
-    /// What nodes can be declared with, by the names of the models.
+    /// Returns the types that nodes can be declared with, by the names of the models.
     const std::map<std::string, NodeType, std::less<>>& node_types() const { return node_types_; }
 
 private:

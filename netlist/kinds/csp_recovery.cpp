@@ -73,7 +73,7 @@ void consume_or_fail(ProcessEnvironment& environment) {
     environment.measure("bytes_of_pieces", static_cast<double>(bytes_of_pieces), "bytes");
 }
 
-/// Why what goes over the channel cannot be given up; "" if it can.
+/// Returns why a message on the channel cannot be given up; "" if it can.
 std::string why_not_given_up(const Network& network, const ChannelPlacement& at) {
     if (at.in_packets)
         return "travels in packets, which routers carry to their end";

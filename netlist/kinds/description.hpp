@@ -40,7 +40,7 @@ ParameterDescription integer(std::string name, IntegerTraits traits, std::string
 ParameterDescription real(std::string name, RealTraits traits, std::string about);
 ParameterDescription text(std::string name, TextTraits traits, std::string about);
 
-/// The same parameter, which is one of those that decide this: ParameterDescription::noun.
+/// Returns the parameter with ParameterDescription::noun set: the parameter decides what the noun names.
 ParameterDescription deciding(std::string noun, ParameterDescription parameter);
 
 /// A channel end for messages of type T.
@@ -65,13 +65,13 @@ PortDescription output(std::string name, std::string protocol, std::string about
     return port<T>(std::move(name), Direction::output, std::move(protocol), std::move(about));
 }
 
-/// The same port, which may stay unconnected.
+/// Returns the port, made optional: it may stay unconnected.
 inline PortDescription optional(PortDescription port) {
     port.optional = true;
     return port;
 }
 
-/// The same port, which older netlists know by another name.
+/// Returns the port with the name by which older netlists know it.
 inline PortDescription formerly(std::string name, PortDescription port) {
     port.formerly = std::move(name);
     return port;

@@ -38,14 +38,14 @@ enum class BusRole {
 enum class Execution {
     none, ///< no processes can be placed on it
     in_time,
-    in_time_on_a_bus ///< and nowhere else
+    in_time_on_a_bus ///< in time while on a bus; none elsewhere
 };
 
 /// One attribute in the parentheses of a declaration.
 struct AttributeDescription {
     ParameterDescription value;                          ///< its name, type, unit, range and default
     bool decimal_suffixes = false;                       ///< 20M is 20 000 000, as for a frequency; else 20 971 520
-    std::string json_name = "";                          ///< in the JSON document
+    std::string json_name = "";                          ///< its key in the JSON document
     std::function<std::string(const Value&)> drawn = {}; ///< for the drawing, "2 MB"; empty: not drawn
 };
 
@@ -55,7 +55,8 @@ struct FaultKind {
     std::string about;                                 ///< one line
     std::vector<AttributeDescription> attributes = {}; ///< times in ns
     bool silences_links = false;                       ///< of a device: from then on nothing leaves it by its links
-    /// Says why the device cannot have it, of which each attribute by itself is fine; "" if it can. Empty: it can.
+    /// Returns why the device cannot have this fault although each attribute by itself is valid; "" if it can. An empty
+    /// function: it always can.
     std::function<std::string(const Network&, const Fault&)> why_not = {};
 
     /// Null where there is none.
@@ -85,10 +86,10 @@ struct Attached {
 /// Describes a device with slots, which carries channels between the devices in them: a bus, a ring.
 struct Medium {
     int slots = 1;           ///< slot[1] to slot[slots]
-    bool broadcasts = false; ///< to link adapters, what is placed on it
+    bool broadcasts = false; ///< channels placed on it reach link adapters as broadcasts
     /// Says whether the device can be attached beside those that are; false after reporting why not. Empty: it can.
     std::function<bool(const Attached&, const BusAttachment&)> takes = {};
-    /// Returns the ways over this node, none twice; reports what needs one and has none.
+    /// Returns the ways over this node, each once. Reports each attachment that needs a way and has none.
     std::function<std::vector<BusWay>(const Attached&, std::size_t node)> ways;
 };
 
@@ -102,7 +103,8 @@ struct Drawing {
 };
 
 /// A kind of device that a netlist can declare nodes of. It says all that reading, checking and printing a netlist must
-/// know of the device, and how it is simulated. A switch is one; so is an edge, which is no device in the hardware.
+/// know of the device, and how the device is simulated. Switches are devices, too, and so is an edge, although it is
+/// not a device in the hardware.
 struct DeviceKind {
     std::string name;  ///< in the JSON document: "processor"
     std::string noun;  ///< in a message: "a processor"
@@ -113,11 +115,12 @@ struct DeviceKind {
     std::vector<AttributeDescription> attributes = {};
     std::vector<std::string> kept = {};   ///< attributes of the real tool: read and printed, not used by a simulation
     Execution executes = Execution::none; ///< a node that executes processes must be connected
-    /// Of a switch that has a link `config` by which it is set during the run: the kind of process that obeys what
-    /// comes there. One can be placed on it, and no other process.
+    /// Names, for a switch that is set during the run over its link `config`, the kind of process that obeys the
+    /// commands from there. One such process can be placed on the switch, and no other process.
     std::string logic = "";
     bool passes_channels_on = false; ///< between other nodes; it then has the attribute "routecost"
-    /// Why there can be no such node, of which each attribute by itself is fine; "" if there can. Empty: no reason.
+    /// Returns why there can be no such node although each attribute by itself is valid; "" if there can. An empty
+    /// function: there always can.
     std::function<std::string(const Node&)> why_not = {};
     BusRole bus = BusRole::none;
     std::optional<Medium> medium = {};  ///< of one with slots
@@ -127,12 +130,12 @@ struct DeviceKind {
     /// Makes the device of a run. Empty: it does nothing of its own there.
     std::function<std::unique_ptr<MachineNode>(MachineParts&, std::size_t node)> make = {};
     Drawing drawing = {};
-    /// Whether a program that is built on PlacedPar adds it: what it throws is then that program's error.
+    /// Says that a program built on PlacedPar adds this kind: an exception from it is then that program's error.
     bool is_own = false;
 
     /// Null where there is none.
     const AttributeDescription* attribute(std::string_view name) const;
-    /// Whether it asks for a bus.
+    /// Returns whether it requests a bus as a master.
     bool is_master() const { return bus == BusRole::workstation || bus == BusRole::bus_master; }
     /// Whether a wire to its link `config` makes a program the one that sets it.
     bool is_set_by_link() const { return !logic.empty(); }
@@ -142,10 +145,10 @@ struct DeviceKind {
     bool has_attributes() const { return !attributes.empty() || !kept.empty(); }
 };
 
-/// Whether processes on the node take time.
+/// Returns whether processes on the node take virtual time.
 bool executes_in_time(const Network& network, std::size_t node);
 
-/// How many nodes of the network execute processes in virtual time; those of a workstation take none.
+/// Returns the number of nodes that execute processes in virtual time. Processes on a workstation take no time.
 std::size_t count_processors(const Network& network);
 
 /// A type that nodes can be declared with: a model of a kind, or what a `define` made of one.

@@ -4,15 +4,16 @@
 
 namespace placedpar {
 
-/// The devices that every netlist can declare, each in a file of its name.
+/// Declares the devices that every netlist can declare; each is defined in the file of its name.
 
-/// Transputers by name in upper and lower case, TRAM modules by B-number, and `processor`, which needs a type.
+/// Describes transputers by name in upper and lower case, TRAM modules by B-number, and `processor`, which needs a
+/// type.
 DeviceKind transputer();
 /// A host computer: any number of links; processes on it run in no time unless it is on a bus.
 DeviceKind workstation();
 /// The C004: connections through it are resolved to the processors at their ends.
 DeviceKind crossbar();
-/// Where the network ends.
+/// Describes an edge: the place where the network ends.
 DeviceKind edge();
 /// A VMEbus.
 DeviceKind vme();
@@ -21,7 +22,7 @@ DeviceKind link_adapter();
 /// A transputer on a bus, such as the BBK-V2.
 DeviceKind bus_master();
 
-/// All of them.
+/// Lists all devices above.
 inline constexpr DeviceKind (*known_devices[])() = {transputer, workstation,  crossbar,  edge,
                                                     vme,        link_adapter, bus_master};
 

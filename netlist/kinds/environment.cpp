@@ -19,7 +19,7 @@ ProcessEnvironment::ProcessEnvironment(const Network& network, std::size_t index
 
 namespace {
 
-/// In which order components measure, their histories do not say.
+/// Histories do not record the order in which components measure.
 void note(const Process& self, const Measurement& measurement, History& history) {
     if (self.parent())
         history.does_what_is_not_noted();

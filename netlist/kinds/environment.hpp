@@ -44,7 +44,7 @@ public:
     /// The process's name in the netlist, such as "slave[2]".
     const std::string& process() const { return process_; }
     /// The whole netlist and the process's place in Network::processes: what a configurer could tell a program, such as
-    /// who its neighbours' neighbours are. Nothing that a process computes may depend on where any is placed.
+    /// the neighbours of its neighbours. No result of a process may depend on the placement of any process.
     const Network& network() const { return network_; }
     std::size_t index() const { return index_; }
 
@@ -52,7 +52,7 @@ public:
     double real(std::string_view parameter) const { return get<double>(parameter); }
     const std::string& text(std::string_view parameter) const { return get<std::string>(parameter); }
 
-    /// The port, or the first of it if it is an array.
+    /// Returns the port, or its first element if it is an array.
     bool connected(std::string_view port) const { return !all(port).empty(); }
     template <class T>
     Input<T> input(std::string_view port) const {
@@ -62,7 +62,7 @@ public:
     Output<T> output(std::string_view port) const {
         return channel<T>(require(port)).out();
     }
-    /// All the ends of a port that may be an array, in the order of their subscripts; one without a subscript alone.
+    /// Returns all ends of a port in the order of their subscripts; a port that is not an array has a single end.
     template <class T>
     std::vector<Output<T>> outputs(std::string_view port) const {
         return ends<Output<T>>(port, [this](AnyChannel& each) { return channel<T>(each).out(); });
@@ -72,7 +72,7 @@ public:
         return ends<Input<T>>(port, [this](AnyChannel& each) { return channel<T>(each).in(); });
     }
 
-    /// The stream of the run's seed and the given name: two processes that name the same stream draw the
+    /// Returns the random stream of the run's seed and the given name: two processes that name the same stream draw the
     /// same numbers.
     RandomStream random_stream(std::string_view name) const { return RandomStream(seed_, name); }
     std::uint64_t seed() const { return seed_; }

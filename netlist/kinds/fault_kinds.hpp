@@ -21,21 +21,21 @@ AttributeDescription fault_ends();
 /// The attribute `until` of one that must pass.
 AttributeDescription fault_must_end();
 
-/// The moments that those say.
+/// Return the times that `from` and `until` state.
 Time begin_of(const Fault&);
 Time end_of(const Fault&);
 
 /// "20ms": a number of nanoseconds as the language writes it.
 std::string print_nanoseconds(std::int64_t);
 
-/// As a statement has it, without its first word: "t[0].link[1] silent (from = 20ms)". Only what differs from the
-/// default.
+/// Returns the fault as its statement, without the first word: "t[0].link[1] silent (from = 20ms)". Attributes with
+/// default values are left out.
 std::string print_fault(const Fault&, const std::vector<Node>&);
 
-/// For a drawing: "silent from 20 ms", "slow, 4 times, until 1 s".
+/// Returns the text for a drawing: "silent from 20 ms", "slow, 4 times, until 1 s".
 std::string print_fault_shortly(const Fault&);
 
-/// Whether it is of this wire's link, in a network as it is drawn too (netlist/print).
+/// Returns whether the fault affects this wire's link. Works in a network prepared for drawing (netlist/print), too.
 bool strikes(const Fault&, const LinkConnection&);
 
 } // namespace placedpar

@@ -26,8 +26,8 @@ struct RouterCosts;
 
 class MachineNode;
 
-/// Holds what a run is made of so far. First come the devices without slots, then the links, then the devices with
-/// slots: each may ask for those before it.
+/// Holds the parts of a run that are made so far. Devices without slots are made first, then the links, then the
+/// devices with slots. Each part may use the parts made before it.
 struct MachineParts {
     Simulation& simulation;
     const Network& network;
@@ -35,16 +35,16 @@ struct MachineParts {
     std::vector<hardware::Link*> links;              ///< by connection; null for ways over a device with slots
 };
 
-/// These carry the channels over a connection.
+/// Holds the two carriers of the channels over a connection, one for each direction.
 struct CarrierPair {
     Carrier *from_a_to_b = nullptr, *from_b_to_a = nullptr;
 };
 
-/// Adds to the report what a fault of a device did in the run; empty where it does nothing else than stop processes.
+/// Adds the effects of a device's fault to the report. Empty if the fault only stops processes.
 using FaultEffects = std::function<void(FaultUse&)>;
 
-/// A node of the network in a run, made by its DeviceKind. As it stands it does nothing: a device overrides what it
-/// does. It adds to the simulation what takes time, and outlives the simulation.
+/// A node of the network in a run, made by its DeviceKind. The base class does nothing; a device overrides the
+/// functions that it needs. A device adds to the simulation what takes time, and outlives the simulation.
 class MachineNode {
 public:
     /// REQUIRES: the parts outlive it.
@@ -53,26 +53,28 @@ public:
     MachineNode& operator=(const MachineNode&) = delete;
     virtual ~MachineNode() = default;
 
-    /// Executes the processes that are placed on the node; null: they take no time.
+    /// Returns the executive of the processes on the node; null if they take no time.
     virtual Executive* executive() { return nullptr; }
-    /// A link ends at the node. Called before the run.
+    /// Tells the device that the link ends at the node. Called before the run.
     virtual void has_link(hardware::Link&) {}
-    /// Returns what a bit needs to cross it, where wires do, in hundredths of a bit time.
+    /// Returns the delay of a bit that crosses the device, in hundredths of a bit time; 0 if no wires cross it.
     virtual std::int64_t crossing_delay() const { return 0; }
-    /// A link leads through it when it is set so during the run. REQUIRES: its kind is set by a link.
+    /// Tells the device that a link leads through it whenever it is set so during the run. REQUIRES: its kind is set by
+    /// a link.
     virtual void lead_on(hardware::Link&, const SwitchCrossing&) {}
-    /// Returns what carries channels over a way of Medium::ways. REQUIRES: it has slots, and the way is its own.
+    /// Returns the carriers of the channels over a way of Medium::ways. REQUIRES: the device has slots, and the way is
+    /// one of its ways.
     virtual CarrierPair carriers(std::size_t connection);
-    /// Puts the channels that are broadcast on it (ChannelPlacement::broadcast_on) on their carriers.
+    /// Puts the channels that are broadcast on the device (ChannelPlacement::broadcast_on) on their carriers.
     virtual void broadcast(const std::function<AnyChannel&(std::size_t)>& /* channel */) {}
-    /// The device has the fault, of its kind, in this run. Called before the run.
+    /// Tells the device that it has this fault in this run. Called before the run.
     virtual FaultEffects suffer(const Fault&) { return {}; }
-    /// Adds what it reports. Called when the work of the run is over.
+    /// Adds the device's part of the report. Called when the work of the run is over.
     virtual void report(MachineUse&) const {}
 
     /// Returns an engine of a link that is connected to one partner after the other.
     hardware::SharedEngine& engine(int link, bool outputs);
-    /// Passes packets on by its links; made when it is first asked for.
+    /// Returns the router that passes packets on by the links. It is made at the first call.
     hardware::Router& router();
 
 protected:
@@ -81,9 +83,9 @@ protected:
     std::size_t index() const { return node_; }
     const MachineParts& parts() const { return parts_; }
     Simulation& simulation() const { return parts_.simulation; }
-    /// Null where no channel leads there in packets.
+    /// Returns the router; null if no channel in packets leads to the node.
     const hardware::Router* router_if_any() const { return router_; }
-    /// What its router asks of its executive.
+    /// Returns the priority of the router's processes, and the processor time for each packet.
     virtual hardware::RouterCosts router_costs() const;
 
 private:

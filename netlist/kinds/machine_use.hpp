@@ -17,14 +17,14 @@ struct ProcessorUse {
     std::string type;
     Time busy;                  ///< how long it executed processes, waiting for its memory included
     Time memory_taken_by_links; ///< how long its memory served the engines of its links, while it was busy or not
-    std::uint64_t packets_passed_on = 0; ///< of channels that lead through it
-    Time passing_on{};                   ///< what that took of the time it was busy, without waiting for its memory
+    std::uint64_t packets_passed_on = 0; ///< packets of channels that lead through it
+    Time passing_on{};                   ///< part of `busy` spent on passing packets on, without waiting for its memory
 };
 
 struct LinkUse {
     std::string from, to; ///< "t[0].link[3]"
     std::uint64_t bytes;
-    Time occupied; ///< how long its wire carried their bits
+    Time occupied; ///< how long its wire carried bits
 };
 
 /// A master's use of its bus.
@@ -36,7 +36,7 @@ struct BusMasterUse {
     Time waited, longest_wait; ///< for the bus
 };
 
-/// Messages that were written once for several link adapters.
+/// Counts messages that were written once for several link adapters.
 struct BroadcastUse {
     std::string from; ///< the port array: "host.to_masters"
     std::size_t adapters;
@@ -50,61 +50,61 @@ struct BusUse {
     std::vector<BroadcastUse> broadcasts;
 };
 
-/// What a fault of the machine did in the run.
+/// Reports the effects of a fault of the machine in the run.
 struct FaultUse {
     std::string fault; ///< as a statement has it: "t[0].link[1] silent (from = 20ms)"
     std::uint64_t bytes_lost = 0, acknowledges_lost = 0;
     struct Hit {
         Time at;
         std::string channel;
-        bool acknowledge;                                 ///< of the byte; else the byte itself
-        std::uint64_t byte;                               ///< of the message, from 1
-        hardware::FaultEffect::Hit::Message message = {}; ///< or a packet
+        bool acknowledge;                                 ///< the acknowledge was hit; false: the byte itself
+        std::uint64_t byte;                               ///< number of the byte in its message, from 1
+        hardware::FaultEffect::Hit::Message message = {}; ///< the message, or packet, that was hit
     };
-    std::optional<Hit> first, last;            ///< that it struck, and that it lost
-    std::vector<std::string> stopped_channels; ///< of those that travel in packets: they wait for ever because of it
+    std::optional<Hit> first, last;            ///< first and last hit
+    std::vector<std::string> stopped_channels; ///< channels in packets that wait for ever because of the fault
     std::vector<std::string> stopped;          ///< processes that were not at their end when their processor halted
     std::optional<Time> held_since;            ///< when a bus was granted to the master that hogs it
-    std::uint64_t bus_errors = 0;              ///< accesses that what is absent did not answer
+    std::uint64_t bus_errors = 0;              ///< accesses that the absent device did not answer
 
     bool had_effect() const {
         return first || held_since || bus_errors > 0 || !stopped.empty() || !stopped_channels.empty();
     }
 };
 
-/// What a switch that a program sets did in the run.
+/// Reports the work of a switch that a program sets.
 struct SwitchUse {
     std::string name;
-    std::uint64_t commands = 0, connections = 0; ///< obeyed; made, one for each output
-    /// Counts the messages that it did not lead on.
+    std::uint64_t commands = 0, connections = 0; ///< commands obeyed; connections made, one for each output
+    /// Counts the bytes and acknowledges that the switch lost between two links.
     struct Loss {
         std::string from, to; ///< the links
         std::uint64_t bytes = 0, acknowledges = 0;
         FaultUse::Hit first;
-        int output;        ///< that should have led the first of them on
-        std::string state; ///< what it did then: "was connected to no input"
+        int output;        ///< output that should have passed on the first of them
+        std::string state; ///< state of the output at that time: "was connected to no input"
     };
     std::vector<Loss> losses;
 };
 
-/// Tells what a device of another kind reports, as a table.
+/// Holds the report of a device of another kind, as a table.
 struct DeviceUse {
     std::string title;                ///< "ring r"
     Time busy;                        ///< how long it carried something
-    std::vector<std::string> columns; ///< the first heads the names of the rows
+    std::vector<std::string> columns; ///< headings; the first is the heading of the row names
     struct Row {
         std::string name;
-        std::vector<std::variant<std::uint64_t, Time>> figures; ///< one below each other column
+        std::vector<std::variant<std::uint64_t, Time>> figures; ///< one figure for each column but the first
     };
     std::vector<Row> rows;
 };
 
-/// Tells how a run used the machine: each device adds what it reports (MachineNode::report).
+/// Reports how a run used the machine. Each device adds its part (MachineNode::report).
 struct MachineUse {
     std::vector<ProcessorUse> processors;
     std::vector<LinkUse> links;
     std::vector<BusUse> buses;
-    std::vector<SwitchUse> switches; ///< that programs set
+    std::vector<SwitchUse> switches; ///< switches that programs set
     std::vector<DeviceUse> devices;
 };
 

@@ -7,16 +7,18 @@
 
 namespace placedpar {
 
-/// Tells a VMEbus what is in one of its slots: a MachineNode there is this, too.
+/// Describes a device in a slot of a VMEbus, as the bus needs it. The MachineNode of such a device also derives from
+/// this struct.
 struct OnVme {
     virtual ~OnVme() = default;
 
-    hardware::BusProgram program = {};            ///< of a master
-    hardware::DualPortedMemory* memory = nullptr; ///< of a bus master; given by the bus
-    hardware::BusSlave* slave = nullptr;          ///< what answers for it; given by the bus
+    hardware::BusProgram program = {};            ///< program by which a master uses the bus
+    hardware::DualPortedMemory* memory = nullptr; ///< memory of a bus master; set by the bus
+    hardware::BusSlave* slave = nullptr;          ///< the slave that answers for the device; set by the bus
 };
 
-/// The device has the fault leaves_the_bus(). One that never answers, as an adapter without a wire, does as before.
+/// Gives the device the fault leaves_the_bus(). The fault has no effect on a device that never answers, such as an
+/// adapter without a wire.
 inline FaultEffects leave(const OnVme& device, const Fault& fault) {
     if (!device.slave)
         return {};

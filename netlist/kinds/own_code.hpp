@@ -10,8 +10,8 @@
 
 namespace placedpar {
 
-/// Returns what `work` gives, which asks the kind's own code. Whatever a kind that a program adds throws becomes a
-/// UserError with the same text; a UserError is thrown on as it is.
+/// Returns the result of `work`, which calls the kind's own code. An exception from a kind that a program adds becomes
+/// a UserError with the same text; a UserError is rethrown unchanged.
 template <class Kind, class Work>
 auto ask_kind(const Kind& kind, const Work& work) {
     try {
@@ -27,7 +27,7 @@ auto ask_kind(const Kind& kind, const Work& work) {
 }
 
 /// Does the same for a process of the kind. The UserError also says where the process stands in the netlist, and `what`
-/// it was asked.
+/// was called.
 template <class Work>
 auto ask_kind(const ProcessKind& kind, const ProcessInstance& process, const char* what, const Work& work) {
     try {

@@ -16,20 +16,24 @@ struct ParameterDescription {
     std::string name;
     ParameterType type;
     std::string unit;                   ///< "" where it has none
-    std::optional<Value> default_value; ///< of the type stated; none: the netlist must give it
+    std::optional<Value> default_value; ///< default of the stated type; empty: the netlist must give the parameter
     std::optional<double> least, most;  ///< range, both ends allowed
     std::vector<std::string> choices;   ///< for text: the allowed words; empty: any text
     std::string about;                  ///< one line
-    /// For text that is more than a word: throws UserError, saying what would be right. `choices` are then examples.
+    /// Checks a text that is more than a word; throws UserError with a text that says what would be right. `choices`
+    /// are then examples.
     std::function<void(const std::string&)> check = {};
-    /// Of cycles: they are of real numbers, and the default is what a processor with a unit for those takes.
+    /// Says that the parameter counts cycles of real-number arithmetic; the default holds for a processor with a
+    /// floating-point unit.
     bool computes_reals = false;
-    std::string noun = ""; ///< what it decides, by a name under which the program tells more; "" where it does not
+    std::string noun =
+        ""; ///< name of what the parameter decides, under which the program has more help; "": no more help
 };
 
-/// "it goes from 2 to 100 bytes", "it is at least 2 bytes", "it is at most 100 bytes". REQUIRES: it has a range.
+/// Returns "it goes from 2 to 100 bytes", "it is at least 2 bytes", "it is at most 100 bytes". REQUIRES: the parameter
+/// has a range.
 std::string range_of(const ParameterDescription& parameter);
-/// Whether the number lies in the range, if there is one.
+/// Returns whether the number lies in the range; true if there is no range.
 bool in_range(const ParameterDescription& parameter, double number);
 
 } // namespace placedpar

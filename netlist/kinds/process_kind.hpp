@@ -37,12 +37,12 @@ struct MeasurementDescription {
     std::string about;
 };
 
-/// What is wrong, or hardly meant, with a process beyond what ranges and single ports can say.
+/// Describes an error, or a probable mistake, in a process that the checks of ranges and single ports cannot find.
 struct Complaint {
-    std::size_t process = 0; ///< the process at fault; not always the one whose kind was asked
-    std::string about;       ///< the parameter or the port at fault, whose place is shown; "": the process
+    std::size_t process = 0; ///< the process at fault, which may be another than the checked process
+    std::string about; ///< the parameter or port at fault, whose place is shown; "": the place of the process is shown
     std::string message, hint;
-    bool warning = false; ///< said, but the netlist is good
+    bool warning = false; ///< the complaint is shown, but the netlist is accepted
 };
 
 /// A kind of process that a netlist can name in `use "kind" for process;`.
@@ -53,29 +53,30 @@ struct ProcessKind {
     std::vector<ParameterDescription> parameters = {};
     std::vector<MeasurementDescription> measurements = {};
     std::function<void(ProcessEnvironment&)> body = {};
-    /// Groups of ports of which a netlist connects all or none.
+    /// Lists groups of ports; a netlist must connect all or none of a group.
     std::vector<std::vector<std::string>> together = {};
-    /// May be empty. Called for each process of the kind, with a network in which everything else is right.
+    /// Checks one process of the kind, in a network that has passed all other checks. May be empty.
     std::function<std::vector<Complaint>(const Network&, std::size_t process)> check = {};
-    /// Whether what a process of the kind does and sends follows from its messages, its parameters, its random streams,
-    /// the choices of its ALTs and the readings of its clock, and from nothing else, such as what components of its
-    /// PARs share. Then runs with other seeds need not be simulated on the machine (repeated_run.hpp). Empty: no.
+    /// Returns whether all actions and messages of a process of the kind follow from its messages, its parameters, its
+    /// random streams, the choices of its ALTs and the readings of its clock. Variables that are shared by the
+    /// components of its PARs, for example, are not allowed. Runs of such processes with other seeds need not be
+    /// simulated on the machine (repeated_run.hpp). An empty function means no.
     std::function<bool(const Network&, std::size_t process)> is_determinate = {};
-    /// What a process of the kind communicates, for Spin. May be empty: such networks have no model.
+    /// Returns the communication of a process of the kind, for Spin. If empty, networks with such processes have no
+    /// model.
     PromelaStatements promela = {};
-    /// Whether a program that is built on PlacedPar adds it: what its processes throw, or it where it is asked, is
-    /// then that program's, not a defect of PlacedPar.
+    /// Says that a program built on PlacedPar adds this kind: an exception from the kind or its processes is then that
+    /// program's error, not a defect of PlacedPar.
     bool is_own = false;
 
-    /// Null where there is none.
+    /// Returns null if there is no port of this name.
     const PortDescription* port(std::string_view name) const;
     const ParameterDescription* parameter(std::string_view name) const;
-    /// For someone who names a port that it does not have: what that port is called now, or the nearest name; "" where
-    /// none is near.
+    /// Returns a hint for a wrong port name: the present name of the port, or the nearest name; "" if no name is near.
     std::string hint_at_port(std::string_view wanted) const;
 };
 
-/// For ProcessKind::is_determinate.
+/// A value for ProcessKind::is_determinate: every process of the kind is determinate.
 inline bool always(const Network&, std::size_t) { return true; }
 
 } // namespace placedpar

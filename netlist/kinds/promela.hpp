@@ -10,19 +10,21 @@ namespace placedpar {
 
 struct Network; // netlist/network/network.hpp
 
-/// A process as its kind describes it in Promela, the language of the model checker Spin (G. Holzmann, "The Spin Model
-/// Checker", 2003): its parameters, and its channels as places of the array `c` of rendezvous channels.
+/// Gives a kind what it needs to describe a process in Promela, the language of the model checker Spin (G. Holzmann,
+/// "The Spin Model Checker", 2003): the parameters of the process, and its channels as elements of the array `c` of
+/// rendezvous channels.
 class PromelaProcess {
 public:
     PromelaProcess(const Network& network, std::size_t process) : network_(network), process_(process) {}
 
     std::int64_t integer(std::string_view parameter) const;
     bool connected(std::string_view port) const { return !numbers(port).empty(); }
-    /// Such as "c[3]". REQUIRES: it is connected, and no array.
+    /// Returns the port's channel, such as "c[3]". REQUIRES: the port is connected, and not an array.
     std::string channel(std::string_view port) const;
-    /// Of an array, in order.
+    /// Returns the channels of a port array, in order.
     std::vector<std::string> channels(std::string_view port) const;
-    /// The channel while the condition holds, else one on which nothing ever passes: an occam guard.
+    /// Returns a guarded channel, as in occam: the channel while the condition holds, else a channel on which no
+    /// message ever passes.
     std::string channel_if(std::string_view condition, const std::string& channel) const;
 
 private:
@@ -32,12 +34,12 @@ private:
     std::size_t process_;
 };
 
-/// The statements of a process: what it communicates, in which order, without what it computes and how long that
-/// takes. They may use the variables `i`, an int, and `m`, a byte that stands for any message. A line each, without
-/// indentation.
+/// Returns the statements of a process: its communications in order, without its computations and their duration. They
+/// may use the variables `i`, an int, and `m`, a byte that stands for any message. Each statement has a line of its
+/// own, without indentation.
 using PromelaStatements = std::function<std::string(const PromelaProcess&)>;
 
-/// "for (i : 1 .. 10) {", the statements, "}".
+/// Returns a loop: "for (i : 1 .. 10) {", the statements, "}".
 std::string promela_loop(std::int64_t times, const std::string& statements);
 
 } // namespace placedpar

@@ -72,7 +72,7 @@ public:
             enquire(partner);
     }
 
-    /// Else the switch would go on repeating to this partner what is for the next.
+    /// Disconnects the partner; otherwise the switch would also repeat to it the bytes for the next partner.
     void disconnect(std::size_t partner) {
         commands_.output({SwitchCommand::Kind::disconnect_links, link_, link_of(partner)});
     }
@@ -91,7 +91,7 @@ private:
     }
 
     Output<SwitchCommand> commands_;
-    Input<SwitchAnswer> answers_; ///< of no channel where nobody enquires
+    Input<SwitchAnswer> answers_; ///< without a channel if the process does not enquire
     std::uint8_t link_, first_;
     std::int64_t wrong_answers_ = 0;
 };

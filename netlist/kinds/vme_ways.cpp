@@ -50,7 +50,7 @@ private:
             ways_.push_back({master, slave, wire->second});
     }
 
-    /// Whose program uses the adapter; nowhere after having reported that this is not clear.
+    /// Returns the master whose program uses the adapter; nowhere after reporting that this is not clear.
     std::size_t master_of(std::size_t slave) {
         const Node& adapter = node(slave);
         const auto& named = std::get<std::string>(adapter.attributes.at("master"));

@@ -7,14 +7,15 @@
 
 namespace placedpar {
 
-/// A name as DOS has it, for this system: `\` separates folders.
+/// Converts a DOS file name for this system: `\` separates folders.
 std::string without_backslashes(std::string name);
 
-/// Whether it names an include of the toolset's own: where there is none, what it declares is predefined.
+/// Returns whether the name is an include file of the toolset. If that file is missing, its declarations are
+/// predefined.
 bool is_of_the_toolset(const std::string& name);
 
-/// The file of this name, in the first of the folders that has it. Where a folder has it in other letters, upper or
-/// lower case, as DOS does not tell apart, that is the one; of several such the first by name.
+/// Returns the file of this name in the first folder that has it. If a folder only has the name in other case, as DOS
+/// would match it, returns that file; if there are several, the first in order of names.
 std::optional<std::filesystem::path> find_included(const std::string& name,
                                                    const std::vector<std::filesystem::path>& folders);
 

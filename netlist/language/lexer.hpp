@@ -7,25 +7,25 @@
 
 namespace placedpar {
 
-/// Short enough to be printed on one line with every character escaped.
+/// Limits the length of a string, so that it can be printed on one line with every character escaped.
 inline constexpr std::size_t longest_string = 2000;
-/// Short enough for a statement with several names, subscripts and all, to be printed on one line.
+/// Limits the length of a name, so that a statement with several names and subscripts can be printed on one line.
 inline constexpr std::size_t longest_name = 255;
 
-/// Cuts one source into tokens, one at a time. What it cannot read it reports, and returns as an illegal token.
+/// Cuts one source into tokens, one at a time. Text that it cannot read is reported, and returned as an illegal token.
 /// Comments are C's: slash star to star slash; the language has no others.
 class Lexer {
 public:
     Lexer(std::shared_ptr<const SourceFile> file, Reporter& reporter);
 
-    /// At the end a token of kind `end`, as often as it is called.
+    /// Returns the next token; at the end of the text, always a token of kind `end`.
     Token next();
     /// Skips the rest of the line.
     void skip_line();
-    /// Just behind `#include`: the name of a file in quotes, where a `\` is no escape but as it stands; nothing where
-    /// none follows on this line.
+    /// Reads the file name in quotes just after `#include`, in which a `\` is not an escape; nothing if no name follows
+    /// on this line.
     std::optional<Token> read_file_name();
-    /// The place behind the last token.
+    /// Returns the place after the last token.
     Location here() const { return {file_, line_, column_}; }
 
 private:
@@ -42,7 +42,7 @@ private:
     Token read_number();
     Token read_hexadecimal(Token token);
     Token read_decimal(Token token);
-    /// Whether there is one.
+    /// Skips the fraction of a number; returns whether there is one.
     bool skip_fraction();
     bool skip_exponent();
     bool at_float_suffix() const;
@@ -56,12 +56,12 @@ private:
     Token read_string();
     Token read_character();
     Token refuse_empty_character(Token token);
-    /// A character of a string or a character constant, its escape resolved.
+    /// Reads a character of a string or character constant, and resolves its escape.
     char read_one();
     char read_escaped(const Location& start);
     char read_numeric_escape(int base, int most_digits, const Location& start);
 
-    /// The characters from here on of which the predicate holds.
+    /// Takes the characters from here on as long as the predicate holds.
     std::string_view take_while(bool (*belongs)(char));
     bool at_end() const { return position_ >= text().size(); }
     char peek(std::size_t ahead = 0) const;

@@ -7,16 +7,15 @@
 
 namespace placedpar {
 
-/// Where a text that is occam shows it, and what to say in a netlist instead.
+/// Says where a text turns out to be occam, and what a netlist would say instead.
 struct Occam {
     Location at;
     const char* hint;
 };
 
-/// A text that is occam: a program (PROC, SEQ, #USE), a configuration of the development system (PLACED PAR, PROCESSOR
-/// 0 T8) or of the occam toolset (NODE, NETWORK). Nothing but comments that begin with -- and folds are taken for
-/// occam, too.
-/// REQUIRES for a sure answer: the text is no netlist that can be read.
+/// Finds the sign that a text is occam: a program (PROC, SEQ, #USE), a configuration of the development system (PLACED
+/// PAR, PROCESSOR 0 T8) or of the occam toolset (NODE, NETWORK). A text of only folds and comments that begin with --
+/// is taken for occam, too. REQUIRES, for a reliable answer: the text cannot be read as a netlist.
 std::optional<Occam> occam_in(const std::shared_ptr<const SourceFile>& file);
 
 } // namespace placedpar

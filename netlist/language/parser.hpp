@@ -7,24 +7,24 @@
 
 namespace placedpar {
 
-/// Blocks, statements of `rep` and `if`, parentheses, brackets, attributes, signs and casts in one another: deeper
+/// Limits the nesting of blocks, `rep` and `if` statements, parentheses, brackets, attributes, signs and casts. Deeper
 /// nesting is refused, so that no text can exhaust the stack.
 inline constexpr int deepest_nesting = 200;
-/// The height of an expression's tree; `1 + 1 + ...` is as high as it is long, here with 1000 operators.
+/// Limits the height of an expression's tree. The height of `1 + 1 + ...` is its length: 1000 operators are allowed.
 inline constexpr int highest_expression = 1001;
 
-/// Recursive descent over the grammar of docs/netlist-language.md. After an error it goes on after the next `;`, so
-/// that several errors are reported at once.
+/// Parses by recursive descent over the grammar of docs/netlist-language.md. After an error it goes on after the next
+/// `;`, so that several errors are reported at once.
 class Parser {
 public:
     Parser(TokenStream& tokens, Reporter& reporter) : tokens_(tokens), reporter_(reporter) {}
 
     Statements parse_netlist();
-    /// One expression with nothing after it. Throws StatementRefused after having reported.
+    /// Parses one expression with nothing after it. Throws StatementRefused after having reported.
     ExpressionPointer parse_whole_expression();
-    /// `reference =`: what an option gives a value. Throws StatementRefused after having reported.
+    /// Parses `reference =`, the target of an option that sets a value. Throws StatementRefused after having reported.
     Reference parse_target();
-    /// A fault as an option states it, without the first word and the `;`. Throws StatementRefused after having
+    /// Parses a fault as an option states it, without the first word and the `;`. Throws StatementRefused after having
     /// reported.
     Statement parse_fault_option();
 
@@ -48,7 +48,7 @@ private:
     std::vector<Declarator> parse_declarators(std::string_view what);
     Declarator parse_declarator(std::string_view what);
     Declarator parse_type_name();
-    /// The name of a type; `process`, a word of the language, is one.
+    /// Takes the name of a type; the reserved word `process` is a type, too.
     Token expect_type(std::string_view what);
 
     // parse_attribute.cpp
@@ -58,8 +58,8 @@ private:
     Attribute parse_process_attribute();
     void parse_interface_once(DeclarationAttributes& attributes);
     std::vector<InterfaceEntry> parse_interface();
-    /// A channel's direction or a parameter's type, if one stands here.
     [[noreturn]] void refuse_entry();
+    /// Parses a channel's direction or a parameter's type, if there is one here.
     std::optional<EntryType> parse_entry_type();
     InterfaceEntry parse_entry(const EntryType& type);
     bool behind_attributes_comes_name();
@@ -77,7 +77,7 @@ private:
 
     // parse_expression.cpp
     ExpressionPointer parse_expression();
-    /// Of operators that bind more strongly than this.
+    /// Parses an operation of operators that bind more strongly than `weakest`.
     ExpressionPointer parse_operation(int weakest);
     ExpressionPointer parse_conditional(ExpressionPointer condition);
     ExpressionPointer parse_unary();
@@ -96,13 +96,13 @@ private:
     void expect_semicolon(std::string_view statement);
     bool on_another_line();
     bool statement_is_over();
-    /// Where something is missing: here, or behind the last token where that stands on a line before.
+    /// Returns the place where something is missing: here, or after the last token if that token is on an earlier line.
     Location gap();
     Token expect_name(std::string_view what);
     [[noreturn]] void refuse_missing(std::string_view what, std::string_view where);
     [[noreturn]] void refuse(const Location& at, std::string message, std::string hint = "");
 
-    /// Counts the depth while it lives.
+    /// Counts one level of nesting during its lifetime.
     struct Nesting {
         explicit Nesting(Parser& owner);
         ~Nesting() { --parser.depth_; }
@@ -119,13 +119,13 @@ private:
     std::set<std::string, std::less<>> types_; ///< defined by the netlist
 };
 
-/// Words that begin or structure statements and so cannot name anything.
+/// Returns whether the word begins or structures statements, so that it cannot be a name.
 bool is_reserved(std::string_view word);
-/// Whether a netlist can use the text as a name: it is one word, and not reserved.
+/// Returns whether a netlist can use the text as a name: a single word that is not reserved.
 bool can_be_a_name(std::string_view text);
-/// The one of the words that this one is a letter or two away from, or is in capital letters; "" for others.
+/// Returns the known word that differs from `word` in a letter or two, or only in capital letters; "" if there is none.
 std::string word_meant(const std::string& word, const std::vector<std::string>& words);
-/// Of those that begin a statement.
+/// Does the same with the words that begin a statement.
 std::string word_meant(const std::string& word);
 
 } // namespace placedpar

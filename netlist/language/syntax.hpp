@@ -12,7 +12,7 @@
 
 namespace placedpar {
 
-/// The syntax of a netlist as a tree, before anything is known about its names.
+/// These structures form the syntax tree of a netlist, before its names are resolved.
 
 struct Expression;
 using ExpressionPointer = std::unique_ptr<Expression>;
@@ -57,11 +57,11 @@ struct ArrayConstant {
 };
 
 struct Expression {
-    Location at; ///< of the operator, for operations of two and three operands
+    Location at; ///< place; for operations of two or three operands, the operator's
     std::variant<IntegerLiteral, RealLiteral, TextLiteral, NameUse, UnaryOperation, BinaryOperation,
                  ConditionalOperation, CastOperation, SubscriptOperation, SizeOperation, ArrayConstant>
         form;
-    int height = 1; ///< of the tree, kept small so that walking it cannot exhaust the stack
+    int height = 1; ///< height of the tree, limited so that walking it cannot exhaust the stack
 };
 
 /// `name[1][2].field[3]`: something declared, or a part of it.
@@ -99,7 +99,7 @@ struct InterfaceEntry {
     ExpressionPointer default_value; ///< null where there is none, and for channels
 };
 
-/// What stands in the parentheses of a declaration. Only processes have an interface.
+/// Holds the contents of the parentheses of a declaration. Only processes have an interface.
 struct DeclarationAttributes {
     std::vector<Attribute> attributes;
     std::optional<std::vector<InterfaceEntry>> interface;
@@ -119,8 +119,8 @@ struct DefineStatement {
     DeclarationAttributes attributes;
     std::vector<Declarator> names; ///< without dimensions
 };
-/// Of nodes or processes, as the type says. `process (...);` without names sets the defaults for the processes that
-/// follow.
+/// Declares nodes or processes, depending on the type. `process (...);` without names sets the defaults for the
+/// processes that follow.
 struct Declaration {
     std::string type;
     Location type_at;
@@ -143,13 +143,14 @@ struct ParameterSetting {
 /// `n = 4`, `p[1].n = 4`: an option sets a val, or an attribute or a parameter of what the netlist declares.
 struct SetStatement {
     Reference target;
-    ExpressionPointer value; ///< null where the text is no expression; a string without quotes need not be one
+    ExpressionPointer value; ///< null if the text is not an expression, which a string without quotes need not be
     std::string typed;       ///< the text of the value
     Location value_at;
-    std::vector<Diagnostic> problems; ///< why there is no expression
-    std::size_t place = 0;            ///< among the options
+    std::vector<Diagnostic> problems; ///< why the text is not an expression
+    std::size_t place = 0;            ///< position among the options
 
-    /// How closely it says what it sets: of every element that has it, of an array, of an element.
+    /// Returns how precise the target is: 0 for every element with this member; higher for an array, highest for one
+    /// element.
     std::size_t precision() const { return target.field.empty() ? 0 : 1 + target.subscripts.size(); }
 };
 struct ConnectStatement {
@@ -173,7 +174,7 @@ struct FaultStatement {
 struct RepStatement {
     std::string name;
     Location name_at;
-    ExpressionPointer first, count, last; ///< `for count` or `to last`: the other is null
+    ExpressionPointer first, count, last; ///< `for count` or `to last`; count or last is null
     std::unique_ptr<Statement> body;
 };
 struct IfStatement {
@@ -185,7 +186,7 @@ struct BlockStatement {
 };
 
 struct Statement {
-    Location at; ///< of the name declared by a `val`, else of the first word
+    Location at; ///< place of the name that a `val` declares, else of the first word
     std::variant<ValStatement, DefineStatement, Declaration, ConnectionDeclaration, EdgeChannelDeclaration,
                  ParameterSetting, SetStatement, ConnectStatement, UseStatement, PlaceStatement, FaultStatement,
                  RepStatement, IfStatement, BlockStatement>

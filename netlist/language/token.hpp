@@ -18,10 +18,10 @@ enum class TokenKind {
     end
 };
 
-/// An integer constant as it is written, `20M`. The language's suffixes count in 1024s; for a clock or the
-/// speed of a link the same suffixes mean thousands, so an integer carries both readings with it:
-/// 20M is 20971520 as a size and 20000000 as a frequency. Only the attributes `clock` and `linkspeed` take
-/// the second, and it follows a constant through `val`s and arithmetic.
+/// An integer constant as it is written, `20M`. The language's suffixes count in 1024s; for a clock or the speed of a
+/// link the same suffixes mean thousands, so an integer carries both readings with it: 20M is 20971520 as a size and
+/// 20000000 as a frequency. Only the attributes `clock` and `linkspeed` take the second reading. Constants keep both
+/// readings through `val`s and arithmetic.
 struct Integer {
     std::int64_t value = 0;
     std::int64_t decimal = 0;
@@ -39,7 +39,7 @@ struct Token {
     bool is_word(std::string_view word) const { return kind == TokenKind::name && text == word; }
 };
 
-/// How a message names it: `"link"`, `the string "x"`, `the end of the file`.
+/// Returns how a message names the token: `"link"`, `the string "x"`, `the end of the file`.
 std::string describe(const Token& token);
 
 } // namespace placedpar

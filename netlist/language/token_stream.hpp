@@ -11,13 +11,14 @@
 
 namespace placedpar {
 
-/// No netlist needs more; a chain of files each of which includes the next one twice would.
+/// Limits the number of tokens. No sensible netlist reaches the limit; a chain of files that each include the next file
+/// twice would.
 inline constexpr std::size_t most_tokens = 8'000'000;
 inline constexpr std::size_t most_includes = 1000;
 inline constexpr std::size_t most_included_bytes = 4 * largest_source_bytes;
 
-/// The tokens of a source and of all that it includes, as one sequence with lookahead. A file that includes
-/// itself, directly or through others, is refused.
+/// Gives the tokens of a source and of all included files as one sequence with lookahead. A file that includes itself,
+/// directly or through others, is refused.
 class TokenStream {
 public:
     /// Included files are looked for beside the file that includes them, then in the folders.
@@ -26,11 +27,11 @@ public:
 
     const Token& peek(std::size_t ahead = 0);
     Token take();
-    /// The place behind the token that was taken last.
+    /// Returns the place after the token that was taken last.
     const Location& behind_last() const { return behind_last_; }
     /// The paths of the files included so far.
     std::vector<std::string> take_included() { return std::move(included_); }
-    /// Whether one of the toolset's own was included so far, be there such a file or not.
+    /// Returns whether an include of the toolset was read so far, whether or not the file exists.
     bool includes_toolset() const { return includes_toolset_; }
 
 private:

@@ -4,13 +4,13 @@
 
 namespace placedpar {
 
-/// Which way messages pass through a channel's end, seen from what the end belongs to.
+/// States which way messages pass through a channel's end, seen from the process or device with this end.
 enum class Direction { input, output };
 
 /// "input" or "output".
 constexpr const char* word(Direction direction) { return direction == Direction::input ? "input" : "output"; }
 
-/// REQUIRES: one of these words.
+/// Returns the direction that the word names. REQUIRES: the word is "input" or "output".
 constexpr Direction direction_named(std::string_view word) {
     return word == "input" ? Direction::input : Direction::output;
 }

@@ -10,9 +10,9 @@
 
 namespace placedpar {
 
-/// Names of arrays and their elements. Of several subscripts the last runs fastest.
+/// Functions for the names of arrays and their elements. The last of several subscripts runs fastest.
 
-/// "out" for "out[2]"; the name itself without a subscript.
+/// Returns "out" for "out[2]"; a name without a subscript is returned as it is.
 std::string_view base_name(std::string_view name);
 /// The subscripts of a name: {2} for "out[2]", {0, 1} for "t[0][1]", empty for "t".
 std::vector<std::int64_t> subscripts_of(std::string_view name);
@@ -23,7 +23,7 @@ std::size_t element_count(const std::vector<std::int64_t>& dimensions);
 /// The subscripts of the element at this position, counted from 0.
 std::vector<std::int64_t> element_subscripts(std::size_t position, const std::vector<std::int64_t>& dimensions);
 
-/// The names of things that have one.
+/// Returns the names of all things.
 template <class Things>
 std::vector<std::string> names_in(const Things& things) {
     std::vector<std::string> names;
@@ -31,7 +31,7 @@ std::vector<std::string> names_in(const Things& things) {
     return names;
 }
 
-/// The thing of that name; null if there is none.
+/// Returns the thing of that name; null if there is none.
 template <class Things>
 auto find_named(Things& things, std::string_view name) -> decltype(&*things.begin()) {
     auto found = std::ranges::find_if(things, [&](const auto& thing) { return thing.name == name; });

@@ -19,8 +19,8 @@ namespace placedpar {
 
 struct DeviceKind; // netlist/kinds/device_kind.hpp: what a device of some kind is and can do
 
-/// What a netlist describes, elaborated: every array unrolled, every name resolved, every channel placed. Indices are
-/// positions in the vectors of Network. Names are unique within their vector.
+/// These structures describe an elaborated netlist: every array unrolled, every name resolved, every channel placed.
+/// Indices are positions in the vectors of Network. Names are unique within their vector.
 
 inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
@@ -32,7 +32,7 @@ struct Node {
     std::map<std::string, Value, std::less<>> attributes; ///< every attribute of the kind
     bool overlapped_acknowledge = true;                   ///< its links acknowledge a byte while it comes in
     bool floating_point_unit = true;                      ///< it computes with real numbers as a T800 does
-    std::set<std::string, std::less<>> given = {};        ///< of those, what the netlist gives
+    std::set<std::string, std::less<>> given = {};        ///< names of the attributes that the netlist gives
     std::map<std::string, Value> other;                   ///< attributes of the real tool, not used by a simulation
     Location declared;
 
@@ -56,7 +56,7 @@ struct SwitchCrossing {
 
 /// Stands for a link where the end of a way over a bus is a device's place on the bus.
 inline constexpr int bus_port = std::numeric_limits<int>::max();
-/// Stands for a link where a wire ends at the one by which a switch is set during the run.
+/// Stands for the link `config`, by which a switch is set during the run, where a wire ends there.
 inline constexpr int configuration_link = bus_port - 1;
 
 /// A device in a slot of a bus.
@@ -64,15 +64,15 @@ struct BusAttachment {
     std::size_t node = nowhere, bus = nowhere;
     int slot = 1;
     int level = 3;           ///< of a master's requests, BR0 to BR3
-    bool on_request = false; ///< a master gives up the bus when another asks; else when it is done
+    bool on_request = false; ///< a master gives up the bus when another master requests it; false: when it is done
     std::string name;        ///< of the `connection` it was attached by; "" if none
     Location connected;
 };
 
-/// How a way over a bus leads: from a master to what answers it, and on over a wire where that is a link adapter.
+/// Describes a way over a bus: from a master to its slave, and on over a wire if the slave is a link adapter.
 struct BusWay {
     std::size_t master = nowhere, slave = nowhere; ///< attachments
-    std::size_t wire = nowhere;                    ///< connection; nowhere: it ends in a bus master's memory
+    std::size_t wire = nowhere; ///< connection at the link adapter; nowhere: the way ends in a bus master's memory
 };
 
 /// A wire from link to link, with the switches on its way. Never from edge to edge.
@@ -83,17 +83,19 @@ struct LinkConnection {
     std::vector<SwitchCrossing> crossings; ///< in order from a to b
     std::string name;                      ///< of the `connection` it was wired by; "" if none
     Location connected;
-    std::optional<BusWay> over_bus = {}; ///< then it is not a wire: a is a master, b what it reaches over the bus
+    std::optional<BusWay> over_bus =
+        {}; ///< set: the connection is not a wire; a is a master, b the device that it reaches over the bus
     bool at_run_time = false; ///< a switch on its way connects it during the run; others may have the same links
 
     int switches() const { return static_cast<int>(crossings.size()); }
 };
 
-/// Of the wires that a switch connects during the run, one between two sockets; several connections may share it.
+/// Describes a piece of wire between two sockets, at a switch that is set during the run. Several connections may share
+/// it.
 struct WirePiece {
     LinkEnd a, b;                                ///< at least one of them at a switch
     std::string name;                            ///< of its `connection`; "" if none
-    std::optional<std::int64_t> bits_per_second; ///< where its `connection` says so
+    std::optional<std::int64_t> bits_per_second; ///< speed, if its `connection` states one
     double metres = 0;
 
     bool operator==(const WirePiece&) const = default;
@@ -108,7 +110,7 @@ struct DeclaredEntry {
     bool operator==(const DeclaredEntry&) const = default;
 };
 
-/// A connected port of a process. Ports that are optional and not connected are not listed.
+/// A connected port of a process. Optional ports that are not connected are not listed.
 struct PortBinding {
     std::string port; ///< such as "to_slaves" or "out[2]"; the kind knows it by its base name, "out"
     Direction direction;
@@ -121,10 +123,10 @@ struct ProcessInstance {
     bool stand_in = false;                   ///< the kind is not in the catalogue: the process cannot be run
     std::map<std::string, Value> parameters; ///< every parameter of the kind, of the type that the kind states
     std::map<std::string, Location>
-        given; ///< where the netlist gives a parameter; those left to their default are not listed
-    std::vector<std::string> given_in_order; ///< parameters that the netlist gives; of an array the base name
-    /// In the order of the netlist, since a program may fetch parameters by position. Null where the netlist gives
-    /// none.
+        given; ///< place where the netlist gives each parameter; parameters with default values are not listed
+    std::vector<std::string> given_in_order; ///< parameters that the netlist gives; an array is listed by its base name
+    /// Holds the declared entries in the order of the netlist, since a program may fetch parameters by position. Null
+    /// if the netlist declares no interface.
     std::shared_ptr<const std::vector<DeclaredEntry>> interface;
     bool high_priority = false;
     std::size_t node = nowhere;
@@ -137,12 +139,12 @@ struct ProcessInstance {
 struct ChannelEnd {
     std::size_t process = nowhere;
     std::string port;
-    std::size_t node = nowhere; ///< that holds the process; the edge
+    std::size_t node = nowhere; ///< node that holds the process, or the edge
 
     bool at_edge() const { return process == nowhere; }
 };
 
-/// One wire on a channel's way.
+/// Describes the passage of a channel over one wire.
 struct RouteHop {
     std::size_t connection = nowhere;
     bool from_a_to_b = true;
@@ -150,13 +152,15 @@ struct RouteHop {
     bool operator==(const RouteHop&) const = default;
 };
 
-/// What carries a channel.
+/// Describes what carries a channel.
 struct ChannelPlacement {
     enum class Kind { soft, link, edge };
     Kind kind = Kind::soft;
-    std::vector<RouteHop> route = {}; ///< none if soft; several lead over processors between
-    bool in_packets = false;          ///< it has several hops, or a link of it carries another channel the same way
-    /// The bus on which one write reaches the adapters of this channel and of others; nowhere: it goes by itself.
+    std::vector<RouteHop> route = {}; ///< empty for a soft channel; several hops lead over processors between
+    bool in_packets =
+        false; ///< the route has several hops, or one of its links carries another channel in the same direction
+    /// Index of the bus on which one write reaches the adapters of this channel and of others; nowhere: the channel is
+    /// not broadcast.
     std::size_t broadcast_on = nowhere;
 
     bool operator==(const ChannelPlacement&) const = default;
@@ -169,8 +173,8 @@ struct NetworkChannel {
     Location connected;
 };
 
-/// Whether one message goes to the adapters of both: they are of one port array, and on one bus. REQUIRES: both are
-/// broadcast.
+/// Returns whether one message goes to the adapters of both channels: the channels belong to one port array and one
+/// bus. REQUIRES: both are broadcast.
 bool are_one_broadcast(const NetworkChannel&, const NetworkChannel&);
 
 /// Something that fails in a run: a link, a device.
@@ -179,7 +183,7 @@ struct Fault {
     std::size_t node = nowhere;       ///< the device that fails, or the one at whose link the netlist names the link
     int link = -1;                    ///< of that node; -1: the device itself fails
     std::size_t connection = nowhere; ///< the wire at that link
-    std::map<std::string, Value, std::less<>> attributes; ///< every one of the kind
+    std::map<std::string, Value, std::less<>> attributes; ///< all attributes of the kind
     Location stated;
 
     /// REQUIRES: the kind has an integer (text) attribute of this name.
@@ -191,31 +195,31 @@ struct Fault {
     }
 };
 
-/// What an option set in place of what the netlist says.
+/// Describes a value that an option set in place of the netlist's value.
 struct SetByOption {
     std::string name, value;           ///< as they were typed
-    std::vector<std::string> elements; ///< that have the attribute or parameter; none: it is a val
+    std::vector<std::string> elements; ///< elements that have the attribute or parameter; empty: the name is a val
 };
 
 struct Network {
     std::vector<Node> nodes;
     std::vector<LinkConnection> connections; ///< the wires, then the ways over buses
-    std::vector<WirePiece> pieces;           ///< of those wires that are connected during the run
+    std::vector<WirePiece> pieces;           ///< pieces of the wires that are connected during the run
     std::vector<BusAttachment> attachments;
     std::vector<ProcessInstance> processes;
     std::vector<NetworkChannel> channels;
     std::vector<Fault> faults;
     std::string source_path;
-    std::vector<std::string> included_paths; ///< of the files that it includes
-    bool includes_toolset = false;           ///< or what an include of the toolset's own predefines
+    std::vector<std::string> included_paths; ///< paths of the included files
+    bool includes_toolset = false; ///< the netlist includes a file of the toolset, or uses its predefined names
     std::vector<SetByOption> set;
     std::uint64_t hash = 0; ///< FNV-1a of its canonical form (netlist/print/print.hpp)
 
-    /// Those of its connections that are wires.
+    /// Returns the number of connections that are wires.
     std::size_t count_wires() const;
 };
 
-/// Whether a wire leads to the switch's configuration link.
+/// Returns whether a wire leads to the switch's configuration link.
 bool is_set_at_run_time(const Network& network, std::size_t node);
 
 bool is_on_bus(const Network& network, std::size_t node);
@@ -223,7 +227,7 @@ bool is_on_bus(const Network& network, std::size_t node);
 /// "t[0].link[2]", "sun.bus[0]", or the name of an edge.
 std::string link_name(const std::vector<Node>& nodes, const LinkEnd& end);
 
-/// Where a hop begins and ends.
+/// Return where a hop begins and ends.
 inline const LinkEnd& begin_of(const RouteHop& hop, const std::vector<LinkConnection>& connections) {
     return hop.from_a_to_b ? connections[hop.connection].a : connections[hop.connection].b;
 }

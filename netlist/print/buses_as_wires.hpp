@@ -4,9 +4,9 @@
 
 namespace placedpar {
 
-/// The network as it is drawn: a line from each device on a bus to the bus takes the place of the ways over it, and
-/// channels that go over a way go over its lines. Such a line has no speed: its bits_per_second is 0; at its end b, the
-/// bus, its link is a slot, and its end a has none.
+/// Returns the network as it is drawn: the ways over a bus are replaced by lines, one from each device to the bus, and
+/// a channel over a way takes the two lines of the way. A line has no speed (bits_per_second is 0). At the line's end
+/// b, the bus, the link number is the slot; its end a has no link number.
 Network with_buses_as_wires(Network network);
 
 } // namespace placedpar

@@ -4,8 +4,8 @@
 
 namespace placedpar {
 
-/// The network as it is drawn: the pieces of wire that lead to switches which are set during the run take the place of
-/// the connections that these switches can make, and a channel over such a connection goes over its pieces.
+/// Returns the network as it is drawn: the connections that switches can make during the run are replaced by the pieces
+/// of wire that lead to these switches. A channel over such a connection takes its pieces.
 Network with_pieces_as_wires(Network network);
 
 } // namespace placedpar

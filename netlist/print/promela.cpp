@@ -73,7 +73,7 @@ std::string legend(const Network& network) {
     return out + fmt::format("/* c[{}]: nothing passes, where a guard is closed */\n", network.channels.size());
 }
 
-/// What deadlocks on the machine must not be shown as free of it.
+/// Refuses broadcasts, since a network that deadlocks on the machine must not be shown as free of deadlock.
 void refuse_broadcasts(const Network& network) {
     for (const NetworkChannel& channel : network.channels)
         if (std::size_t bus = channel.placement.broadcast_on; bus != nowhere)

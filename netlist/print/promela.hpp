@@ -7,11 +7,11 @@
 
 namespace placedpar {
 
-/// The network as a model for Spin: a proctype for each process, a rendezvous channel for each channel. It knows
-/// neither time nor placement, so that what Spin finds impossible no machine can do; what it finds possible, some
-/// machine may do. A process that never ends its statements is an invalid end state, as it is waiting in PlacedPar's
-/// reports. Throws UserError: a process whose kind does not say what it does in Promela, or more of them than Spin
-/// has room for.
+/// Prints the network as a model for Spin: a proctype for each process, a rendezvous channel for each channel. The
+/// model has neither time nor placement: what Spin proves impossible cannot happen on any machine, and what it finds
+/// possible may happen on some machine. A process that never reaches its end is an invalid end state for Spin;
+/// PlacedPar reports it as waiting. Throws UserError if the kind of a process has no Promela statements, or if Spin has
+/// no room for so many processes.
 std::string print_promela(const Network& network, const Catalogue& catalogue);
 
 } // namespace placedpar
