@@ -164,13 +164,15 @@ protected:
     void begin_output(Process& self, const WireForm& form) {
         if (History* history = self.kernel().begin_operation(self)) [[unlikely]]
             note_output(*history, form);
-        begin(self);
+        if (const OperationCosts* costs = soft_costs(self))
+            begin(self, costs->is_one_word(form) ? costs->soft_word_output : costs->soft_communication);
         own(outputter_, self, "outputs to");
     }
     void begin_input(Process& self) {
         if (History* history = self.kernel().begin_operation(self)) [[unlikely]]
             note_input(*history);
-        begin(self);
+        if (const OperationCosts* costs = soft_costs(self))
+            begin(self, costs->soft_communication);
         own(inputter_, self, "inputs from");
     }
     /// Of the inputter (outputter) that waits in a soft channel, so that they meet; null if none does.
@@ -191,10 +193,17 @@ protected:
             refuse_without_carrier(self, *waiting_);
         note_communication(self.kernel());
     }
-    /// The second process has copied the message: it pays for this, during which nobody else may use its end, and its
-    /// partner goes on.
-    void part_from_inputter(Process& self, const WireForm& form) { part(self, form, outputter_inside_); }
-    void part_from_outputter(Process& self) { part(self, *waiting_form_, inputter_inside_); }
+    /// The second process has copied the message: it pays for the copy, during which no other process may use its end,
+    /// and its partner goes on. An output of one word has paid for its copy already.
+    void part_from_inputter(Process& self, const WireForm& form) {
+        const Executive* executive = self.executive();
+        bool pays = executive && !executive->costs().is_one_word(form);
+        part(self, outputter_inside_, pays ? executive->costs().copy(form.total()) : Cycles{0});
+    }
+    void part_from_outputter(Process& self) {
+        const Executive* executive = self.executive();
+        part(self, inputter_inside_, executive ? executive->costs().copy(waiting_form_->total()) : Cycles{0});
+    }
     void wait_to_output(Process& self, void* message, const WireForm& form, const SourceLocation& where) {
         Inside inside(outputter_inside_, &message_, message);
         if (is_particular_) [[unlikely]] {
@@ -248,10 +257,12 @@ private:
 
     void note_output(History&, const WireForm&) const;
     void note_input(History&) const;
-    void begin(Process& self) {
-        if (self.executive() && !carrier_)
-            charge(self, &OperationCosts::soft_communication);
+    /// What the channel's operations cost the process here; null if they cost nothing, or the carrier charges them.
+    const OperationCosts* soft_costs(const Process& self) const {
+        const Executive* executive = self.executive();
+        return executive && !carrier_ ? &executive->costs() : nullptr;
     }
+    static void begin(Process& self, Cycles cost) { self.compute(cost, {}); }
     void own(User& end, const Process& process, const char* verb) {
         if (end.ordinal != process.ordinal()) [[unlikely]]
             change_owner(end, process, verb);
@@ -268,12 +279,12 @@ private:
         return partner;
     }
     void note_particulars();
-    void part(Process& self, const WireForm& form, bool& inside) {
+    void part(Process& self, bool& inside, Cycles cost) {
         message_ = slot_ = nullptr;
         Process& partner = *waiting_;
-        if (self.executive()) {
+        if (cost > Cycles{0}) {
             Inside still(inside);
-            charge(self, [&](const OperationCosts& cost) { return cost.copy(form.total()); });
+            self.compute(cost, {});
         }
         self.kernel().make_ready(partner);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "runtime/process.hpp"
+#include "runtime/protocol.hpp"
 #include "runtime/source_location.hpp"
 #include "runtime/time.hpp"
 
@@ -17,9 +18,10 @@ struct OperationCosts {
     // What a computation and a communication on a link look at first, so that it stands in the executive's first line
     // of the cache.
     Cycles soft_communication{}; ///< an input or output on a soft channel, before its message moves
-    Cycles hard_communication{}; ///< the same on a hard channel, for each part of the message
+    Cycles soft_word_output{};   ///< the same for an output of one byte or one word, its copy included
+    Cycles hard_communication{}; ///< an input or output on a hard channel, for each part of the message
     Cycles word_outside{};       ///< of what a process computes with (Grain), beyond the cycle that it counts
-    Cycles copied_word{};        ///< on a soft channel, paid by the process that arrives second
+    Cycles copied_word{};        ///< on a soft channel, paid by the process that arrives second (see soft_word_output)
     std::int64_t bytes_in_a_word = 4;
 
     Cycles start_component{}; ///< of a PAR, for each but the last, which its process runs itself
@@ -43,6 +45,10 @@ struct OperationCosts {
     Cycles attempt{};       ///< a communication that may be given up, besides what it costs as such
     Cycles reset_channel{}; ///< an end of it, after that
 
+    /// Whether an output of the message is an instruction of its own, `outbyte` or `outword`.
+    constexpr bool is_one_word(const WireForm& form) const {
+        return form.parts() == 1 && (form[0] == 1 || form[0] == bytes_in_a_word);
+    }
     /// Copying a message, rounded up to whole words.
     constexpr Cycles copy(std::int64_t bytes) const {
         return (bytes + bytes_in_a_word - 1) / bytes_in_a_word * copied_word;

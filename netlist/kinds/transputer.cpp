@@ -113,6 +113,15 @@ std::vector<AttributeDescription> transputer_attributes() {
                               "and data a program says to lie outside of the chip; 0: 3, 2 of a T2 or T801, or 1 "
                               "where memory is at most the 4K of a chip"),
                           .json_name = "memory_access_cycles"});
+    attributes.push_back(
+        {.value = description::integer("switching",
+                                       {.unit = "cycles",
+                                        .by_default = static_cast<std::int64_t>(hardware::Processor::usual_switching),
+                                        .least = 0,
+                                        .most = 1000},
+                                       "from one process to the next, beyond the instruction that gives the processor "
+                                       "up"),
+         .json_name = "switching_cycles"});
     attributes.push_back({.value = description::integer("routecost", {.by_default = 1, .least = 0, .most = 1e9},
                                                         "of leading a channel through it; the cheapest route is taken"),
                           .json_name = "route_cost"});
@@ -174,7 +183,8 @@ std::string what_it_cannot_address(const Node& node) {
 TransputerNode::TransputerNode(MachineParts& parts, std::size_t index)
     : MachineNode(parts, index),
       processor_(simulation().add<hardware::Processor>(node().name, node().integer("clock"),
-                                                       Cycles{node().integer("channelcall")}, memory_of(node()))) {}
+                                                       Cycles{node().integer("channelcall")}, memory_of(node()),
+                                                       Cycles{node().integer("switching")})) {}
 
 hardware::RouterCosts TransputerNode::router_costs() const {
     return {.priority = node().integer("router_priority") == 0 ? Priority::high : Priority::low,

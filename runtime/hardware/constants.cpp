@@ -55,6 +55,8 @@ std::vector<Constant> of_processors() {
         {group, "tick at high priority", in_us(Processor::high_tick), "us", published, "INMOS ticks.inc"},
         {group, "tick at low priority", in_us(Processor::low_tick), "us", published, "INMOS ticks.inc"},
         {group, "interrupt of low priority by high", in_cycles(instructions::preemption), "cycles", published, table},
+        {group, "process switch, where the netlist gives none", in_cycles(Processor::usual_switching), "cycles", ours,
+         "beyond the instruction that gives the processor up"},
         {group, "access to memory on the chip", in_cycles(Memory::on_chip), "cycles", published, databook_scheduler},
         {group, "access to memory outside", in_cycles(Memory::outside), "cycles", published,
          "listing of a machine of 64 T800s (ispy)"},
@@ -70,14 +72,15 @@ std::vector<Constant> of_processors() {
 /// is among the accesses of the processor.
 std::vector<Constant> of_instructions() {
     constexpr std::string_view group = "instructions of a T8";
-    const auto& [soft, hard, word_outside, copied_word, bytes_in_a_word, start, run, end, read, wait, wait_past, alt,
-                 enable, enable_not_ready, enable_timeout, wait_ready, wait_alt, disable, disable_timeout, alt_end,
-                 attempt, reset] = instructions::t800;
+    const auto& [soft, soft_word, hard, word_outside, copied_word, bytes_in_a_word, start, run, end, read, wait,
+                 wait_past, alt, enable, enable_not_ready, enable_timeout, wait_ready, wait_alt, disable,
+                 disable_timeout, alt_end, attempt, reset] = instructions::t800;
     using enum Mark;
     auto row = [group](std::string_view name, Cycles cycles, Mark mark = published, std::string_view source = table) {
         return Constant{group, name, in_cycles(cycles), "cycles", mark, source};
     };
     return {row("in, out: on a soft channel", soft),
+            row("outword, outbyte: the same with its word", soft_word),
             row("in, out: on a link, to start it", hard),
             row("in, out: a word copied on the chip", copied_word),
             {group, "bytes of a word", static_cast<double>(bytes_in_a_word), "bytes", published, databook_scheduler},

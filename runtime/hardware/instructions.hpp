@@ -6,9 +6,11 @@
 /// T4 notebook (pahihu/t4), checked there against INMOS's "Transputer instruction set: a compiler writer's guide".
 namespace placedpar::hardware::instructions {
 
-/// The operations of a program, compiled in line as occam's are. A communication of w words is 2w + 19.
+/// The operations of a program, compiled in line as occam's are. A communication of w words is 2w + 19 for the
+/// process that copies them, and 19 for the one that waits; an output of one word is 23 for either.
 constexpr OperationCosts t800{
     .soft_communication = Cycles{19},    // in, out
+    .soft_word_output = Cycles{23},      // outword, outbyte
     .hard_communication = Cycles{19},    // in, out
     .copied_word = Cycles{2},            // in, out
     .bytes_in_a_word = 4,                //

@@ -21,6 +21,7 @@ OperationCosts costs_with(Cycles channel_call, const Memory& memory) {
     costs.word_outside = Cycles{static_cast<std::int64_t>(memory.access) - 1};
     costs.bytes_in_a_word = memory.bytes_in_a_word;
     costs.soft_communication = channel_call + costs.soft_communication;
+    costs.soft_word_output = channel_call + costs.soft_word_output + 2 * costs.word_outside;
     costs.hard_communication = channel_call + costs.hard_communication;
     costs.reset_channel = channel_call + costs.reset_channel;
     return costs;
@@ -44,14 +45,18 @@ void require_sense(const Process& self, Cycles cycles, const Grain& grain) {
 
 } // namespace
 
-Processor::Processor(Kernel& kernel, std::string name, std::int64_t clock_hz, Cycles channel_call, const Memory& memory)
+Processor::Processor(Kernel& kernel, std::string name, std::int64_t clock_hz, Cycles channel_call, const Memory& memory,
+                     Cycles switching)
     : Executive(std::move(name), costs_with(channel_call, memory)),
       kernel_(kernel), engines_{.bytes_in_a_word = static_cast<std::uint32_t>(memory.bytes_in_a_word)},
       clock_(checked_clock(clock_hz, this->name())) {
     if (memory.access < Cycles{1} || (memory.bytes_in_a_word != 2 && memory.bytes_in_a_word != 4))
         throw std::logic_error("processor " + this->name() +
                                ": an access to its memory takes a cycle or more, and a word has 2 or 4 bytes");
+    if (switching < Cycles{0})
+        throw std::logic_error("processor " + this->name() + ": a process switch takes no negative number of cycles");
     access_ = duration(memory.access);
+    switching_ = duration(switching);
 }
 
 void Processor::has_link(Link& link) {
@@ -114,15 +119,20 @@ void Processor::go_on(Process& successor) {
         kernel_.enqueue(successor);
 }
 
+void Processor::switch_to(Process& next) {
+    current_ = &next;
+    work_left(next) = later(work_left(next), switching_);
+}
+
 void Processor::dispatch() {
     if (halted())
         return;
     if (Process* p = high_.pop_front()) {
-        current_ = p;
+        switch_to(*p);
     } else if (preempted_) {
         current_ = std::exchange(preempted_, nullptr);
     } else if (Process* waiting = low_.pop_front()) {
-        current_ = waiting;
+        switch_to(*waiting);
         dispatched_at_ = kernel_.now();
     } else {
         return;

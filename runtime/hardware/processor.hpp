@@ -52,11 +52,17 @@ public:
     /// 17.5 to 30 MHz were sold.
     static constexpr std::int64_t usual_clock = 20'000'000;
 
+    /// Of a switch to the next process, beyond the instruction that gives the processor up. Ours: no table has it.
+    /// Genuine code for COMMSTIME takes 282 cycles a loop by the instruction table, and was published as 301.
+    static constexpr Cycles usual_switching{0};
+
     /// `channel_call`: cycles that the program's communication library adds to each input and output, on soft and hard
-    /// channels alike; none for occam, which compiles them in line. Throws std::logic_error unless clock_hz > 0, an
-    /// access takes a cycle or more, and a word has 2 or 4 bytes.
+    /// channels alike; none for occam, which compiles them in line. `switching`: cycles
+    /// of a switch to the next process; a process that takes another's place (PAR) and one that goes on after an
+    /// interrupt pay none. Throws std::logic_error unless clock_hz > 0, an access takes a cycle or more, a word has 2
+    /// or 4 bytes, and switching >= 0.
     Processor(Kernel&, std::string name, std::int64_t clock_hz = usual_clock, Cycles channel_call = Cycles{0},
-              const Memory& = {});
+              const Memory& = {}, Cycles switching = usual_switching);
 
     /// One of the link's ends is this processor's: its engines use this processor's memory. REQUIRES: the link outlives
     /// the run.
@@ -89,6 +95,7 @@ private:
     Time duration(Cycles cycles) const { return clock_.duration(static_cast<std::int64_t>(cycles)); }
     std::int64_t words_moved_by_links();
     void dispatch();
+    void switch_to(Process&);
     void go_on(Process&);
     void begin_turn();
     void settle();
@@ -116,7 +123,8 @@ private:
     Time counted_at_{-1};
     std::uint64_t words_ = 0, ended_when_counted_ = 0;
     MemoryOfEngines engines_;
-    Time access_{}; ///< to a word of its memory
+    Time access_{};    ///< to a word of its memory
+    Time switching_{}; ///< to the next process
     Time halts_at_ = Time::max();
 
     boost::container::small_vector<Link*, 4> links_; ///< a transputer has no more

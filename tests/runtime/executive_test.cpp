@@ -11,6 +11,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,7 @@ private:
 /// Every operation costs another number of cycles.
 constexpr OperationCosts costs_of_a_clerk{
     .soft_communication = Cycles{1},
+    .soft_word_output = Cycles{50},
     .hard_communication = Cycles{2},
     .copied_word = Cycles{100},
     .bytes_in_a_word = 2,
@@ -137,6 +139,19 @@ TEST_CASE("both ends of a soft channel pay, and the second to arrive for the cop
     Channel<FiveBytes> c("c");
     CHECK(spent_by([&] { par([&] { c.out().output({}); }, [&] { c.in().input(); }); }) ==
           Spent{3, 1, 1, 3 * 100, 4, 4});
+}
+
+TEST_CASE("an output of one byte or one word costs the same at either moment, and its copy nothing more") {
+    auto spent = [](auto message, bool input_first) {
+        Channel<decltype(message)> c("c");
+        auto outputs = [&] { c.out().output(message); };
+        auto inputs = [&] { c.in().input(); };
+        return input_first ? spent_by([&] { par(inputs, outputs); }) : spent_by([&] { par(outputs, inputs); });
+    };
+    CHECK(spent(std::int16_t{}, false) == Spent{3, 50, 1, 100, 4, 4});
+    CHECK(spent(std::int16_t{}, true) == Spent{3, 1, 50, 4, 4});
+    CHECK(spent(char{}, true) == Spent{3, 1, 50, 4, 4});
+    CHECK(spent(std::int32_t{}, true) == Spent{3, 1, 1, 2 * 100, 4, 4}); // two words of this executive
 }
 
 TEST_CASE("its clock is its own") {

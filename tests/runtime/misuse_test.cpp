@@ -16,6 +16,7 @@
 
 #include <array>
 #include <csignal>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -184,7 +185,7 @@ TEST_CASE("a soft channel does not join processors") {
         Simulation simulation;
         auto& a = simulation.add<Processor>("a");
         auto& b = simulation.add<Processor>("b");
-        Channel<int> c("c");
+        Channel<std::int64_t> c("c"); // two words, whose output takes as long as their input
         auto output = [&] { c.out().output(1); };
         auto input = [&] { c.in().input(); };
         simulation.process("first", outputter_first ? Process::Body(output) : input, &a);

@@ -1,5 +1,6 @@
 // How a processor shares itself out, in cases worked by hand. At random against a model: processor_model_test.cpp.
 
+#include "runtime/channel.hpp"
 #include "runtime/hardware/instructions.hpp"
 #include "runtime/hardware/processor.hpp"
 #include "runtime/parallel.hpp"
@@ -11,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cstdint>
 #include <stdexcept>
 #include <vector>
 
@@ -214,5 +217,49 @@ TEST_CASE("a library is called for soft channels too") {
         "a", [&] { c.out().output(1); }, &t800);
     simulation.process(
         "b", [&] { c.in().input(); }, &t800);
-    CHECK(simulation.run().time == (2 * (201 + 19) + 2) * cycle); // and 2 for the copy of a word
+    CHECK(simulation.run().time == (201 + 23 + 201 + 19 + 2) * cycle); // and 2 for the copy of a word
+}
+
+TEST_CASE("a process switch costs what the processor says, except where a process takes another's place or goes on") {
+    auto time = [](Cycles switching) {
+        Simulation simulation;
+        Processor& t800 = simulation.add<Processor>("t800", Processor::usual_clock, Cycles{0}, Memory{}, switching);
+        simulation.process(
+            "a", [] { compute(Cycles{1000}); }, &t800);
+        simulation.process(
+            "b", [] { compute(Cycles{1000}); }, &t800);
+        return simulation.run().time;
+    };
+    CHECK(time(Cycles{0}) == 2000 * cycle);
+    CHECK(time(Cycles{4}) == (2000 + 2 * 4) * cycle);
+    CHECK_THROWS_AS(time(Cycles{-1}), std::logic_error);
+}
+
+TEST_CASE("a process that goes on after an interrupt pays for no switch, and the one that interrupts pays 19 cycles") {
+    auto time = [](Cycles switching) {
+        Simulation simulation;
+        Processor& t800 = simulation.add<Processor>("t800", Processor::usual_clock, Cycles{0}, Memory{}, switching);
+        simulation.process(
+            "high", [] { wait_until(500 * cycle), compute(Cycles{100}); }, &t800, Priority::high);
+        simulation.process(
+            "low", [] { compute(Cycles{1000}); }, &t800);
+        return simulation.run().time;
+    };
+    CHECK(time(Cycles{4}) - time(Cycles{0}) == 2 * 4 * cycle); // each of them when it begins
+}
+
+TEST_CASE("messages of one word and of ten on one processor cost their instructions") {
+    auto busy = [](auto message) {
+        Simulation simulation;
+        Processor& t800 = simulation.add<Processor>("t800");
+        Channel<decltype(message)> c("c");
+        simulation.process(
+            "inputs", [&] { c.in().input(); }, &t800);
+        simulation.process(
+            "outputs", [&] { c.out().output(message); }, &t800);
+        simulation.run();
+        return t800.time_busy();
+    };
+    CHECK(busy(std::int32_t{}) == (19 + 23) * cycle);
+    CHECK(busy(std::array<std::int32_t, 10>{}) == (19 + 19 + 2 * 10) * cycle);
 }
