@@ -23,7 +23,7 @@ private:
     friend class InterruptibleSimulation;
 
     std::atomic<bool> requested_{false};
-    std::atomic<Simulation*> simulation_{nullptr}; ///< the one that runs
+    std::atomic<Simulation*> simulation_{nullptr}; ///< the simulation that is running, or null
 };
 
 /// How a network is run.
@@ -32,14 +32,14 @@ struct RunSettings {
     Time until = Time::max();                  ///< the run ends there if it is not over before
     std::optional<std::uint64_t> shuffle = {}; ///< runs what is ready in an order drawn from it, another course
     TraceSink* trace = nullptr;                ///< none: no trace
-    SearchObserver* observer = nullptr;        ///< none: nobody observes the searches
-    Interruption* interruption = nullptr;      ///< none: nothing ends the run early. Of one run at a time
-    RecordedRun* record = nullptr;             ///< none: it is not to be repeated. Empty before
+    SearchObserver* observer = nullptr;        ///< none: the searches are not observed
+    Interruption* interruption = nullptr;      ///< none: nothing ends the run early. Serves one run at a time
+    RecordedRun* record = nullptr;             ///< none: the run is not recorded. REQUIRES: empty
 };
 
 /// Throws what the processes throw.
 RunReport run_netlist(const Network&, const ProblemRegistry&, const RunSettings&);
-/// The same with kinds that are known already, to those who observe, too: the settings' observer is not told.
+/// As above, with the kinds of a catalogue, which already know their observer: the settings' observer is ignored.
 RunReport run_netlist(const Network&, const Catalogue&, const RunSettings&);
 /// The same run, where it takes the course of the recorded one: without the machine, several times as fast. Of an
 /// interrupted one the report says only that it is. None where it does not, or could not. REQUIRES: the record is of

@@ -20,11 +20,11 @@ ProblemRegistry known_problems(std::uint64_t seed,
 /// every run.
 Catalogue known_kinds(const ProblemRegistry& problems, SearchObserver* observer = nullptr);
 
-/// From now on these are among the known kinds: those of a program that is built on PlacedPar. REQUIRES: called before
+/// Adds the kinds of a program that is built on PlacedPar to the known kinds. REQUIRES: called before
 /// anything else here, by one thread.
 void add_own_kinds(std::vector<ProcessKind>);
 void add_own_devices(std::vector<DeviceKind>);
-/// The same of search problems.
+/// Adds search problems likewise.
 void add_own_problems(std::vector<ProblemFamily>);
 
 } // namespace placedpar

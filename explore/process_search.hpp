@@ -18,7 +18,7 @@ struct NetlistAsked {
     std::filesystem::path path;
     Overrides overrides;
     ReadOptions options;
-    std::filesystem::path output; ///< that will be written: none of the netlist's own files
+    std::filesystem::path output; ///< the file to be written, which must not be a file of the netlist
 };
 
 /// The first search of identify(), ready to run as the processes of a netlist.

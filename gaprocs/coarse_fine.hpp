@@ -12,7 +12,7 @@ namespace placedpar {
 
 /// A "coarse" genetic algorithm and a "fine" one (thesis 6.2, Figure 6.6).
 struct CoarseFineSettings {
-    SearchSettings coarse, fine; ///< of equal windows
+    SearchSettings coarse, fine; ///< both have the same window
     Recoding coarse_reading;     ///< the most significant bits of the problem's fields
     std::vector<std::size_t>
         fine_bits; ///< of each field; where it has all bits of the problem's, it is found by itself

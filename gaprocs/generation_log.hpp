@@ -15,9 +15,9 @@
 namespace placedpar {
 
 /// A generation of one search, or of all searches together. What is minimised is here as it is, not negated: then the
-/// best are the least, and an objective that is no finite number is infinity.
+/// best are the least, and an objective that is not a finite number is infinity.
 struct LoggedGeneration {
-    std::optional<Time> time; ///< of all: of the last of them
+    std::optional<Time> time; ///< time of the last estimate
     double best_so_far; ///< the best of each `best` until now; where a window moves, each in the window of its time
     double best, mean;  ///< fitness; of all: of all their individuals. The mean is of those that are finite
     double diversity;   ///< diversity_within(); of all: the mean of theirs
@@ -34,13 +34,13 @@ struct LoggedMigration {
     bool accepted;
 };
 
-/// Of an analyst, which says whose best is the answer of all.
+/// An answer of an analyst: it says which search's best individual is the answer of all searches.
 struct LoggedAnswer {
     std::uint64_t generation;
     std::string analyst;
     std::size_t chosen; ///< a search, by number
     std::optional<Time> time;
-    std::vector<std::string> names; ///< of the parameters
+    std::vector<std::string> names; ///< names of the parameters
     std::vector<double> values;
 };
 

@@ -24,7 +24,7 @@ namespace placedpar {
 /// Islands that search side by side; by default a ring in which every third generation the best of each replaces the
 /// worst of the next.
 struct IslandsSettings {
-    /// One for each island: populations, rates and windows may differ, generations per sample may not.
+    /// Settings of each island: populations, rates and windows may differ, generations per sample may not.
     std::vector<SearchSettings> islands;
     Topology topology;
     Schedule schedule;
@@ -65,7 +65,7 @@ void accept_and_breed(Search&, std::span<double> fitness, std::span<Migration> a
 /// An immigrant's fitness is found anew in the window of its new island. Where both have the same window that changes
 /// nothing: fitness is exact (gaprocs/fitness.hpp). Immigrants among the offspring are evaluated one generation later.
 ///
-/// With the asynchronous schedule nobody waits: without a machine and its times, islands take turns, and in each
+/// With the asynchronous schedule no island waits: without a machine and its times, islands take turns, and in each
 /// generation island 0 evaluates, sends, takes in who has come so far and breeds, then island 1, and so on.
 class Islands {
 public:
@@ -106,7 +106,7 @@ private:
     std::vector<std::vector<std::size_t>> in_step_; ///< with each island, those with which it begins, itself included
     std::vector<SlidingWindow> windows_;
     std::vector<Search> searches_;
-    std::vector<std::vector<double>> fitness_; ///< of each individual of each island, of this generation
+    std::vector<std::vector<double>> fitness_; ///< fitness in this generation, by island and individual
     std::vector<Migration> migrations_;
     /// Asynchronous: on their way to each island, by the island from which they come.
     std::vector<std::map<std::size_t, std::vector<Migration>>> mail_;
@@ -116,7 +116,7 @@ private:
 
 struct IslandsResult {
     std::vector<SearchResult> islands;
-    std::vector<Migration> migrations; ///< of all generations, in their order
+    std::vector<Migration> migrations; ///< migrations of all generations, in order
 };
 
 /// The islands over a record, without processes, machine or time. Throws as Islands and

@@ -25,7 +25,7 @@ struct Objective {
             return worst_fitness;
         return std::clamp(goal == Goal::maximise ? value : -value, worst_fitness, -worst_fitness);
     }
-    /// The value of an individual of this fitness; nothing where it is no finite number.
+    /// Returns the objective of an individual of this fitness; nothing where it is not a finite number.
     std::optional<double> value(double fitness) const {
         if (fitness == worst_fitness)
             return std::nullopt;

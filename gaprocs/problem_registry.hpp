@@ -59,7 +59,7 @@ public:
     /// made with them. The reference lives as long as the registry.
     const RecordedProblem& find(std::string_view name) const;
 
-    /// In alphabetical order; of families the names alone.
+    /// Returns the names in alphabetical order; a family is listed by its name without numbers.
     std::vector<std::string> names() const;
     /// In alphabetical order.
     std::vector<PolicyDescription> families() const;
@@ -72,7 +72,7 @@ private:
 
     std::map<std::string, RecordedProblem, std::less<>> problems_;
     std::map<std::string, ProblemFamily, std::less<>> families_;
-    mutable std::map<std::string, RecordedProblem> made_; ///< of families, by their full text
+    mutable std::map<std::string, RecordedProblem> made_; ///< problems of families, by their full text
 };
 
 } // namespace placedpar

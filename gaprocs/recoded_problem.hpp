@@ -20,7 +20,7 @@ public:
 
     /// Moves the point that the strings are read around. REQUIRES: a string of the problem.
     void move_to(Genome around) { recoding_.around = std::move(around); }
-    /// As the problem reads it.
+    /// Returns the string as the problem reads it.
     Genome to_problem(const Genome& bred) const { return recoding_.to_problem(bred); }
 
     std::size_t bits() const override { return recoding_.length(); }

@@ -13,11 +13,11 @@ namespace placedpar {
 /// How the string that a search breeds becomes the string that a problem reads in natural binary, field by field:
 /// with fewer bits, or around a point, and those in any coding of bits.
 struct Recoding {
-    std::vector<std::size_t> problem_bits; ///< of each field of the problem's string
+    std::vector<std::size_t> problem_bits; ///< bits of each field of the problem's string
     /// Of each field of the bred string, at most as many: the most significant ones (thesis 6.2). The problem's other
     /// bits are 0, so that a field stands for the lower end of its cell.
     std::vector<std::size_t> bits;
-    Coding coding = Coding::natural; ///< of the bred fields
+    Coding coding = Coding::natural; ///< coding of the bred fields
     /// Around this string of the problem (the bias point of a "fine" genetic algorithm): a field of fewer bits than the
     /// problem's counts steps of the problem from 2^(bits - 1) below it on, and stays within the field.
     std::optional<Genome> around = std::nullopt;
@@ -34,7 +34,7 @@ struct Recoding {
     std::vector<Genome> to_problem(std::span<const Genome> bred) const;
 };
 
-/// As the problem's own string.
+/// Returns the recoded string as the problem's own string.
 Recoding natural_recoding(std::vector<std::size_t> problem_bits);
 
 } // namespace placedpar

@@ -55,7 +55,7 @@ public:
     std::uint64_t redraws() const { return redraws_; }
 
     /// Who is told of each evaluated generation as it is about to breed, its immigrants among the population: this
-    /// search and the fitness. Nothing is computed for it where nobody listens.
+    /// search and the fitness. Nothing is computed without a listener.
     using Listener = std::function<void(const Search&, std::span<const double> fitness)>;
     void listen(Listener listener) { listener_ = std::move(listener); }
 

@@ -24,13 +24,14 @@ struct ObservedGeneration {
     const Representation& representation;
     std::span<const Genome> population;
     std::span<const double> fitness; ///< one for each individual
-    std::optional<Goal> goal = {};   ///< of an objective; where it is minimised, the fitness is its negative
+    std::optional<Goal> goal =
+        {}; ///< goal of an objective problem; where the objective is minimised, the fitness is its negative
 };
 
 /// What became of an immigrant.
 struct ObservedMigration {
     std::string_view from, to;
-    std::uint64_t generation; ///< of `to`, from 1
+    std::uint64_t generation; ///< generation of the search `to`, from 1
     std::optional<Time> time; ///< as above
     double fitness;           ///< Migration::individual's (gaprocs/islands.hpp)
     bool accepted;            ///< else turned away
@@ -39,9 +40,9 @@ struct ObservedMigration {
 /// The one answer of several searches, as ActiveErrorAnalysis gives it.
 struct ObservedAnswer {
     std::string_view analyst, chosen; ///< processes; the second is that whose best is the answer
-    std::uint64_t generation;         ///< of the searches, from 1
+    std::uint64_t generation;         ///< generation of the searches, from 1
     std::optional<Time> time;
-    std::span<const std::string> names; ///< of its parameters
+    std::span<const std::string> names; ///< names of its parameters
     std::span<const double> values;     ///< one for each
 };
 
@@ -53,12 +54,12 @@ struct ObservedAnswer {
 /// 3. In what order the searches of a run come is not said: processes go on when they can.
 /// 4. What is referred to may be gone after the call.
 ///
-/// Where nobody observes, a search pays a comparison with null in each generation (Search::listen).
+/// Without an observer, a search pays a comparison with null in each generation (Search::listen).
 class SearchObserver {
 public:
     virtual void observe(const ObservedGeneration&) = 0;
     virtual void observe(const ObservedMigration&) = 0;
-    /// Of an analyst in the order of their generations.
+    /// Tells an answer of an analyst; its answers come in the order of their generations.
     virtual void observe(const ObservedAnswer&) = 0;
 
 protected:

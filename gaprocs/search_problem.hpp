@@ -44,7 +44,7 @@ public:
 
     /// Length of the string.
     virtual std::size_t bits() const = 0;
-    /// What the string is made of.
+    /// Returns the representation of the string.
     virtual Representation representation() const { return BitString(bits()); }
     /// Numbers in a sample; none where there is an objective().
     virtual std::size_t channels() const = 0;
@@ -76,11 +76,11 @@ public:
     virtual std::vector<std::size_t> fields() const { return {}; }
     /// How the string is read.
     virtual Coding coding() const = 0;
-    /// The same problem with its string read another way. Throws UserError when it cannot be.
+    /// Returns the same problem with its string read another way. Throws UserError when the string cannot be read so.
     std::shared_ptr<const SearchProblem> coded(Coding) const;
 
 private:
-    /// As coded(). REQUIRES: no don't-care bits.
+    /// Does the same as coded(). REQUIRES: no don't-care bits.
     virtual std::shared_ptr<const SearchProblem> coded_plainly(Coding) const = 0;
 };
 

@@ -21,7 +21,7 @@ struct WindowSettings {
 
     /// Throws UserError: a zero, a length beyond exact_fitness_terms, a bias that is not positive.
     void validate() const;
-    /// As validate(), and when the window is longer than the record.
+    /// Throws as validate(), and when the window is longer than the record.
     void validate_for(std::size_t record_length) const;
 };
 
@@ -36,7 +36,7 @@ struct SearchSettings {
     std::size_t elite = 0;     ///< best individuals copied unchanged into the next generation; the thesis mentions none
     Reproduction reproduction; ///< by roulette
     Crossover crossover;       ///< one-point
-    Mutation mutation;         ///< of bits
+    Mutation mutation;         ///< mutation of bits
     /// The first of the first population; the others are drawn at random.
     std::vector<Genome> initial = {};
     WindowSettings window;

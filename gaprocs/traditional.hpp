@@ -14,7 +14,7 @@ namespace placedpar {
 /// The answer of a search after the last generation of a sample.
 struct Estimate {
     std::size_t sample; ///< its number in the record, from 0
-    Individual best;    ///< of the sample's last generation
+    Individual best;    ///< best individual of the sample's last generation
     std::vector<double> parameters;
 };
 
@@ -38,7 +38,7 @@ std::vector<double> evaluate(const SearchProblem& problem, std::span<const Genom
 /// Throws as SearchSettings::validate() and settings_for(), and UserError for a window longer than the record.
 SearchResult run_traditional(const SearchProblem& problem, std::span<const Sample> record,
                              const SearchSettings& settings, RandomStream random, SearchObserver* observer = nullptr);
-/// The same for an objective problem, whose record is empty samples: an estimate for each generation.
+/// Runs the algorithm for an objective problem, whose record is empty samples: an estimate for each generation.
 SearchResult run_traditional(const SearchProblem& problem, std::size_t generations, const SearchSettings& settings,
                              RandomStream random, SearchObserver* observer = nullptr);
 

@@ -11,7 +11,7 @@
 
 namespace placedpar {
 
-/// The settings for a problem where nobody says otherwise: the thesis's, but for reproduction by ranking where the
+/// The settings for a problem unless others are given: the thesis's, but for reproduction by ranking where the
 /// problem has an objective, which may be negative, and for the operators of other than binary strings: blend crossover
 /// and gaussian mutation of real vectors, order crossover and inversion of permutations.
 SearchSettings usual_settings(const SearchProblem&);

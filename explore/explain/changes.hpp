@@ -12,8 +12,8 @@ namespace placedpar {
 
 /// A change of a netlist, as `placedpar run --set` makes it.
 struct Change {
-    /// What gains by it: everything of a sort, what an array runs on, a part of the machine or a process alone, what a
-    /// process does or sends, or a number of things.
+    /// Says what the change affects: everything of a sort, what an array runs on, a single part of the machine or a
+    /// single process, a constant of a process, or a number of things.
     enum class Of { all, array, alone, constant, number } of;
     std::string what;   ///< "processors of master[]"
     std::string change; ///< "twice as fast"

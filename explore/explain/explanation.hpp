@@ -20,12 +20,12 @@ struct Explanation {
     bool path_too_long = false;  ///< to be kept
     std::vector<Answer> answers; ///< the greatest gain first
     std::size_t left_out = 0;    ///< changes that an interruption left untried
-    std::string not_tried = "";  ///< why no change was, though it was wanted; "" otherwise
+    std::string not_tried = "";  ///< why no change was tried although changes were asked for; "" otherwise
 };
 
-/// For people.
+/// Returns the explanation as text for readers.
 std::string print_explanation(const Explanation&, const Network&);
-/// The same for machines; times in picoseconds.
+/// Returns the explanation as JSON; times are in picoseconds.
 boost::json::object explanation_json(const Explanation&, const Network&);
 
 } // namespace placedpar

@@ -20,7 +20,7 @@ struct Answer {
     Change change;
     Ending ending = Ending::interrupted;
     Time time{};
-    std::string refused = ""; ///< why there is no such machine: the first line; "" if there is
+    std::string refused = ""; ///< first line of the refusal; "" if the netlist was accepted
     std::string why = "";     ///< it takes longer: what its critical path has more of
 
     bool completed() const { return refused.empty() && ending == Ending::completed; }
@@ -31,8 +31,8 @@ struct WhatIfs {
     ChangedNetlist read;
     std::uint64_t seed;
     Time until;
-    const Interruption& interruption;                       ///< what has not been tried by then is left out
-    std::function<void(std::size_t, std::size_t)> progress; ///< done, of all
+    const Interruption& interruption;                       ///< changes not tried when it comes are left out
+    std::function<void(std::size_t, std::size_t)> progress; ///< changes done, all changes
 };
 
 /// The changed runs, in parallel on all cores; the shortest first, then those that do not complete, then those that

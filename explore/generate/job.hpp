@@ -18,7 +18,7 @@ struct Job {
 Job farm(const Topology&);
 /// An island on every processor; what is wired exchanges individuals.
 Job islands(const Topology&);
-/// Of figure-e2: an island on the head of each chain, its slaves along it.
+/// Places an island on the head of each chain of figure-e2, and its slaves along the chain.
 Job islands_with_slaves();
 /// A process of that kind on every processor, connected with its neighbours by these ports, which are arrays.
 Job processes_of(const std::string& kind, bool has_host, const std::string& output, const std::string& input,

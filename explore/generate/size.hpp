@@ -7,11 +7,11 @@
 
 namespace placedpar::generate {
 
-/// What --size says of a topology in one dimension. Throws UserError unless it is a number of processors from least to
-/// most_processors.
+/// Returns the size of a one-dimensional topology, as --size gives it. Throws UserError unless it is a number of
+/// processors from least to most_processors.
 std::size_t count_of(const Wish&, std::size_t least);
 
-/// What --size says of one in two: 4x4.
+/// The size of a two-dimensional topology, as --size gives it: 4x4.
 struct Grid {
     std::size_t rows = 0, columns = 0;
 };

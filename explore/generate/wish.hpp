@@ -18,10 +18,10 @@ struct Wish {
     std::string output = "to_neighbours", input = "from_neighbours"; ///< ports of a kind: arrays
 };
 
-/// What a transputer has.
+/// Number of links of a transputer.
 inline constexpr std::size_t links_of_a_node = 4;
 
-/// What the host, and what reads the netlist, can do with.
+/// Largest number of processors of a generated netlist.
 inline constexpr std::size_t most_processors = 4096;
 
 } // namespace placedpar::generate

@@ -19,7 +19,7 @@ public:
     /// bits hold. REQUIRES: the study outlives it, and has a product.
     explicit MachineSpace(const Study&);
 
-    /// Those for which the study's condition does not hold among them.
+    /// Counts all machines, including those for which the study's condition does not hold.
     std::uint64_t count() const { return count_; }
     /// Whether the study's condition holds.
     bool holds(std::uint64_t machine) const { return product_.where.holds(settings(machine)); }
@@ -27,7 +27,7 @@ public:
 
     /// The settings that have several values.
     std::vector<std::string> names() const;
-    /// What all machines set to the same.
+    /// Returns the settings that all machines share.
     Overrides fixed() const;
 
     std::size_t bits() const { return coding_.bits(); }

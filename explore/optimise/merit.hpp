@@ -12,8 +12,8 @@ struct Merit {
     std::vector<double> costs; ///< to be minimised; of one number for all feasible machines
 };
 
-/// Feasible before infeasible (K. Deb, "An efficient constraint handling method for genetic algorithms", 2000); of two
-/// feasible ones, not worse in any cost and better in one.
+/// Returns whether the first dominates the second: feasible before infeasible (K. Deb, "An efficient constraint
+/// handling method for genetic algorithms", 2000); of two feasible ones, not worse in any cost and better in one.
 bool dominates(const Merit&, const Merit&);
 
 /// Of different machines, those that no other dominates, the least of the first cost first; of equals the lower index

@@ -30,7 +30,7 @@ std::vector<std::size_t> best_of(const SearchCourse&);
 /// What is minimised, and then what else the study wants to know. REQUIRES: it has a search.
 std::vector<std::string> shown_measures(const Study&);
 
-/// Their settings and measures, the best first.
+/// Returns the settings and measures of the best machines, the best first.
 StudySummary summary_of_best(StudyResults&, const Study&, const MachineSpace&, const SearchCourse&);
 
 /// What each way found, and how much it tried for it: against the netlist as it is.
@@ -42,7 +42,7 @@ std::string print_paths(const std::vector<PathPart>& start, const std::vector<Pa
 /// One measure: the best found over the machines simulated. Two: all machines, and the front.
 Plot optimum_plot(const Optimum&, const std::string& title);
 
-/// What has `placedpar run` make the run again.
+/// Returns the `placedpar run` command that repeats the run.
 std::string command_of(const Study&, const Overrides& settings);
 
 /// Says what made all machines infeasible, the most frequent first.

@@ -17,7 +17,7 @@
 
 namespace placedpar {
 
-/// What came of trying a machine out.
+/// The result of trying a machine.
 struct Trial {
     Merit merit;
     bool simulated = false; ///< false: there is no such machine, so it cost no run
@@ -28,7 +28,7 @@ struct Trial {
 Study study_of(const Study&, const std::vector<Overrides>& all);
 
 /// Machines that are tried out: run with each seed of the study, and kept as a sweep keeps them, so that no run is made
-/// twice, whoever asks for it. What comes of a machine does not depend on when it is tried, or beside which others.
+/// twice. What comes of a machine does not depend on when it is tried, or beside which others.
 class MachineTrials {
 public:
     /// REQUIRES: all outlive it; the study has a search.
@@ -38,7 +38,7 @@ public:
     bool try_out(std::span<const std::uint64_t> machines, const std::function<void(std::uint64_t runs)>& show);
     /// REQUIRES: it has been tried out.
     const Trial& of(std::uint64_t machine);
-    /// The same of any settings, tried out if they have not been; none when interrupted.
+    /// Returns the trial of any settings, and makes its runs if they are missing; none when interrupted.
     std::optional<Trial> of(const Overrides& settings);
 
     /// Throws UserError, naming those that there are, where a measure that is to be minimised has been found of no

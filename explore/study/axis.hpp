@@ -15,14 +15,14 @@ class StudyValues {
 public:
     /// Of a setting of this name: "5M", "0..7", "0..100..10" in steps of 10, "1..64..x2" each twice the one before. A
     /// range counts upwards and has its last value if a step meets it. Throws UserError where it is empty or its ends
-    /// are no numbers.
+    /// are not numbers.
     StudyValues(const std::string& name, std::string_view text);
 
     std::uint64_t count() const { return count_; }
     /// As --set takes it. REQUIRES: index < count().
     std::string at(std::uint64_t index) const;
     bool is_range() const { return is_range_; }
-    /// The one that is equal to it.
+    /// Returns the value that is equal to the argument, if there is one.
     std::optional<SettingValue> find(const SettingValue&) const;
 
 private:
@@ -31,7 +31,7 @@ private:
     void count_steps(std::string_view text, double from, double to);
 
     std::string name_;
-    SettingValue only_; ///< of no range
+    SettingValue only_; ///< the single value, where there is no range
     double from_ = 0, step_ = 1;
     bool is_range_ = false, multiplies_ = false, whole_ = true;
     std::uint64_t count_ = 1;
@@ -46,7 +46,7 @@ struct StudyAxis {
     std::uint64_t count() const;
     /// REQUIRES: index < count().
     std::string at(std::uint64_t index) const;
-    /// The one that is equal to it, if it has that.
+    /// Returns the value that is equal to the argument, if there is one.
     std::optional<SettingValue> find(const SettingValue&) const;
 };
 

@@ -32,14 +32,14 @@ boost::json::value read_kept_json(const std::string&);
 
 /// JSON: {"time":[8.9,"ms"], ...}.
 std::string figures_text(const StudyFigures&);
-/// The same to the last bit. Throws std::exception where figures_text() did not make it.
+/// Reads the figures back, equal to the last bit. Throws std::exception where figures_text() did not make it.
 StudyFigures figures_from(const std::string&);
 
 /// One figure of a run, as a study names it: "time", "master[0].T_exe"; "master.T_exe" is the mean of all processes of
 /// the array master, and min(...), max(...) and sum(...) are what they say.
 class StudyMeasure {
 public:
-    /// Throws UserError for what can be none.
+    /// Throws UserError for a text that cannot name a measure.
     explicit StudyMeasure(const std::string& text);
 
     const std::string& text() const { return text_; }

@@ -74,9 +74,9 @@ struct AlikeAcceptance {
 };
 
 /// Anyone of the population that has just been bred, with the same chance, but not of the elite at its head. So an
-/// immigrant is evaluated with the next generation and becomes nobody's parent before (thesis 5.3.2: "one generation
-/// later"). The population has no fitness yet: none is looked at, and nobody is turned away. At least one number an
-/// immigrant.
+/// immigrant is evaluated with the next generation and cannot become a parent before (thesis 5.3.2: "one generation
+/// later"). The population has no fitness yet: none is looked at, and no immigrant is turned away. At least one number
+/// an immigrant.
 struct OffspringAcceptance {
     static constexpr std::string_view name = "offspring",
                                       about = "one of the new population drawn at random, not of its elite, is "
@@ -99,7 +99,7 @@ private:
     std::function<Places(const IslandPopulation&, std::span<const Individual>, RandomStream&)> choose_;
 };
 
-/// Who is replaced by an immigrant.
+/// The policy that says which individual an immigrant replaces.
 class Acceptance
     : public OneOf<Acceptance, WorstAcceptance, RandomAcceptance, AlikeAcceptance, OffspringAcceptance, OwnAcceptance> {
 public:

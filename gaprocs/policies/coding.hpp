@@ -63,7 +63,7 @@ public:
         const auto* gray_coding = std::get_if<GrayCoding>(&policy());
         return gray_coding ? gray_coding->dont_care : 0;
     }
-    /// The same way without don't-care bits.
+    /// Returns the same coding without don't-care bits.
     Coding plain() const { return named(way()); }
 
     friend constexpr bool operator==(const Coding& a, const Coding& b) {

@@ -63,7 +63,7 @@ private:
     std::function<std::vector<std::size_t>(std::span<const double>, RandomStream&)> choose_;
 };
 
-/// Who leaves an island, and how many.
+/// The policy that says which individuals leave an island, and how many.
 class Emigration : public OneOf<Emigration, BestEmigration, RandomEmigration, TournamentEmigration, OwnEmigration> {
 public:
     using OneOf::OneOf;

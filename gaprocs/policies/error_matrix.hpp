@@ -13,7 +13,7 @@ struct ErrorsOfBest {
     /// [i][j]: of A_j in window i, where errors depend on where their window begins; else none.
     std::vector<std::vector<std::vector<double>>> by_window = {};
 
-    /// Of the best of an island at each sample of a window.
+    /// Errors of the best individual of an island at each sample of a window.
     std::span<const double> in_window(std::size_t window, std::size_t island) const {
         return by_window.empty() ? std::span(errors[island]).last(windows[window])
                                  : std::span(by_window[window][island]);

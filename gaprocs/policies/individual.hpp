@@ -17,7 +17,7 @@ struct Individual {
 
 // Individuals in the order of their fitness, by index.
 
-/// Index of the greatest fitness; the lowest index among equals. REQUIRES: not empty.
+/// Returns the index of the greatest fitness; the lowest index among equals. REQUIRES: not empty.
 std::size_t best_index(std::span<const double> fitness);
 /// Indices of the `count` greatest (smallest), the greatest (smallest) first; the lower index first among equals.
 /// REQUIRES: count <= fitness.size().

@@ -24,8 +24,8 @@ public:
 private:
     RecodedProblem& problem_;
     std::uint32_t string_bytes_;
-    Output<BiasPoint> to_fine_;    ///< of no channel on the fine one
-    Input<BiasPoint> from_coarse_; ///< of no channel on the coarse one
+    Output<BiasPoint> to_fine_;    ///< without a channel in the fine search
+    Input<BiasPoint> from_coarse_; ///< without a channel in the coarse search
 };
 
 } // namespace placedpar

@@ -24,7 +24,8 @@ public:
         std::size_t slaves = 0;
         SlaveRoutes routes = {};
         Split split = Split::individuals;
-        double own_share = 1; ///< of a slave's, that the master evaluates itself; not for Split::demand
+        double own_share =
+            1; ///< the master's share of the evaluations, relative to a slave's; not used by Split::demand
         Sending sending = Sending::in_turn;
         std::size_t tasks_under_way = 1; ///< sent to a slave before the first of them is answered; for Split::demand
         bool measurements_every_generation = false; ///< else only when they are new

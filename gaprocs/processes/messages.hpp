@@ -40,7 +40,7 @@ using Window = std::shared_ptr<const std::vector<Sample>>;
 struct Task : Parcel {
     enum class Kind { evaluate, rehearse, end } kind = Kind::end;
     std::size_t slave = 0;   ///< the addressee, counted from the master
-    std::size_t master = 0;  ///< whose it is, of those that share the slaves
+    std::size_t master = 0;  ///< the master that sent it, among those that share the slaves
     std::size_t address = 0; ///< 0: the slave that receives it; else one beyond, in the order of SlaveRoutes
     Share share;
     std::vector<Genome> strings; ///< the individuals that the share touches
