@@ -17,7 +17,7 @@ namespace placedpar {
 /// A generation of one search, or of all searches together. What is minimised is here as it is, not negated: then the
 /// best are the least, and an objective that is not a finite number is infinity.
 struct LoggedGeneration {
-    std::optional<Time> time; ///< time of the last estimate
+    std::optional<Time> time; ///< time of the generation; of all searches: of the last
     double best_so_far; ///< the best of each `best` until now; where a window moves, each in the window of its time
     double best, mean;  ///< fitness; of all: of all their individuals. The mean is of those that are finite
     double diversity;   ///< diversity_within(); of all: the mean of theirs

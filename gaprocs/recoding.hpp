@@ -34,7 +34,7 @@ struct Recoding {
     std::vector<Genome> to_problem(std::span<const Genome> bred) const;
 };
 
-/// Returns the recoded string as the problem's own string.
+/// Returns the recoding that reads the problem's own string unchanged.
 Recoding natural_recoding(std::vector<std::size_t> problem_bits);
 
 } // namespace placedpar

@@ -38,7 +38,7 @@ std::vector<double> evaluate(const SearchProblem& problem, std::span<const Genom
 /// Throws as SearchSettings::validate() and settings_for(), and UserError for a window longer than the record.
 SearchResult run_traditional(const SearchProblem& problem, std::span<const Sample> record,
                              const SearchSettings& settings, RandomStream random, SearchObserver* observer = nullptr);
-/// Runs the algorithm for an objective problem, whose record is empty samples: an estimate for each generation.
+/// Runs the algorithm for an objective problem, whose record is empty samples: with an estimate for each generation.
 SearchResult run_traditional(const SearchProblem& problem, std::size_t generations, const SearchSettings& settings,
                              RandomStream random, SearchObserver* observer = nullptr);
 

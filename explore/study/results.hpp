@@ -22,7 +22,7 @@ struct StudyOutcome {
     Time time{};
     std::uint64_t fingerprint = 0;
     std::uint64_t netlist_hash = 0;
-    std::string refused = ""; ///< why there is no such machine, as it is printed; "" if there is
+    std::string refused = ""; ///< printed reason why the machine is refused; "" if it is not
     StudyFigures figures = {};
 };
 
