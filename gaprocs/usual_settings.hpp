@@ -25,10 +25,11 @@ SearchSettings settings_for(const SearchProblem&, SearchSettings settings);
 /// that needs positive fitness, with an objective that is minimised and therefore negated.
 void require_fitting_reproduction(const SearchProblem&, const Reproduction&);
 
-/// Throws std::invalid_argument for a sample that has not as many numbers as the problem has channels.
+/// Throws std::invalid_argument for a sample whose number of values is not the problem's number of channels.
 void require_channels(const SearchProblem&, std::span<const Sample> record);
 
-/// The record of an objective problem for so many generations: samples without a number. Throws UserError for none.
+/// Returns the record of an objective problem for a number of generations: samples without a number. Throws UserError
+/// for none.
 std::vector<Sample> empty_record(std::size_t generations);
 
 } // namespace placedpar

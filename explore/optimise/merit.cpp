@@ -10,7 +10,7 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-/// By feasibility and cost: whoever dominates comes before whom it dominates.
+/// By feasibility and cost: a machine comes before those that it dominates.
 void sort_by_costs(Indices& indices, std::span<const Merit> merits) {
     std::ranges::stable_sort(indices, [&](std::size_t a, std::size_t b) {
         return merits[a].feasible != merits[b].feasible ? merits[a].feasible : merits[a].costs < merits[b].costs;

@@ -10,7 +10,7 @@ namespace placedpar {
 /// The ranks of an MPI program: mpirun starts copies of this program, on one machine or many, and each has a number,
 /// its rank. They send each other texts, which come in the order in which they were sent.
 ///
-/// REQUIRES: used by the thread alone that asked for it, and destroyed when nobody sends this rank anything any more.
+/// REQUIRES: used only by the thread that asked for it, and destroyed after the last message to this rank.
 class Ranks {
 public:
     struct Message {

@@ -207,7 +207,7 @@ StudyResults::StudyResults(const std::filesystem::path& path) : path_(path) {
     });
 }
 
-/// One file is left of what SQLite has beside it meanwhile, unless somebody is reading it.
+/// Leaves one file and none of SQLite's companion files, unless another process is reading it.
 StudyResults::~StudyResults() {
     try {
         has_.reset();

@@ -55,7 +55,7 @@ struct Study {
     StudyFunction function = {}; ///< none: the netlist is run
     ReadOptions read = {};
     std::vector<StudyProduct> products;
-    std::uint64_t first_seed = 1, seeds = 1; ///< each combination is run with so many
+    std::uint64_t first_seed = 1, seeds = 1; ///< each combination is run with `seeds` seeds
     Time until = Time::max();                ///< runs that are not over then are stopped
     std::vector<std::string> measures;
     Overrides relative_to = {}; ///< figures are shown relative to those with these settings; none: as they are

@@ -89,7 +89,7 @@ public:
     /// make some of them elsewhere: asked again and again, in the caller's thread, until it says that they have gone.
     void run(std::size_t workers, Interruption&, const std::function<void(std::uint64_t ended)>& show,
              const std::function<bool(bool stopped)>& others = nullptr);
-    /// For the others: the next run that somebody has to make. None when there is none left, or all is to stop.
+    /// Returns the next run that another worker has to make. None when there is none left, or all is to stop.
     std::optional<StudyRun> next();
     void keep(const StudyRun&, const StudyOutcome&);
 

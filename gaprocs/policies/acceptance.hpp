@@ -26,7 +26,7 @@ struct IslandPopulation {
     const Representation* representation = nullptr; ///< binary strings where it is null
 };
 
-/// Where each immigrant comes to live: the index of the individual that it replaces, or nothing where it is turned
+/// The place of each immigrant: the index of the individual that it replaces, or nothing where it is turned
 /// away.
 using Places = std::vector<std::optional<std::size_t>>;
 

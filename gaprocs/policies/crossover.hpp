@@ -49,8 +49,8 @@ struct UniformCrossover {
 };
 
 /// One-point crossover that always makes something new (thesis 6.3): parents that differ in fewer than two bits have no
-/// new offspring and are no mates, and the cut lies between the first and the last bit in which the parents differ. One
-/// number.
+/// new offspring and are not mates, and the cut lies between the first and the last bit in which the parents differ.
+/// One number.
 struct DifferenceCrossover {
     static constexpr std::string_view name = "by-difference",
                                       about = "a cut between bits that differ, of mates that differ in two",
@@ -121,7 +121,7 @@ public:
 
     /// All offspring that it can make of two mates, found by trying every outcome of its draws: vertices of the
     /// hypercube, each the string read as a whole number. The parents are among them where both can stay as they are.
-    /// Empty where the two are no mates. REQUIRES: both binary strings of one length, 2 to 20. Throws
+    /// Returns none where the two are not mates. REQUIRES: both binary strings of one length, 2 to 20. Throws
     /// std::invalid_argument for a way that does not fit binary strings.
     std::set<std::uint64_t> every_offspring(const Genome& a, const Genome& b) const;
 };

@@ -41,7 +41,7 @@ public:
     std::size_t islands() const { return islands_; }
     double error(std::size_t window, std::size_t island) const { return errors_[window * islands_ + island]; }
     /// |Error(w_i, A_j)| divided. Errors below 1e-12 count as 1e-12, so that two perfect islands are equals; those that
-    /// are no number or above 1e100 as 1e100.
+    /// are not a number or above 1e100 as 1e100.
     double normalised(std::size_t window, std::size_t island, Normaliser normaliser) const;
 
     /// SA_j of 5.3: column j summed, A_j under all windows.

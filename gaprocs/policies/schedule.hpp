@@ -40,8 +40,9 @@ struct SequentialSchedule {
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
 };
 
-/// Nobody waits for anybody: emigrants go to all neighbours, and an island takes in those who have come meanwhile, from
-/// each neighbour the last that it sent. On a machine that depends on its times, and is the same in every run of it.
+/// No island waits for another: emigrants go to all neighbours, and an island takes in those who have come meanwhile,
+/// from each neighbour the last that it sent. On a machine that depends on its times, and is the same in every run of
+/// it.
 struct AsynchronousSchedule {
     static constexpr std::string_view name = "asynchronous",
                                       about = "every `every` generations to all neighbours, waiting for none",

@@ -77,7 +77,7 @@ struct NoTopology {
     Neighbours operator()(std::size_t islands) const { return Neighbours(islands); }
 };
 
-/// As listed. The list is no part of its text: who names it by text lists the neighbours elsewhere, as a netlist does
+/// As listed. The list is no part of its text: a text that names it lists the neighbours elsewhere, as a netlist does
 /// by its connections. An island may only send or only receive, but not be without both.
 struct GivenTopology {
     static constexpr std::string_view name = "given", about = "neighbours as they are listed",
@@ -125,7 +125,7 @@ std::vector<std::optional<std::size_t>> distances(const Neighbours& neighbours, 
 /// the whole is connected.
 std::vector<std::vector<std::size_t>> separate_parts(const Neighbours& neighbours);
 
-/// Two islands of one part, where nothing of the first ever comes to the second, as from the end of a chain of one way
+/// Two islands of one part, where nothing of the first ever reaches the second, as from the end of a chain of one way
 /// to its beginning: the first such pair.
 struct OneWay {
     std::size_t from, never_to;

@@ -127,7 +127,7 @@ private:
 
     ProcessEnvironment& environment_;
     const SearchProblem& problem_;
-    SearchObserver* observer_; ///< null: nobody
+    SearchObserver* observer_; ///< null: no observer
     Input<HostMessage> from_host_;
     std::vector<AnalysedIsland> islands_;
     std::size_t longest_window_;

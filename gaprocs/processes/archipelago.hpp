@@ -62,7 +62,7 @@ private:
     std::map<std::size_t, std::size_t> numbers_; ///< by process
 };
 
-/// The one of a network that runs, for all of its islands. REQUIRES: while somebody holds it, the network lives and
+/// The one of a network that runs, for all of its islands. REQUIRES: while it is held, the network lives and
 /// stays as it is.
 std::shared_ptr<const Archipelago> archipelago_of(const Network&);
 

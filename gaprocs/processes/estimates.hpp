@@ -34,7 +34,7 @@ public:
     void report() const;
 
 private:
-    /// When the estimate of so many samples came.
+    /// Returns when the estimate of this number of samples came.
     struct Answer {
         std::size_t samples;
         Time came;

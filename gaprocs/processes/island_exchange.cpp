@@ -66,7 +66,7 @@ std::vector<Migration> IslandExchange::exchange(Search& search, std::span<const 
     return arrivals;
 }
 
-/// Nobody is chosen where nobody is sent to: it might draw random numbers.
+/// Chooses no emigrants where there is no destination: the choice might draw random numbers.
 Emigrants IslandExchange::leaving(Search& search, std::span<const double> fitness) const {
     Emigrants emigrants;
     emigrants.generation = search.generation() + 1;

@@ -16,8 +16,8 @@ namespace placedpar {
 /// how many: occam's counted array, whose count is an INT.
 inline constexpr std::int64_t largest_message_bytes = 0x7fffffff;
 
-/// The length of a message of so many strings, or fitnesses, and `others` bytes more. Throws UserError above
-/// largest_message_bytes.
+/// Returns the length of a message of a number of strings, or fitnesses, and `others` bytes more. Throws UserError
+/// above largest_message_bytes.
 std::uint32_t message_bytes(std::size_t individuals, std::uint32_t bytes_each, std::uint32_t others = 0);
 
 struct Parcel {

@@ -204,11 +204,11 @@ private:
 
     ProcessEnvironment& environment_;
     const SearchProblem& problem_;
-    SearchObserver* observer_; ///< null: nobody
+    SearchObserver* observer_; ///< null: no observer
     SearchSettings settings_;
     Workload workload_;
     Input<HostMessage> from_host_;
-    Output<EstimateMessage> to_host_, to_analyst_; ///< of no channel where nobody waits for any
+    Output<EstimateMessage> to_host_, to_analyst_; ///< without a channel where no process waits for estimates
     Farm farm_;
     bool has_slaves_;
     std::int64_t rehearsals_;

@@ -20,8 +20,8 @@ enum class StringKind : unsigned char { binary, real, permutation };
 std::string_view name_of(StringKind);
 
 // The representations that there are, each with bits(), the length of the string, and decode(), what the string stands
-// for. Real numbers and the places of a permutation take 64 bits each, so that whoever only passes strings on need not
-// know what they are.
+// for. Real numbers and the places of a permutation take 64 bits each, so that code that only passes strings on need
+// not know what they are.
 
 /// A binary string that a problem reads itself.
 class BitString {

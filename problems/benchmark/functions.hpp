@@ -58,7 +58,7 @@ struct StepFunction : OverBox<StepFunction> {
 };
 
 /// The sum of i x_i^4 and a normal deviate. De Jong draws it at each evaluation; here it is drawn from the seed and the
-/// numbers themselves, so that an individual has the same noise whoever evaluates it. Nothing is known of the optimum.
+/// numbers themselves, so that an individual has the same noise in every evaluation. Nothing is known of the optimum.
 struct Quartic : OverBox<Quartic> {
     static constexpr std::string_view name = "quartic",
                                       about = "the sum of i x_i^4 with noise (De Jong's F4), the same for equals";

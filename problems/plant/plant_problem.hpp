@@ -17,7 +17,7 @@ namespace placedpar {
 
 /// A plant in pole-zero form (thesis eq. 5.9): poles alpha +- j beta, zeros gamma +- j delta, gain b0, delay d.
 ///
-/// The plant of 5.8 has the zeros 0 and -.5, which are no conjugate pair: here a negative delta stands for the real
+/// The plant of 5.8 has the zeros 0 and -.5, which are not a conjugate pair: here a negative delta stands for the real
 /// pair gamma +- |delta|, so that gamma = delta = -.25 is exactly that plant.
 template <typename T>
 struct PoleZeroPlantOf {
@@ -80,7 +80,7 @@ public:
         return error_of<double>(weights, sample);
     }
 
-    /// What a population is evaluated by: the weights, so that the delay is no index.
+    /// A population is evaluated by these weights, so that no delay is needed as an index.
     template <BinaryString G>
     std::array<double, plant_channels - 1> parameters_of(const G& genome) const {
         return plant(genome).weights();

@@ -1,4 +1,4 @@
-// What nobody should ask for, and what comes of it.
+// Invalid requests are refused.
 
 #include "gaprocs/islands.hpp"
 #include "gaprocs/objective_problem.hpp"

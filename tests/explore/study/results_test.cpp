@@ -141,7 +141,7 @@ void check_refused(const std::string& sql, const std::string& why) {
     CHECK_THROWS_AS(StudyResults(file.path(), source_of_test), UserError);
 }
 
-/// Of every so many bits one is flipped, and runs are added to fewer files.
+/// One bit in a given number is flipped, and runs are added to fewer files.
 void flip_bits(std::size_t one_in, std::size_t one_written_in) {
     ResultsFile file;
     make_results(file);
