@@ -46,8 +46,8 @@ Estimates::Estimates(ProcessEnvironment& environment, const ProblemRegistry& pro
     : environment_(environment), problems_(problems), inputs_(environment.inputs<EstimateMessage>("from_masters")),
       last_(inputs_.size()), answers_(inputs_.size()), accuracy_(environment.real("accuracy")) {
     if (accuracy_ > 0 && problems.find(environment.text("problem")).problem()->true_parameters().empty())
-        throw UserError(fmt::format("accuracy = {}, but nobody knows the true parameters of \"{}\": they are known of "
-                                    "a record that is simulated",
+        throw UserError(fmt::format("accuracy = {}, but the true parameters of \"{}\" are unknown: they are known only "
+                                    "for a simulated record",
                                     accuracy_, environment.text("problem")));
     for (const Peer& search : peers_at(environment.network(), environment.index(), "from_masters"))
         processes_.push_back(search.process);
