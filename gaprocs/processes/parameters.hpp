@@ -24,7 +24,7 @@ std::uint32_t string_bytes(std::int64_t stated, const SearchProblem&);
 Workload read_workload(const ProcessEnvironment&, const SearchProblem&);
 Workload read_slave_workload(const ProcessEnvironment&); ///< only what a slave uses
 Coding read_coding(const ProcessEnvironment&);
-/// Returns the name of the process's random stream.
+/// Returns the name of the random stream of the process.
 std::string stream_name(const ProcessEnvironment&);
 /// What the netlist does not give is as usual_settings() where that depends on the problem. Throws as settings_for().
 SearchSettings read_search_settings(const ProcessEnvironment&, const SearchProblem&);

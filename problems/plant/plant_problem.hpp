@@ -80,7 +80,7 @@ public:
         return error_of<double>(weights, sample);
     }
 
-    /// A population is evaluated by these weights, so that no delay is needed as an index.
+    /// Returns the weights, by which a population is evaluated: the delay is not used as an index then.
     template <BinaryString G>
     std::array<double, plant_channels - 1> parameters_of(const G& genome) const {
         return plant(genome).weights();
