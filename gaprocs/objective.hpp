@@ -19,7 +19,8 @@ struct Objective {
     std::string unit = {};
     std::optional<double> optimum = {}; ///< the best value there is, where it is known
 
-    /// The greater the better: the value, negated where it is to be minimised. Beyond 2^1000 they are all the same.
+    /// Returns the fitness, of which the greater is the better: the value, negated if it is minimised, limited to
+    /// +-2^1000.
     double fitness(double value) const {
         if (!std::isfinite(value))
             return worst_fitness;

@@ -11,7 +11,8 @@
 
 namespace placedpar {
 
-/// A problem as a search sees it that breeds other strings: with fewer bits, or around a point that moves.
+/// A problem for a search that breeds strings other than the problem's own: with fewer bits, or around a point that
+/// moves.
 class RecodedProblem final : public SearchProblem {
 public:
     /// The problem's string is read in natural binary. Throws as Recoding::validate(), and UserError: strings that are

@@ -25,7 +25,7 @@ struct WindowSettings {
     void validate_for(std::size_t record_length) const;
 };
 
-/// Ours: a number mistyped with too many digits must not fill the memory.
+/// Our limit: a number mistyped with too many digits must not fill the memory.
 inline constexpr int largest_population = 1'000'000;
 
 /// A genetic algorithm's numbers; the defaults are the thesis's (rates of 5.4, "identical" by 4.3).
@@ -37,7 +37,7 @@ struct SearchSettings {
     Reproduction reproduction; ///< by roulette
     Crossover crossover;       ///< one-point
     Mutation mutation;         ///< mutation of bits
-    /// The first of the first population; the others are drawn at random.
+    /// The first individuals of the first population; the others are drawn at random.
     std::vector<Genome> initial = {};
     WindowSettings window;
 
@@ -46,7 +46,7 @@ struct SearchSettings {
     void validate() const;
 };
 
-/// Throws UserError, naming those that fit, for a crossover or a mutation of other strings than these.
+/// Throws UserError for a crossover or a mutation that does not work on these strings; the message names those that do.
 void require_fitting_operators(const Representation&, const SearchSettings&);
 
 } // namespace placedpar
