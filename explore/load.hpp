@@ -18,13 +18,13 @@ class Parameters;   // hydraulics/data/parameters.hpp
 struct RecordNeeds; // hydraulics/data/record_table.hpp
 } // namespace hydraulics
 
-// Files of the user's. A file with errors is refused: RefusedInput shows each with file, line, column and a caret.
-// "-" is standard input.
+// Functions that read the user's files. A file with errors is refused: RefusedInput shows each error with file, line,
+// column and a caret. "-" is standard input.
 
 /// Limits the errors shown, and likewise the warnings.
 inline constexpr std::size_t most_faults_shown = 20;
 
-/// Told a file's warnings, rendered: whole lines.
+/// A function that receives a file's warnings as text in whole lines.
 using WarningSink = std::function<void(const std::string&)>;
 
 /// Reads a netlist with this program's kinds and the problems given. Throws RefusedInput.

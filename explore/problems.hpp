@@ -16,8 +16,8 @@ namespace placedpar {
 ProblemRegistry known_problems(std::uint64_t seed,
                                const std::function<ProblemFamily(const ProblemFamily&)>& around = std::identity{});
 
-/// Every process kind that this program knows. Those that search tell the observer, if there is one. Both must outlive
-/// every run.
+/// Returns every process kind that this program knows. Searches report to the observer if it is not null. Both
+/// arguments must outlive every run.
 Catalogue known_kinds(const ProblemRegistry& problems, SearchObserver* observer = nullptr);
 
 /// Adds the kinds of a program that is built on PlacedPar to the known kinds. REQUIRES: called before

@@ -15,13 +15,13 @@ namespace placedpar {
 /// once.
 using ChangedNetlist = std::function<Network(const Overrides&)>;
 
-/// What a change makes of the run.
+/// The run with a change, beside the unchanged one.
 struct Answer {
     Change change;
     Ending ending = Ending::interrupted;
     Time time{};
     std::string refused = ""; ///< first line of the refusal; "" if the netlist was accepted
-    std::string why = "";     ///< it takes longer: what its critical path has more of
+    std::string why = "";     ///< if the run takes longer: what takes more time on its critical path
 
     bool completed() const { return refused.empty() && ending == Ending::completed; }
 };
@@ -35,8 +35,8 @@ struct WhatIfs {
     std::function<void(std::size_t, std::size_t)> progress; ///< changes done, all changes
 };
 
-/// The changed runs, in parallel on all cores; the shortest first, then those that do not complete, then those that
-/// the netlist refuses. The path is the unchanged run's.
+/// Makes the changed runs in parallel on all cores. Returns the shortest first, then those that do not complete, then
+/// those with which the netlist is refused. `path`: the critical path of the unchanged run.
 std::vector<Answer> try_out(const std::vector<Change>&, const std::vector<PathPart>& path, const WhatIfs&);
 
 } // namespace placedpar

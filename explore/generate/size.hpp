@@ -15,10 +15,11 @@ std::size_t count_of(const Wish&, std::size_t least);
 struct Grid {
     std::size_t rows = 0, columns = 0;
 };
-/// Throws UserError unless it is two numbers from the least to ..., whose product is at most most_processors.
+/// Returns the size. Throws UserError unless --size gives two numbers, not below the least, whose product is at most
+/// most_processors.
 Grid grid_of(const Wish&, std::size_t least_rows, std::size_t least_columns);
 
-/// Throws UserError: "size 7: " and why not.
+/// Throws UserError with the text "size 7: " and the reason.
 [[noreturn]] void refuse_size(const Wish&, const std::string& why);
 
 } // namespace placedpar::generate

@@ -87,7 +87,7 @@ struct EstimateMessage : Parcel {
 
 /// Tells the fine search around which point to search; sent by the coarse search.
 struct BiasPoint : Parcel {
-    Genome string; ///< in the problem's own coding
+    Genome string; ///< a string of the problem, in natural binary
 };
 
 } // namespace placedpar
