@@ -6,7 +6,7 @@
 
 namespace placedpar {
 
-/// What the best of each of several islands leaves unexplained. Island i has the i-th window, and A_i is its best.
+/// The errors of the best individuals of several islands. Island i has the i-th window, and A_i is its best.
 struct ErrorsOfBest {
     std::vector<std::size_t> windows;        ///< in samples, none longer than the errors known
     std::vector<std::vector<double>> errors; ///< [j]: y - y-hat of A_j at each sample, oldest first, the newest for all
