@@ -76,7 +76,8 @@ void Estimates::judge_fittest() {
         accurate_since_ = now();
 }
 
-/// A search that is on no processor answers at the very time at which it takes a sample.
+/// Returns the response time, at least 0: a search without a processor answers at the time at which it takes the
+/// sample.
 Time Estimates::response(std::size_t search, const Answer& answer) const {
     return std::max(answer.came - taken_.at(processes_[search]).at(answer.samples - 1), Time{});
 }
@@ -114,7 +115,7 @@ std::size_t Estimates::fittest() const {
     return fittest;
 }
 
-/// What a search's last estimate stands for, read as that search codes the problem's strings.
+/// Returns the parameters of a search's last estimate, decoded in the coding of that search.
 std::vector<double> Estimates::values_of(std::size_t search) const {
     return problem_of(search)->decode(last_[search].best.genome);
 }

@@ -29,7 +29,7 @@ std::size_t samples_to_send(const ProcessEnvironment& environment, std::size_t r
     return wanted == 0 ? recorded : wanted;
 }
 
-/// A sample without a number for each generation, or the samples of the record.
+/// Returns the samples of the record; for an objective problem, an empty sample for each generation.
 std::vector<Sample> samples_of(const ProcessEnvironment& environment, const RecordedProblem& recorded) {
     if (recorded.problem()->objective())
         return empty_record(static_cast<std::size_t>(environment.integer("generations")));
