@@ -146,7 +146,7 @@ private:
             changes_.push_back({of, what, factor.faster, {{set, faster(speed, factor)}}});
     }
 
-    /// Returns the links by the names under which --set knows them: by an end, or as wire[0], wire[1] ...
+    /// Returns the wires that --set can name, as wired or as wire[0], wire[1] ..., by each of their two ends.
     std::map<std::string, const LinkConnection*> wires_by_end() const {
         std::map<std::string, const LinkConnection*> wires;
         for (std::size_t i = 0; i < network_.count_wires(); ++i)
@@ -165,8 +165,8 @@ private:
         return wanted.name.empty() ? fmt::format("wire[{}]", without_name) : wanted.name;
     }
 
-    /// Returns whether the network has switches: a link through a switch consists of several wires, and is only varied
-    /// together with all links.
+    /// Returns whether links lead through switches: such a link consists of several wires, and is only varied together
+    /// with all links.
     bool switched() const {
         return std::ranges::any_of(network_.connections,
                                    [](const auto& each) { return each.at_run_time || !each.crossings.empty(); });

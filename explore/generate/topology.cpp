@@ -154,7 +154,7 @@ Topology star(const Wish& wish) {
             .host = {"", "0", "[nodes == 5]", "nodes == 5 ? 1 : 3"}};
 }
 
-/// Returns the odd number nearest to the square root, which is about the best chord.
+/// Returns the largest odd number not above the square root, at least 3: about the best chord.
 std::size_t usual_chord(std::size_t nodes) {
     std::size_t chord = 3;
     while ((chord + 2) * (chord + 2) <= nodes)

@@ -51,8 +51,8 @@ std::ptrdiff_t count_described(const ProcessKind& kind, const std::set<std::stri
     return std::ranges::count_if(kind.measurements, [&](const auto& each) { return measured.contains(each.name); });
 }
 
-/// As the kind of a process describes it that measured some other things: the figures do not say which kind that is,
-/// but one that describes most of them. "" where none of these does.
+/// Returns the description of a measurement by the kind of a process. The figures do not name the kind: it is taken to
+/// be one that describes most of the process's other measurements. Returns "" if no such kind describes it.
 std::string description_of(const std::string& name, const std::set<std::string>& measured, const Catalogue& kinds) {
     std::ptrdiff_t most = 1;
     for (const auto& each : kinds.kinds())
