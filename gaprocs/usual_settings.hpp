@@ -16,9 +16,9 @@ namespace placedpar {
 /// and gaussian mutation of real vectors, order crossover and inversion of permutations.
 SearchSettings usual_settings(const SearchProblem&);
 
-/// `settings` as they hold for the problem. Window and generations per sample are of identification: with an objective
-/// they stand for one empty sample and one generation, whatever they are. Throws UserError for settings that do not fit
-/// the problem: see require_fitting_reproduction() and require_fitting_operators().
+/// Returns the settings adapted to the problem. Window and generations per sample only matter with a record: with an
+/// objective they become one empty sample and one generation. Throws UserError for settings that do not fit the
+/// problem: see require_fitting_reproduction() and require_fitting_operators().
 SearchSettings settings_for(const SearchProblem&, SearchSettings settings);
 
 /// Throws UserError, saying what would be right, for a reproduction by which no individual could become a parent: one

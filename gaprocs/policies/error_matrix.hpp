@@ -40,15 +40,15 @@ public:
 
     std::size_t islands() const { return islands_; }
     double error(std::size_t window, std::size_t island) const { return errors_[window * islands_ + island]; }
-    /// |Error(w_i, A_j)| divided. Errors below 1e-12 count as 1e-12, so that two perfect islands are equals; those that
-    /// are not a number or above 1e100 as 1e100.
+    /// Returns |Error(w_i, A_j)| divided by the normaliser. Errors below 1e-12 count as 1e-12, so that two perfect
+    /// islands are equals; errors above 1e100, or that are not a number, count as 1e100.
     double normalised(std::size_t window, std::size_t island, Normaliser normaliser) const;
 
-    /// SA_j of 5.3: column j summed, A_j under all windows.
+    /// Returns SA_j of 5.3: the sum of column j, A_j in all windows.
     double sum_over_windows(std::size_t island, Normaliser normaliser) const;
-    /// Sw_i of 5.4: row i summed, all A under w_i.
+    /// Returns Sw_i of 5.4: the sum of row i, all A in window w_i.
     double sum_over_islands(std::size_t window, Normaliser normaliser) const;
-    /// Sw_i / SA_i of 5.7.
+    /// Returns Sw_i / SA_i of 5.7.
     double ratio(std::size_t island, Normaliser normaliser) const;
 
 private:

@@ -15,7 +15,7 @@ struct Individual {
     friend bool operator==(const Individual&, const Individual&) = default;
 };
 
-// Individuals in the order of their fitness, by index.
+// Functions that find individuals by their fitness and return indices.
 
 /// Returns the index of the greatest fitness; the lowest index among equals. REQUIRES: not empty.
 std::size_t best_index(std::span<const double> fitness);
@@ -24,7 +24,7 @@ std::size_t best_index(std::span<const double> fitness);
 std::vector<std::size_t> best_indices(std::span<const double> fitness, std::size_t count);
 std::vector<std::size_t> worst_indices(std::span<const double> fitness, std::size_t count);
 
-/// Whether each is from `first` to below `end`, and none comes twice.
+/// Returns whether all indices are different, at least `first` and below `end`.
 bool are_different(std::vector<std::size_t> indices, std::size_t first, std::size_t end);
 
 } // namespace placedpar
