@@ -22,7 +22,7 @@ using generate::Wish;
 
 namespace {
 
-/// What textbooks say of a topology.
+/// The known properties of a topology, from textbooks.
 struct KnownMachine {
     Wish wish;
     std::size_t processors, links, degree, diameter;
