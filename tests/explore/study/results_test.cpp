@@ -73,7 +73,7 @@ void make_results(const ResultsFile& file) {
     store::Database(file.path()).run("PRAGMA page_size = 512; VACUUM");
 }
 
-/// Returns the whole summary of the results as text.
+/// Returns the whole content of the results as text.
 std::string table_of(StudyResults& results) {
     std::string text = fmt::format("{} {} {}\n", results.netlist(), results.version(), results.count());
     for (const std::string& measure : results.measures())
