@@ -18,19 +18,19 @@ class Parameters;   // hydraulics/data/parameters.hpp
 struct RecordNeeds; // hydraulics/data/record_table.hpp
 } // namespace hydraulics
 
-// Files of the user's. A file with errors is refused: RefusedInput shows each with file, line, column and a caret.
-// "-" is standard input.
+// Functions that read the user's files. A file with errors is refused: RefusedInput shows each error with file, line,
+// column and a caret. "-" is standard input.
 
-/// Of each kind, errors and warnings.
+/// Limits the errors shown, and likewise the warnings.
 inline constexpr std::size_t most_faults_shown = 20;
 
-/// Told a file's warnings, rendered: whole lines.
+/// A function that receives a file's warnings as text in whole lines.
 using WarningSink = std::function<void(const std::string&)>;
 
 /// Reads a netlist with this program's kinds and the problems given. Throws RefusedInput.
 Network load_network(const std::filesystem::path&, const Overrides&, const ProblemRegistry&, const WarningSink&,
                      const ReadOptions& = {});
-/// The same of one that is parsed, with kinds that are known already.
+/// Completes a parsed netlist with the kinds of a catalogue. Throws RefusedInput.
 Network load_network(const ParsedNetlist&, const Overrides&, const Catalogue&, const WarningSink&);
 
 /// A record of measurement, with its file's warnings.

@@ -6,7 +6,7 @@
 
 namespace placedpar {
 
-/// While it exists, the interruption knows the simulation.
+/// Makes a simulation known to an interruption during its own lifetime.
 class InterruptibleSimulation {
 public:
     InterruptibleSimulation(Simulation& simulation, Interruption* interruption) : interruption_(interruption) {

@@ -23,27 +23,29 @@ private:
     friend class InterruptibleSimulation;
 
     std::atomic<bool> requested_{false};
-    std::atomic<Simulation*> simulation_{nullptr}; ///< the one that runs
+    std::atomic<Simulation*> simulation_{nullptr}; ///< the simulation that is running, or null
 };
 
 /// How a network is run.
 struct RunSettings {
     std::uint64_t seed = 1;
-    Time until = Time::max();                  ///< the run ends there if it is not over before
-    std::optional<std::uint64_t> shuffle = {}; ///< runs what is ready in an order drawn from it, another course
-    TraceSink* trace = nullptr;                ///< none: no trace
-    SearchObserver* observer = nullptr;        ///< none: nobody observes the searches
-    Interruption* interruption = nullptr;      ///< none: nothing ends the run early. Of one run at a time
-    RecordedRun* record = nullptr;             ///< none: it is not to be repeated. Empty before
+    Time until = Time::max(); ///< time at which the run ends at the latest
+    std::optional<std::uint64_t> shuffle =
+        {};                     ///< runs ready processes in an order drawn from this seed; none: in the usual order
+    TraceSink* trace = nullptr; ///< none: no trace
+    SearchObserver* observer = nullptr;   ///< none: the searches are not observed
+    Interruption* interruption = nullptr; ///< none: nothing ends the run early. Serves one run at a time
+    RecordedRun* record = nullptr;        ///< none: the run is not recorded. REQUIRES: empty
 };
 
-/// Throws what the processes throw.
+/// Runs the network. Throws what the processes throw.
 RunReport run_netlist(const Network&, const ProblemRegistry&, const RunSettings&);
-/// The same with kinds that are known already, to those who observe, too: the settings' observer is not told.
+/// As above, with the kinds of a catalogue, which already know their observer: the settings' observer is ignored.
 RunReport run_netlist(const Network&, const Catalogue&, const RunSettings&);
-/// The same run, where it takes the course of the recorded one: without the machine, several times as fast. Of an
-/// interrupted one the report says only that it is. None where it does not, or could not. REQUIRES: the record is of
-/// this network, and that is determinate; neither trace nor shuffle nor another record are asked for.
+/// Repeats a recorded run without the machine, several times as fast, if the processes communicate as in the record.
+/// Returns nothing if they do not, or if the run cannot be repeated. If the run is interrupted, the report says only
+/// that. REQUIRES: the record was made of this network, which is determinate; the settings have no trace, shuffle or
+/// record.
 std::optional<RunReport> repeat_netlist(const Network&, const Catalogue&, const RecordedRun&, const RunSettings&);
 
 } // namespace placedpar

@@ -16,15 +16,15 @@ namespace placedpar {
 ProblemRegistry known_problems(std::uint64_t seed,
                                const std::function<ProblemFamily(const ProblemFamily&)>& around = std::identity{});
 
-/// Every process kind that this program knows. Those that search tell the observer, if there is one. Both must outlive
-/// every run.
+/// Returns every process kind that this program knows. Searches report to the observer if it is not null. Both
+/// arguments must outlive every run.
 Catalogue known_kinds(const ProblemRegistry& problems, SearchObserver* observer = nullptr);
 
-/// From now on these are among the known kinds: those of a program that is built on PlacedPar. REQUIRES: called before
+/// Adds the kinds of a program that is built on PlacedPar to the known kinds. REQUIRES: called before
 /// anything else here, by one thread.
 void add_own_kinds(std::vector<ProcessKind>);
 void add_own_devices(std::vector<DeviceKind>);
-/// The same of search problems.
+/// Adds search problems likewise.
 void add_own_problems(std::vector<ProblemFamily>);
 
 } // namespace placedpar

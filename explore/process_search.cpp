@@ -42,14 +42,14 @@ Settings settings_of(const IdentificationWay& way) {
             {"stream", std::string("master")}};
 }
 
-/// As --set takes it.
+/// Returns the value as text for --set.
 std::string expression(const Value& value) {
     if (const auto* text = std::get_if<std::string>(&value))
         return fmt::format("\"{}\"", *text);
     return std::visit([](const auto& number) { return fmt::format("{}", number); }, value);
 }
 
-/// The program's kinds; a process that is not told otherwise searches by these settings.
+/// Returns the program's kinds, with these settings as the defaults of searching processes.
 Catalogue kinds_with(const Settings& settings, const ProblemRegistry& problems) {
     Catalogue program = known_kinds(problems), catalogue;
     for (auto [name, kind] : program.kinds()) {
@@ -62,7 +62,7 @@ Catalogue kinds_with(const Settings& settings, const ProblemRegistry& problems) 
     return catalogue;
 }
 
-/// A setting that a netlist fixes otherwise.
+/// A setting that the netlist fixes to another value.
 struct Difference {
     const ProcessInstance* process;
     std::string name;
@@ -121,7 +121,7 @@ Network load_with(const Settings& settings, const NetlistAsked& netlist, const P
     return std::move(*read.network);
 }
 
-/// Throws where they are not one after the other.
+/// Returns the samples to be searched. Throws if they are not consecutive.
 std::vector<Sample> searched_samples(const ComplianceSearch& prepared) {
     std::vector<Sample> record;
     for (const hydraulics::CircuitSample& sample : prepared.samples) {

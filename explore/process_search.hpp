@@ -13,12 +13,12 @@
 
 namespace placedpar {
 
-/// What processes are to search.
+/// The netlist whose processes are to search.
 struct NetlistAsked {
     std::filesystem::path path;
     Overrides overrides;
     ReadOptions options;
-    std::filesystem::path output; ///< that will be written: none of the netlist's own files
+    std::filesystem::path output; ///< the file to be written, which must not be a file of the netlist
 };
 
 /// The first search of identify(), ready to run as the processes of a netlist.
@@ -27,15 +27,15 @@ struct ProcessSearch {
     Network network;
     std::string master; ///< the process that searches
 
-    /// What it found. REQUIRES: the report of a run of the network that was completed.
+    /// Returns the compliances that the search found. REQUIRES: the report of a completed run of the network.
     std::vector<double> compliances(const RunReport& report) const;
 };
 
-/// Hands the way over to the netlist: what its processes leave to their defaults, and what it has a val of the same
-/// name for (population, elite), unless an override sets it. The processes know neither gaps nor a gate; they are sent
-/// the samples up to where the gate froze the search for good.
-/// Throws UserError for what cannot be the same search: another number of searching processes
-/// than one, an output that is an included file, a setting that the netlist fixes otherwise, a gap.
+/// Passes the settings of the identification to the netlist: to parameters that its processes leave to their defaults,
+/// and to vals of the same name (population, elite) unless an override sets them. The processes know neither gaps nor a
+/// gate; the samples sent to them end where the gate froze the search for good. Throws UserError if the netlist cannot
+/// make the same search: it does not have exactly one searching process, the output is an included file, the netlist
+/// fixes a setting to another value, or the record has a gap.
 ProcessSearch search_by_processes(const NetlistAsked& netlist, const identification::ComplianceSearch& prepared,
                                   const identification::IdentificationWay& way, const WarningSink&);
 

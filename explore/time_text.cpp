@@ -29,7 +29,7 @@ struct TimeText {
     int exponent = 0;
 };
 
-/// Nothing for what is not of that form.
+/// Splits the text; returns nothing if it does not have that form.
 std::optional<TimeText> split(const std::string& text) {
     static const std::regex form(R"((\d*)(?:\.(\d+))?(?:[eE]([+-]?\d{1,3}))?([a-z]*))");
     std::smatch parts;
@@ -38,7 +38,7 @@ std::optional<TimeText> split(const std::string& text) {
     return TimeText{parts[1], parts[2], parts[4], parts.length(3) == 0 ? 0 : std::stoi(parts[3])};
 }
 
-/// The digits of so many picoseconds. Throws UserError where they do not come out even.
+/// Returns the digits of a number of picoseconds. Throws UserError where the number is not whole.
 std::string picoseconds(const std::string& text, const TimeText& parts, int power) {
     std::string digits = parts.whole + parts.fraction;
     int zeros = power + parts.exponent - static_cast<int>(parts.fraction.size());

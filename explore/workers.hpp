@@ -6,12 +6,12 @@
 
 namespace placedpar {
 
-/// As many as the machine has; at least 1.
+/// Returns the number of cores of the machine; at least 1.
 std::size_t count_cores();
 
-/// Calls work(0), work(1) and so on, each in a thread of its own, and returns when all are done. Meanwhile calls
-/// `meanwhile` every so often in the thread of the caller. What work throws is thrown again in the end, the first
-/// worker's first; what meanwhile throws, as soon as all are done.
+/// Calls work(0), work(1) and so on, each in a thread of its own, and returns when all have ended. Until then calls
+/// `meanwhile` at intervals of `often` in the thread of the caller. Exceptions are thrown again when all workers have
+/// ended; of several workers, that of the first.
 void on_workers(
     std::size_t workers, const std::function<void(std::size_t)>& work, const std::function<void()>& meanwhile = [] {},
     std::chrono::milliseconds often = std::chrono::milliseconds(100));

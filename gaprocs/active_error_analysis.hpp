@@ -12,16 +12,16 @@
 
 namespace placedpar {
 
-/// The errors of each individual at each of the newest samples of the longest window. REQUIRES: a window for each
-/// individual, as many samples as the longest of them.
+/// Returns the errors of each individual at each sample of the longest window. REQUIRES: a window for each individual,
+/// and at least as many samples as the longest window has.
 ErrorsOfBest errors_of_best(const SearchProblem& problem, std::span<const Individual> bests,
                             std::span<const std::size_t> windows, std::span<const Sample> samples);
 
-/// The one answer of several islands, over time: analysed each time they have broadcast their bests, held in between
-/// (thesis 5.3.2: "output the estimated parameters at the broadcasting frequency"). It changes nothing on the islands.
+/// Chooses one answer among the bests of several islands, each time they have broadcast them, and keeps it in between
+/// (thesis 5.3.2: "output the estimated parameters at the broadcasting frequency"). The islands are not affected.
 class ActiveErrorAnalysis {
 public:
-    /// The windows of the islands, in samples. `problem` must outlive this.
+    /// `windows`: the length of each island's window, in samples. `problem` must outlive this.
     ActiveErrorAnalysis(const SearchProblem& problem, std::vector<std::size_t> windows, IslandChoice choice,
                         RandomStream random);
 
@@ -29,7 +29,7 @@ public:
     /// Throws as the choice. REQUIRES: a best for each window.
     void analyse(std::span<const Individual> bests, std::span<const Sample> samples);
 
-    /// Whose best is the answer since the last analyse(). REQUIRES: there was one.
+    /// Returns the island whose best is the answer since the last analyse(). REQUIRES: analyse() was called.
     std::size_t island() const { return island_; }
     const Individual& answer() const { return *answer_; }
 

@@ -12,10 +12,10 @@ namespace placedpar {
 
 /// A "coarse" genetic algorithm and a "fine" one (thesis 6.2, Figure 6.6).
 struct CoarseFineSettings {
-    SearchSettings coarse, fine; ///< of equal windows
+    SearchSettings coarse, fine; ///< both have the same window
     Recoding coarse_reading;     ///< the most significant bits of the problem's fields
     std::vector<std::size_t>
-        fine_bits; ///< of each field; where it has all bits of the problem's, it is found by itself
+        fine_bits; ///< bits of each field; a field with all bits of the problem's is searched without the bias point
 };
 
 /// Two searches over the same record: the coarse one on a coarse grid, and the fine one on the problem's own grid,
@@ -27,20 +27,21 @@ public:
     /// Recoding::validate(), and std::invalid_argument for windows that are not equal.
     CoarseFine(const SearchProblem& problem, const CoarseFineSettings& settings, std::uint64_t seed);
 
-    /// A new sample comes into the window.
+    /// Adds a new sample to the window.
     void push(Sample sample) { window_.push(std::move(sample)); }
     bool ready() const { return window_.ready(); }
-    /// A generation of both. REQUIRES: ready().
+    /// Makes one generation of both searches. REQUIRES: ready().
     void next_generation();
 
     const Search& coarse() const { return coarse_; }
     const Search& fine() const { return fine_; }
-    /// The best of the last generation, as strings of the problem. REQUIRES: there was one.
+    /// Returns the best of the last generation as a string of the problem, as fine_best() does. REQUIRES: a generation
+    /// was made.
     const Individual& coarse_best() const { return coarse_best_; }
     const Individual& fine_best() const { return fine_best_; }
 
 private:
-    /// Breeds; the best as the problem reads it.
+    /// Evaluates and breeds, and returns the best individual as a string of the problem.
     Individual evaluate_and_breed(Search& search, const Recoding& reading);
 
     const SearchProblem& problem_;

@@ -9,7 +9,7 @@ namespace placedpar {
 
 namespace {
 
-/// A coordinate that is 1 for `count` individuals and 0 for the others.
+/// Adds a coordinate that is 1 for `count` individuals and 0 for the others.
 void add_count(Spread& spread, std::uint64_t which, std::uint64_t count) {
     auto individuals = static_cast<double>(spread.individuals), ones = static_cast<double>(count);
     spread.centre.push_back({which, ones / individuals});
@@ -38,7 +38,7 @@ Spread spread_of_bits(std::span<const Genome> population, std::size_t bits) {
     return spread;
 }
 
-/// Its place between the ends of its range, for each individual.
+/// Returns for each individual the place of a number in its range: 0 at the lower end, 1 at the upper.
 std::vector<double> places_of(std::span<const Genome> population, const RealVector& reals, std::size_t number) {
     auto [low, high] = reals.range(number);
     std::vector<double> places;
@@ -72,7 +72,7 @@ Spread spread_of_reals(std::span<const Genome> population, const RealVector& rea
     return spread;
 }
 
-/// Two neighbours each, sorted.
+/// Returns the pairs of neighbours in all tours, sorted.
 std::vector<std::uint64_t> neighbours_in(std::span<const Genome> tours, const Permutation& permutation) {
     std::vector<std::uint64_t> pairs;
     for (const Genome& genome : tours) {
@@ -109,7 +109,7 @@ public:
     explicit CentresInStep(std::span<const Spread> populations)
         : populations_(populations), next_(populations.size(), 0), means_(populations.size()) {}
 
-    /// Goes on to the next coordinate that is not 0 in all of them.
+    /// Moves to the next coordinate that is not 0 in all populations.
     bool step() {
         constexpr auto none = std::numeric_limits<std::uint64_t>::max();
         std::uint64_t which = none;

@@ -21,8 +21,8 @@ inline constexpr std::size_t exact_fitness_terms = 1024;
 /// nearest, ties to even; the limits stay what they are. Needs IEEE arithmetic, so never -ffast-math.
 inline constexpr double fitness_rounding_shift = 0x1.8p32;
 
-/// One sample's term of the fitness, or several individuals' (T is double or Lanes). `bias` and `error` squared are in
-/// the same unit, the problem's own. An error that is not a number, or infinite, gives the lower limit.
+/// Returns one sample's term of the fitness of one individual, or of several (T is double or Lanes). `bias` and `error`
+/// squared are in the same unit, the problem's own. An error that is not a number, or infinite, gives the lower limit.
 template <typename T = double>
 T fitness_term(double bias, const std::type_identity_t<T>& error) {
     using std::max, std::min;

@@ -14,14 +14,15 @@
 
 namespace placedpar {
 
-/// A generation of one search, or of all searches together. What is minimised is here as it is, not negated: then the
-/// best are the least, and an objective that is no finite number is infinity.
+/// A generation of one search, or of all searches together. An objective that is minimised is not negated here: the
+/// best value is the least, and an objective that is not a finite number is infinity.
 struct LoggedGeneration {
-    std::optional<Time> time; ///< of all: of the last of them
-    double best_so_far; ///< the best of each `best` until now; where a window moves, each in the window of its time
-    double best, mean;  ///< fitness; of all: of all their individuals. The mean is of those that are finite
-    double diversity;   ///< diversity_within(); of all: the mean of theirs
-    double between = 0; ///< diversity_between(); only of all
+    std::optional<Time> time; ///< time of the generation; for all searches together, the latest of their times
+    double best_so_far; ///< the best value of `best` so far; with a moving window, each value belongs to the window of
+                        ///< its time
+    double best, mean;  ///< fitness, or objective; the mean is taken over the finite values
+    double diversity;   ///< diversity_within(); for all searches together, its mean
+    double between = 0; ///< diversity_between(); only for all searches together
 
     friend bool operator==(const LoggedGeneration&, const LoggedGeneration&) = default;
 };
@@ -34,22 +35,22 @@ struct LoggedMigration {
     bool accepted;
 };
 
-/// Of an analyst, which says whose best is the answer of all.
+/// An answer of an analyst: it says which search's best individual is the answer of all searches.
 struct LoggedAnswer {
     std::uint64_t generation;
     std::string analyst;
     std::size_t chosen; ///< a search, by number
     std::optional<Time> time;
-    std::vector<std::string> names; ///< of the parameters
+    std::vector<std::string> names; ///< names of the parameters
     std::vector<double> values;
 };
 
-/// A number of the log, as data in long form: what was found where and when.
+/// One value of the log, as a row of data in long form.
 struct LogRow {
     std::uint64_t generation; ///< from 1
     std::optional<Time> time;
     std::string_view search; ///< or "all"
-    std::string_view from;   ///< of an immigrant, or of an answer; else empty
+    std::string_view from;   ///< origin of an immigrant, or search whose best an answer is; otherwise empty
     std::string_view quantity;
     double value;
 
@@ -59,40 +60,40 @@ struct LogRow {
 /// Remembers every generation of the searches of a run.
 class GenerationLog final : public SearchObserver {
 public:
-    /// The searches by name, in the order of the log. `comparable`: they search for the same, so that there is sense in
-    /// `all`.
+    /// `searches`: their names, in the order of the log. `comparable`: all solve the same problem, so that rows for all
+    /// of them together make sense.
     explicit GenerationLog(std::vector<std::string> searches, bool comparable = true);
 
-    /// Throw std::invalid_argument for a search that is not of the log.
+    /// Throw std::invalid_argument for a search that is not in the log.
     void observe(const ObservedGeneration&) override;
     void observe(const ObservedMigration&) override;
     void observe(const ObservedAnswer&) override;
 
     std::span<const std::string> searches() const { return searches_; }
-    /// Are there several, which search for the same?
+    /// Returns whether there are several searches that solve the same problem.
     bool compares() const { return compared_; }
-    /// Generation 1 first.
+    /// Returns the generations of a search, generation 1 first.
     std::span<const LoggedGeneration> of(std::size_t search) const { return generations_.at(search); }
-    /// Of all searches together, as far as all have come. Empty where there is only one, or they are not comparable.
+    /// Returns the generations that all searches have completed, for all of them together. Empty unless compares().
     std::span<const LoggedGeneration> of_all() const { return all_; }
-    /// Of each search in the order in which they came there.
+    /// Returns the migrations; those to one search are in the order of their arrival.
     std::span<const LoggedMigration> migrations() const { return migrations_; }
-    /// Of each analyst by generation.
+    /// Returns the answers; those of one analyst are in the order of generations.
     std::span<const LoggedAnswer> answers() const { return answers_; }
 
-    /// Is the least the best? False before the first generation.
+    /// Returns whether the least value is the best. False before the first generation.
     bool minimises(std::size_t search) const { return goals_.at(search) == Goal::minimise; }
-    /// Is it searched for an objective, not over a record? False before the first generation.
+    /// Returns whether the search has an objective instead of a record. False before the first generation.
     bool has_objective(std::size_t search) const { return goals_.at(search).has_value(); }
 
-    /// By generation, then by search with `all` and the analysts at the end: the same rows whatever the order in which
-    /// the log was told. They refer to this.
+    /// Returns the rows by generation, then by search, with "all" and the analysts at the end. Their order does not
+    /// depend on the order of the calls of observe(). The rows refer to this log.
     std::vector<LogRow> rows() const;
 
 private:
     struct Evaluated {
         LoggedGeneration found;
-        std::size_t finite; ///< individuals whose fitness is
+        std::size_t finite; ///< number of individuals whose fitness is finite
         Spread spread;
     };
     using Row = std::vector<std::optional<Evaluated>>; ///< a generation, by search

@@ -4,8 +4,8 @@
 
 namespace placedpar {
 
-/// Guards the problems of a program that is built on PlacedPar: what they throw while one or its record is made,
-/// or it is asked anything, becomes a UserError that names the problem.
+/// Guards the problems of a program that is built on PlacedPar: any exception from making a problem or its record, or
+/// from calling the problem, becomes a UserError that names the problem.
 ProblemFamily guarded(const ProblemFamily&);
 
 } // namespace placedpar

@@ -7,9 +7,9 @@
 
 namespace placedpar {
 
-/// The strings of a file, one in each line as Representation::read() takes it; empty lines and those that begin with
-/// "#" do not count. Throws RefusedInput: a file that is not there or is no text, a line that is not a string of this
-/// representation, which is shown.
+/// Reads the strings of a file, one a line, in the form of Representation::read(); empty lines and lines that begin
+/// with "#" are ignored. Throws RefusedInput if the file does not exist or is not text, and for a line that is not a
+/// string of this representation, which is shown.
 std::vector<Genome> load_population(const std::filesystem::path& path, const Representation& representation);
 
 } // namespace placedpar

@@ -35,7 +35,7 @@ void require_places(const IslandsSettings& settings, const Neighbours& neighbour
     }
 }
 
-/// All that can be wrong whatever the record.
+/// Throws UserError for errors that do not depend on the record.
 void validate_islands(const IslandsSettings& settings) {
     settings.topology.require_numbers_in_range();
     settings.schedule.require_numbers_in_range();
@@ -50,7 +50,7 @@ void validate_islands(const IslandsSettings& settings) {
     require_places(settings, neighbours);
 }
 
-/// With each island those that begin when it does.
+/// Returns for each island the islands that begin at the same time.
 std::vector<std::vector<std::size_t>> islands_in_step(const Schedule& schedule, const Neighbours& neighbours) {
     std::vector<std::vector<std::size_t>> together(neighbours.size());
     auto parts = separate_parts(schedule.in_step() ? neighbours : Neighbours(neighbours.size()));
@@ -60,7 +60,7 @@ std::vector<std::vector<std::size_t>> islands_in_step(const Schedule& schedule, 
     return together;
 }
 
-/// The settings of each island as they hold for the problem.
+/// Returns the settings of each island, adapted to the problem.
 IslandsSettings settings_for(const SearchProblem& problem, IslandsSettings settings) {
     for (SearchSettings& island : settings.islands)
         island = placedpar::settings_for(problem, island);
@@ -190,7 +190,7 @@ std::vector<Migration> Islands::emigrants(std::size_t from) {
     return all;
 }
 
-/// What a neighbour has not taken in yet is replaced.
+/// Sends the emigrants and replaces earlier ones that the neighbour has not accepted yet.
 void Islands::send_by_mail(std::size_t from) {
     auto leaving = emigrants(from);
     for (const Migration& each : leaving)

@@ -24,71 +24,76 @@ namespace placedpar {
 /// Islands that search side by side; by default a ring in which every third generation the best of each replaces the
 /// worst of the next.
 struct IslandsSettings {
-    /// One for each island: populations, rates and windows may differ, generations per sample may not.
+    /// Settings of each island: populations, rates and windows may differ, generations per sample may not.
     std::vector<SearchSettings> islands;
     Topology topology;
     Schedule schedule;
     Emigration emigration;
     Acceptance acceptance;
 
-    /// Throws UserError: as those of the islands for this record, as Topology::neighbours(), for more emigrants than an
-    /// island has individuals, for more immigrants at once than it can accept, and for islands of different numbers of
-    /// generations per sample.
+    /// Throws UserError as the islands' settings for this record, and as Topology::neighbours(); also for more
+    /// emigrants than an island has individuals, more immigrants at once than it can accept, and islands with different
+    /// numbers of generations per sample.
     void validate_for(std::size_t record_length) const;
-    /// What is allowed, but hardly meant: a topology in parts that exchange nothing with each other, or where the
-    /// individuals of an island never come to another. "" if nothing is.
-    /// Throws as Topology::neighbours().
+    /// Returns a warning about a topology that is allowed but probably unintended: it has parts that exchange nothing
+    /// with each other, or the individuals of some island never reach another. Returns "" if there is nothing to warn
+    /// of. Throws as Topology::neighbours().
     std::string warning() const;
 };
 
-/// An individual on its way.
+/// An individual that moves from one island to another.
 struct Migration {
-    std::uint64_t generation; ///< after whose evaluation it left, from 1
+    std::uint64_t generation; ///< generation after whose evaluation it left, from 1
     std::size_t from, to;
-    /// With its fitness in the window of the island to which it comes; among the offspring, where that is not known
-    /// before the next generation, in the window from which it comes.
+    /// The individual with its fitness in the window of its new island; with OffspringAcceptance, which evaluates it
+    /// only in the next generation, with its fitness in its old window.
     Individual individual;
-    std::optional<std::size_t> place; ///< the index of the one that it replaces; nothing where it is turned away
+    std::optional<std::size_t> place; ///< index of the individual that it replaces; nothing if it is turned away
 
     friend bool operator==(const Migration&, const Migration&) = default;
 };
 
-/// Immigrants come in, in their order, and their places are noted; the island breeds. Those who do not come among the
-/// offspring must have their fitness in this island's window. Throws as Search::accept() and next_generation().
+/// Accepts the immigrants in their order, sets their places, and breeds the next generation. Unless immigrants come
+/// among the offspring, their fitness must be that in this island's window. Throws as Search::accept() and
+/// next_generation().
 void accept_and_breed(Search&, std::span<double> fitness, std::span<Migration> arrivals, const Acceptance&);
 
 /// Several searches over the same record, generation by generation in step: all are evaluated; emigrants leave; each
-/// island accepts its immigrants, those of the island of lowest number first; all breed. Nothing depends on an order
-/// in which islands take their turns: each draws from a stream of its own, and all emigrants are chosen before the
-/// first immigrant is accepted. Islands that may hear of each other begin together, when all have enough samples.
+/// island accepts its immigrants, those of the island of lowest number first; all breed. Nothing depends on an order in
+/// which islands take their turns: each draws from a stream of its own, and all emigrants are chosen before the first
+/// immigrant is accepted. Islands of one connected part begin together, when all have enough samples.
 ///
-/// An immigrant's fitness is found anew in the window of its new island. Where both have the same window that changes
-/// nothing: fitness is exact (gaprocs/fitness.hpp). Immigrants among the offspring are evaluated one generation later.
+/// An immigrant's fitness is found anew in the window of its new island. If both islands have the same window, the
+/// fitness does not change: it is exact (gaprocs/fitness.hpp). Immigrants among the offspring are evaluated one
+/// generation later.
 ///
-/// With the asynchronous schedule nobody waits: without a machine and its times, islands take turns, and in each
-/// generation island 0 evaluates, sends, takes in who has come so far and breeds, then island 1, and so on.
+/// With the asynchronous schedule no island waits: without a machine and its times, islands take turns, and in each
+/// generation island 0 evaluates, sends, accepts the immigrants that have arrived so far and breeds, then island 1, and
+/// so on.
 class Islands {
 public:
-    /// A stream for each island, which draws the first population from it. `problem` must outlive this. Throws as
+    /// `streams`: one for each island, from which its first population is drawn. `problem` must outlive this. Throws as
     /// IslandsSettings::validate_for() for a record of any length and settings_for(), and std::invalid_argument for
     /// another number of streams.
     Islands(const SearchProblem& problem, IslandsSettings settings, std::vector<RandomStream> streams);
 
-    /// From now on the observer is told of every generation, of the islands by their island_names(). It outlives this.
+    /// Tells the observer of every generation from now on, with the islands named as by island_names(). REQUIRES: the
+    /// observer outlives this.
     void observe_by(SearchObserver& observer);
 
-    /// A new sample comes into the windows of all.
+    /// Adds a new sample to the window of every island.
     void push(const Sample& sample);
-    /// Enough samples for a generation on this island? One of a short window waits for those that it is in step with.
+    /// Returns whether there are enough samples for a generation of this island, and of all islands that are in step
+    /// with it.
     bool ready(std::size_t island) const;
-    /// On some island?
+    /// Returns whether any island is ready.
     bool ready() const;
-    /// Of the islands that are ready.
+    /// Makes one generation of the islands that are ready.
     void next_generation();
 
     const std::vector<Search>& searches() const { return searches_; }
-    /// Of the last next_generation(), by the islands to which they came, for each in the order in which they were
-    /// accepted; empty when none was due.
+    /// Returns the migrations of the last next_generation(), by destination and then in the order in which they were
+    /// accepted; empty if no exchange was due.
     const std::vector<Migration>& migrations() const { return migrations_; }
 
 private:
@@ -103,12 +108,13 @@ private:
     const SearchProblem& problem_;
     IslandsSettings settings_;
     Neighbours neighbours_;
-    std::vector<std::vector<std::size_t>> in_step_; ///< with each island, those with which it begins, itself included
+    std::vector<std::vector<std::size_t>>
+        in_step_; ///< for each island, the islands with which it begins, including itself
     std::vector<SlidingWindow> windows_;
     std::vector<Search> searches_;
-    std::vector<std::vector<double>> fitness_; ///< of each individual of each island, of this generation
+    std::vector<std::vector<double>> fitness_; ///< fitness in this generation, by island and individual
     std::vector<Migration> migrations_;
-    /// Asynchronous: on their way to each island, by the island from which they come.
+    /// Asynchronous: migrations that have not been accepted yet, by destination and origin.
     std::vector<std::map<std::size_t, std::vector<Migration>>> mail_;
     SearchObserver* observer_ = nullptr;
     std::vector<std::string> names_; ///< by which the observer knows the islands
@@ -116,20 +122,20 @@ private:
 
 struct IslandsResult {
     std::vector<SearchResult> islands;
-    std::vector<Migration> migrations; ///< of all generations, in their order
+    std::vector<Migration> migrations; ///< migrations of all generations, in order
 };
 
-/// The islands over a record, without processes, machine or time. Throws as Islands and
+/// Runs the islands over a record, without processes, machine or time. Throws as Islands and
 /// IslandsSettings::validate_for().
 IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> record, const IslandsSettings& settings,
                           std::vector<RandomStream> streams, SearchObserver* observer = nullptr);
-/// The same for an objective problem, whose record is empty samples: an estimate of each island for each generation.
+/// As above, for an objective problem, whose samples are empty: each island gives an estimate for each generation.
 IslandsResult run_islands(const SearchProblem& problem, std::size_t generations, const IslandsSettings& settings,
                           std::vector<RandomStream> streams, SearchObserver* observer = nullptr);
 
-/// "island[0]", "island[1]", ..., as processes that a netlist declares by island[n].
+/// Returns "island[0]", "island[1]", ...: the names of processes that a netlist declares as island[n].
 std::vector<std::string> island_names(std::size_t islands);
-/// The streams of a run, of these names.
+/// Returns the streams of a run, named as by island_names().
 std::vector<RandomStream> island_streams(std::uint64_t seed, std::size_t islands);
 
 } // namespace placedpar

@@ -19,13 +19,14 @@ struct Objective {
     std::string unit = {};
     std::optional<double> optimum = {}; ///< the best value there is, where it is known
 
-    /// The greater the better: the value, negated where it is to be minimised. Beyond 2^1000 they are all the same.
+    /// Returns the fitness, of which the greater is the better: the value, negated if it is minimised, limited to
+    /// +-2^1000.
     double fitness(double value) const {
         if (!std::isfinite(value))
             return worst_fitness;
         return std::clamp(goal == Goal::maximise ? value : -value, worst_fitness, -worst_fitness);
     }
-    /// The value of an individual of this fitness; nothing where it is no finite number.
+    /// Returns the objective of an individual of this fitness; nothing where it is not a finite number.
     std::optional<double> value(double fitness) const {
         if (fitness == worst_fitness)
             return std::nullopt;

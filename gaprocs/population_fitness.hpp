@@ -16,11 +16,11 @@
 
 namespace placedpar {
 
-/// The loop over the lanes of a population: sums[i] is the sum over the samples of term(parameters of individual i,
-/// sample), found for several individuals at once. `parameters_from.operator()<width>(i)` are the parameters of
-/// individual i and of those behind it, a container of Lanes; `terms(std::span<const T>)` gives what is called with one
-/// sample after the other and gives the T of each, T being any Lanes. The bits are those of one individual after the
-/// other: every operation rounds the same way in a lane as alone (runtime/vector_width.hpp).
+/// Sets sums[i] to the sum over the samples of the terms of individual i, for several individuals at once.
+/// `parameters_from.operator()<width>(i)` returns the parameters of individual i and those that follow, a container of
+/// Lanes. `terms(std::span<const T>)`, T being any Lanes, returns a function that is called with one sample after the
+/// other and returns the terms of that sample. The sums are, bit for bit, those of a loop over single individuals:
+/// every operation rounds in a lane as it does alone (runtime/vector_width.hpp).
 template <typename ParametersFrom, typename Samples, typename Terms>
 void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& samples, const Terms& terms,
                        std::span<double> sums) {
@@ -33,7 +33,7 @@ void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& sam
             for (const auto& sample : samples)
                 sum += term(sample);
             const auto found = sum.numbers();
-            if (sums.size() - first >= Several::count) // of a known length: sooner
+            if (sums.size() - first >= Several::count) // a known length is faster
                 std::memcpy(&sums[first], found.data(), sizeof found);
             else
                 std::copy_n(found.begin(), sums.size() - first, &sums[first]);
@@ -41,7 +41,8 @@ void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& sam
     });
 }
 
-/// The same of parameters that are found one individual after the other: `parameters_of(i)`, as many for each.
+/// As sum_in_lanes_from(), with parameters that are computed one individual at a time: `parameters_of(i)` returns the
+/// same number of parameters for each.
 template <typename ParametersOf, typename Samples, typename Terms>
 void sum_terms_in_lanes(const ParametersOf& parameters_of, const Samples& samples, const Terms& terms,
                         std::span<double> sums) {
@@ -60,7 +61,7 @@ void sum_terms_in_lanes(const ParametersOf& parameters_of, const Samples& sample
     sum_in_lanes_from(side_by_side, samples, terms, sums);
 }
 
-/// The same where the term of a sample does not depend on those before it: `term(std::span<const T>, sample)`.
+/// As sum_terms_in_lanes(), for terms that do not depend on earlier samples: `term(std::span<const T>, sample)`.
 template <typename ParametersOf, typename Samples, typename Term>
 void sum_in_lanes(const ParametersOf& parameters_of, const Samples& samples, const Term& term, std::span<double> sums) {
     auto terms = [&]<class T>(std::span<const T> parameters) {
@@ -81,15 +82,16 @@ concept ErrorOfParameters = requires(const P& problem, const G& genome, std::spa
 };
 
 /// A problem whose error at a sample depends on the samples before it in the window, as that of a simulation does:
-/// `errors_along<T>(parameters)` gives what is called with the samples of a window, oldest first, and gives the error
-/// at each. `parameters_of` as for ErrorOfParameters; its error_of() is of the first sample of a window.
+/// `errors_along<T>(parameters)` returns a function that is called with the samples of a window, oldest first, and
+/// returns the error at each. `parameters_of` is as for ErrorOfParameters; error_of() gives the error at the first
+/// sample of a window.
 template <typename P>
 concept ErrorAlongWindow = requires(const P& problem, std::span<const double> parameters,
                                     std::span<const double> sample) {
     { problem.template errors_along<double>(parameters)(sample) } -> std::convertible_to<double>;
 };
 
-/// What gives the error at each sample of a window, oldest first.
+/// Returns a function that is called with the samples of a window, oldest first, and returns the error at each.
 template <typename T, typename P>
 [[gnu::always_inline]] inline auto errors_along(const P& problem, std::span<const T> parameters) {
     if constexpr (ErrorAlongWindow<P>)
@@ -100,21 +102,21 @@ template <typename T, typename P>
         };
 }
 
-/// One that decodes several strings at once as well: `parameters_of_several(StringsInLanes)` gives Lanes.
+/// A problem that can also decode several strings at once: `parameters_of_several(StringsInLanes)` returns Lanes.
 template <typename P, bool gray>
 concept ParametersOfSeveral = requires(const P& problem, const StringsInLanes<2, gray>& strings) {
     { problem.parameters_of_several(strings)[0] } -> std::convertible_to<Lanes<2>>;
 };
 
-/// One that works out once for all individuals what its error takes of a sample: error_of<T>(parameters, prepared) is
-/// that of the sample.
+/// A problem that can prepare a sample once for all individuals: error_of<T>(parameters, prepared(sample)) is the error
+/// at the sample.
 template <typename P>
 concept PreparesSamples = requires(const P& problem, std::span<const Lanes<2>> parameters,
                                    std::span<const double> sample) {
     { problem.template error_of<Lanes<2>>(parameters, problem.prepared(sample)) } -> std::convertible_to<Lanes<2>>;
 };
 
-/// The fitness of each of the strings over the samples, as errors_along() takes them.
+/// Computes the fitness of each string over samples in the form that errors_along() takes.
 template <bool gray, typename P, typename Samples>
 void fitness_over(const P& problem, std::span<const Genome> population, const Samples& samples, double bias,
                   std::span<double> fitness) {
@@ -134,7 +136,7 @@ void fitness_over(const P& problem, std::span<const Genome> population, const Sa
                        terms, fitness);
 }
 
-/// The fitness of each of the strings over the samples, the bits of one individual evaluated after the other.
+/// Computes the fitness of each string over the samples, bit for bit as if the individuals were evaluated one by one.
 /// REQUIRES: strings of problem.bits(); fitness.size() == population.size().
 template <bool gray, typename P, typename Samples>
 void fitness_in_lanes(const P& problem, std::span<const Genome> population, const Samples& samples, double bias,

@@ -11,15 +11,16 @@
 
 namespace placedpar {
 
-/// What a search over a record has to be set to; a netlist that says otherwise is warned.
+/// Settings that a search over a record should have; a netlist with others is given a warning.
 struct RecordAdvice {
-    std::size_t trials = 0; ///< generations for each sample, where the record's own time is counted in them; 0: any
-    double bias = 0;        ///< B of a sample, where the thesis's is of another order of magnitude; 0: the thesis's
+    std::size_t trials =
+        0;           ///< generations for each sample, if the record's own time is counted in generations; 0: any number
+    double bias = 0; ///< B of eq. 3.9, if its order of magnitude differs from that of the thesis; 0: the thesis's
 };
 
-/// A record of measurement that costs something to make, such as a simulation.
+/// A record of measurement that takes time to make, such as that of a simulation.
 struct RecordToMake {
-    std::size_t samples = 0; ///< how many make() gives, known without calling it
+    std::size_t samples = 0; ///< number of samples that make() returns, known without calling it
     std::function<std::vector<Sample>()> make = nullptr;
     RecordAdvice advice = {};
 };
@@ -31,11 +32,11 @@ struct ProblemFamily {
     PolicyDescription description;
     /// REQUIRES: as many numbers as described, in their ranges. Throws as the struct's representation().
     std::function<std::shared_ptr<const SearchProblem>(const std::vector<double>& numbers)> make;
-    /// None of objective problems. REQUIRES: as make.
+    /// Returns how to make the record; null for objective problems. REQUIRES: as make.
     std::function<RecordToMake(const std::vector<double>& numbers)> record = nullptr;
 };
 
-/// The problem of a struct with these numbers: itself, or what its problem() makes of them.
+/// Returns the problem of a struct with these numbers: the struct itself, or the result of its problem().
 template <class P>
 auto problem_with(const std::vector<double>& numbers) {
     if constexpr (requires(const P& family) { family.problem(); })

@@ -13,23 +13,24 @@
 
 namespace placedpar {
 
-/// A search problem and the record of measurement it is searched over: none for an objective problem. Not thread-safe:
-/// the first record() may make it.
+/// A search problem with its record of measurement; an objective problem has none. Not thread-safe: the first call of
+/// record() may make the record.
 class RecordedProblem {
 public:
-    /// Throws std::invalid_argument: a sample has not as many numbers as the problem has channels, or an objective
-    /// problem has a record.
+    /// Throws std::invalid_argument if a sample does not have one number for each channel of the problem, or an
+    /// objective problem has a record.
     RecordedProblem(std::shared_ptr<const SearchProblem> problem, std::vector<Sample> record);
     RecordedProblem(std::shared_ptr<const SearchProblem> problem, RecordToMake record)
         : problem_(std::move(problem)), samples_(record.samples), advice_(record.advice),
           make_(std::move(record.make)) {}
 
     const std::shared_ptr<const SearchProblem>& problem() const { return problem_; }
-    /// The length of the record, which need not be made for it.
+    /// Returns the length of the record without making it.
     std::size_t samples() const { return samples_; }
     const RecordAdvice& advice() const { return advice_; }
-    /// In order of time. The first call makes the record if it was added by add_to_make(); it then throws
-    /// std::invalid_argument as the constructor, or UserError when there are not as many samples as promised.
+    /// Returns the samples in order of time. The first call makes the record if it was added by add_to_make(); that
+    /// call throws std::invalid_argument as the constructor, or UserError if the number of samples differs from
+    /// RecordToMake::samples.
     const std::vector<Sample>& record() const;
 
 private:
@@ -46,22 +47,22 @@ private:
 /// process makes it by reading it.
 class ProblemRegistry {
 public:
-    /// `record`: the samples, or how to make them. Throws std::invalid_argument: empty or repeated name, no problem,
-    /// or a sample that has not as many numbers as the problem has channels.
+    /// `record`: the samples, or how to make them. Throws std::invalid_argument: empty or repeated name, no problem, or
+    /// a sample that does not have one number for each channel of the problem.
     void add(std::string name, std::shared_ptr<const SearchProblem> problem, std::vector<Sample> record = {});
     void add_to_make(std::string name, std::shared_ptr<const SearchProblem> problem, RecordToMake record);
 
-    /// Problems that are made when they are asked for by name and numbers: "sphere", "sphere(3)", "sphere(bits = 20)".
-    /// Throws std::invalid_argument for an empty or repeated name.
+    /// Adds problems that are made when they are first found by name and numbers: "sphere", "sphere(3)", "sphere(bits =
+    /// 20)". Throws std::invalid_argument for an empty or repeated name.
     void add(ProblemFamily family);
 
-    /// Throws UserError: there is no such problem (it names those there are), its numbers are wrong, or it cannot be
-    /// made with them. The reference lives as long as the registry.
+    /// Returns the problem. Throws UserError if it does not exist (the message lists the problems that do), its numbers
+    /// are wrong, or it cannot be made with them. The reference lives as long as the registry.
     const RecordedProblem& find(std::string_view name) const;
 
-    /// In alphabetical order; of families the names alone.
+    /// Returns the names in alphabetical order; a family is listed by its name without numbers.
     std::vector<std::string> names() const;
-    /// In alphabetical order.
+    /// Returns the descriptions of the families in alphabetical order.
     std::vector<PolicyDescription> families() const;
 
 private:
@@ -72,7 +73,7 @@ private:
 
     std::map<std::string, RecordedProblem, std::less<>> problems_;
     std::map<std::string, ProblemFamily, std::less<>> families_;
-    mutable std::map<std::string, RecordedProblem> made_; ///< of families, by their full text
+    mutable std::map<std::string, RecordedProblem> made_; ///< problems of families, by their full text
 };
 
 } // namespace placedpar

@@ -11,7 +11,8 @@
 
 namespace placedpar {
 
-/// A problem as a search sees it that breeds other strings: with fewer bits, or around a point that moves.
+/// A problem for a search that breeds strings other than the problem's own: with fewer bits, or around a point that
+/// moves.
 class RecodedProblem final : public SearchProblem {
 public:
     /// The problem's string is read in natural binary. Throws as Recoding::validate(), and UserError: strings that are
@@ -20,7 +21,7 @@ public:
 
     /// Moves the point that the strings are read around. REQUIRES: a string of the problem.
     void move_to(Genome around) { recoding_.around = std::move(around); }
-    /// As the problem reads it.
+    /// Returns the string as the problem reads it.
     Genome to_problem(const Genome& bred) const { return recoding_.to_problem(bred); }
 
     std::size_t bits() const override { return recoding_.length(); }

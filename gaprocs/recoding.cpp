@@ -30,7 +30,8 @@ void validate_field(std::size_t number, std::size_t bits, std::size_t problem_bi
                         counted(bits, "bit"), problem_bits));
 }
 
-/// The code that lies `code` steps above the lowest one around the centre, within a field of so many bits.
+/// Returns the code that is `code` steps above the lowest code around the centre, limited to the codes of the problem's
+/// field.
 std::uint64_t code_around(std::uint64_t centre, std::uint64_t code, std::size_t bits, std::size_t problem_bits) {
     auto highest = static_cast<std::int64_t>((std::uint64_t{1} << problem_bits) - 1);
     std::int64_t below = std::int64_t{1} << (bits - 1);

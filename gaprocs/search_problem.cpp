@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-/// A problem whose string has don't-care bits between every two of its own.
+/// A problem whose string has don't-care bits between every two bits of the original.
 class StuffedProblem final : public SearchProblem {
 public:
     /// REQUIRES: its strings are binary.

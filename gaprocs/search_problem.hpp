@@ -19,11 +19,11 @@
 
 namespace placedpar {
 
-/// The numbers measured at one sampling instant, in the order the problem states.
+/// The numbers measured at one sampling instant, in the order that the problem defines.
 using Sample = std::vector<double>;
 
-/// What a search needs to know of a problem. A plain struct satisfies it without including this header: where it
-/// takes the genome as a template parameter and reads it by field(first, count), any Coding can be used with it.
+/// The functions that a search needs of a problem. A plain struct can have them without including this header. If the
+/// type of the genome is a template parameter and the struct reads it by field(first, count), any Coding can be used.
 /// Optional: `coding()`, the ParameterCoding of its string; `true_parameters()`, the values a simulated record was made
 /// with; the members of ErrorOfParameters, with which a population is evaluated faster.
 template <typename P, typename G = Genome>
@@ -36,55 +36,55 @@ concept Searchable = requires(const P& problem, const G& genome, std::span<const
     { problem.parameter_units() } -> std::convertible_to<std::vector<std::string>>;
 };
 
-/// A search problem whose type has been forgotten, so that processes can find it by name. Immutable: any
-/// number of processes may read one.
+/// A type-erased search problem, which processes can find by name. Immutable: several processes may share it.
 class SearchProblem {
 public:
     virtual ~SearchProblem() = default;
 
     /// Length of the string.
     virtual std::size_t bits() const = 0;
-    /// What the string is made of.
+    /// Returns the representation of the string.
     virtual Representation representation() const { return BitString(bits()); }
-    /// Numbers in a sample; none where there is an objective().
+    /// Returns how many numbers a sample has; 0 if there is an objective().
     virtual std::size_t channels() const = 0;
-    /// Of a problem that gives a number for an individual as it is, and is searched over no record: its fitness() is
-    /// the objective's, whatever the samples and the bias. Nothing where a problem states the error at a sample.
+    /// Returns the objective of a problem that is searched without a record: its fitness() is the objective's and
+    /// ignores the samples and the bias. Returns nothing for a problem that has an error at each sample.
     virtual std::optional<Objective> objective() const { return std::nullopt; }
-    /// Whether the error at a sample depends on where its window begins, so that evaluations of one individual cannot
-    /// be made apart.
+    /// Returns whether the error at a sample depends on where its window begins, so that the error evaluations of one
+    /// individual cannot be split between processes.
     virtual bool depends_on_window() const { return false; }
-    /// The errors of one individual at the samples of a window, oldest first. REQUIRES: as error().
+    /// Returns the errors of one individual at the samples of a window, oldest first. REQUIRES: as error().
     virtual std::vector<double> errors(const Genome& genome, std::span<const Sample> window) const;
-    /// The error of one individual at one sample (eq. 3.8), the first of a window. REQUIRES: sizes as stated by bits(),
-    /// channels(); no objective().
+    /// Returns the error of one individual at one sample (eq. 3.8), taken as the first of a window. REQUIRES: sizes as
+    /// stated by bits(), channels(); no objective().
     virtual double error(const Genome& genome, std::span<const double> sample) const = 0;
-    /// The sum of fitness_term over the samples: one call an individual, the loop inside is not virtual.
+    /// Returns the sum of fitness_term() over the samples, with one virtual call for each individual.
     virtual double fitness(const Genome& genome, std::span<const Sample> samples, double bias) const = 0;
-    /// fitness() of a whole population, bit for bit; several individuals at once where the problem states its
-    /// error as a function of the parameters. REQUIRES: out.size() == population.size().
+    /// Computes fitness() of a whole population, with the same bits; several individuals at once if the problem's error
+    /// is a function of its parameters. REQUIRES: out.size() == population.size().
     virtual void fitness_of(std::span<const Genome> population, std::span<const Sample> samples, double bias,
                             std::span<double> out) const = 0;
-    /// The parameters coded by the string, with their names and units.
+    /// Returns the parameters coded by the string; their names and units are those below.
     virtual std::vector<double> decode(const Genome& genome) const = 0;
     virtual std::vector<std::string> parameter_names() const = 0;
     virtual std::vector<std::string> parameter_units() const = 0;
-    /// Empty where they are unknown.
+    /// Returns the true values of the parameters; empty if they are unknown.
     virtual std::vector<double> true_parameters() const { return {}; }
 
-    /// Bits of each field of the string, in its order, "don't care" ones aside; empty where the problem does not say.
+    /// Returns the bits of each field of the string, in its order and without "don't care" bits; empty if the problem
+    /// does not state them.
     virtual std::vector<std::size_t> fields() const { return {}; }
-    /// How the string is read.
+    /// Returns the coding of the string.
     virtual Coding coding() const = 0;
-    /// The same problem with its string read another way. Throws UserError when it cannot be.
+    /// Returns the same problem with its string read another way. Throws UserError when the string cannot be read so.
     std::shared_ptr<const SearchProblem> coded(Coding) const;
 
 private:
-    /// As coded(). REQUIRES: no don't-care bits.
+    /// Does the same as coded(). REQUIRES: no don't-care bits.
     virtual std::shared_ptr<const SearchProblem> coded_plainly(Coding) const = 0;
 };
 
-/// What coded() says of a way in which a problem cannot be read.
+/// Throws the UserError of coded() for a coding in which a problem's string cannot be read.
 [[noreturn]] void refuse_coding(Coding);
 
 /// SearchProblem around a plain struct.

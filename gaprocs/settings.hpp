@@ -21,11 +21,11 @@ struct WindowSettings {
 
     /// Throws UserError: a zero, a length beyond exact_fitness_terms, a bias that is not positive.
     void validate() const;
-    /// As validate(), and when the window is longer than the record.
+    /// Throws as validate(), and when the window is longer than the record.
     void validate_for(std::size_t record_length) const;
 };
 
-/// Ours: a number mistyped with too many digits must not fill the memory.
+/// Our limit: a number mistyped with too many digits must not fill the memory.
 inline constexpr int largest_population = 1'000'000;
 
 /// A genetic algorithm's numbers; the defaults are the thesis's (rates of 5.4, "identical" by 4.3).
@@ -36,8 +36,8 @@ struct SearchSettings {
     std::size_t elite = 0;     ///< best individuals copied unchanged into the next generation; the thesis mentions none
     Reproduction reproduction; ///< by roulette
     Crossover crossover;       ///< one-point
-    Mutation mutation;         ///< of bits
-    /// The first of the first population; the others are drawn at random.
+    Mutation mutation;         ///< mutation of bits
+    /// The first individuals of the first population; the others are drawn at random.
     std::vector<Genome> initial = {};
     WindowSettings window;
 
@@ -46,7 +46,7 @@ struct SearchSettings {
     void validate() const;
 };
 
-/// Throws UserError, naming those that fit, for a crossover or a mutation of other strings than these.
+/// Throws UserError for a crossover or a mutation that does not work on these strings; the message names those that do.
 void require_fitting_operators(const Representation&, const SearchSettings&);
 
 } // namespace placedpar

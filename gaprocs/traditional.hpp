@@ -14,7 +14,7 @@ namespace placedpar {
 /// The answer of a search after the last generation of a sample.
 struct Estimate {
     std::size_t sample; ///< its number in the record, from 0
-    Individual best;    ///< of the sample's last generation
+    Individual best;    ///< best individual of the sample's last generation
     std::vector<double> parameters;
 };
 
@@ -24,21 +24,21 @@ struct SearchResult {
     std::uint64_t redraws = 0;
     std::vector<Genome> population; ///< as the last generation left it, not yet evaluated
 
-    /// The best of all estimates, the first of equals: of use where fitness does not move with a window, as that of an
-    /// objective. Throws std::logic_error where there is none.
+    /// Returns the best of all estimates, the first of equals. Useful only if the fitness does not depend on a moving
+    /// window, as for an objective. Throws std::logic_error if there is no estimate.
     const Estimate& best() const;
 };
 
-/// The fitness of each individual over the samples of the window.
+/// Returns the fitness of each individual over the samples of the window.
 std::vector<double> evaluate(const SearchProblem& problem, std::span<const Genome> population,
                              std::span<const Sample> window, double bias);
 
-/// The traditional genetic algorithm over a record (thesis figure 1.1, 3.1.1): no processes, no machine, no
-/// time. This is the reference that algorithm A must reproduce bit for bit. To an observer the search is "traditional".
+/// Runs the traditional genetic algorithm over a record (thesis figure 1.1, 3.1.1), without processes, machine or time.
+/// This is the reference that algorithm A must reproduce bit for bit. To an observer the search is "traditional".
 /// Throws as SearchSettings::validate() and settings_for(), and UserError for a window longer than the record.
 SearchResult run_traditional(const SearchProblem& problem, std::span<const Sample> record,
                              const SearchSettings& settings, RandomStream random, SearchObserver* observer = nullptr);
-/// The same for an objective problem, whose record is empty samples: an estimate for each generation.
+/// Runs the algorithm for an objective problem, whose record is empty samples: with an estimate for each generation.
 SearchResult run_traditional(const SearchProblem& problem, std::size_t generations, const SearchSettings& settings,
                              RandomStream random, SearchObserver* observer = nullptr);
 

@@ -15,11 +15,11 @@ public:
     /// Throws std::invalid_argument as WindowSettings::validate().
     explicit SlidingWindow(const WindowSettings& settings);
 
-    /// The newest sample comes in; the oldest leaves a full window.
+    /// Adds the newest sample, and removes the oldest from a full window.
     void push(Sample sample);
     void clear() { samples_.clear(); }
 
-    /// Enough samples for a generation?
+    /// Returns whether there are enough samples for a generation.
     bool ready() const { return samples_.size() >= first_; }
     std::span<const Sample> samples() const { return samples_; }
 

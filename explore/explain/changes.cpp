@@ -19,13 +19,13 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::int64_t fastest = 1'000'000'000; ///< that the language takes
-constexpr std::size_t most_alone = 10;          ///< of a sort
+constexpr std::int64_t fastest = 1'000'000'000; ///< greatest speed that the language accepts
+constexpr std::size_t most_alone = 10;          ///< number of single things of each kind that are varied
 
-/// What a bus takes time for. Its time-out is none of these: it says when to give up who does not answer.
+/// Attributes of a bus that cost time. The time-out is left out: it only matters if a device does not respond.
 constexpr std::array bus_times{"cycle", "bytecycle", "grant"};
 
-/// Of an access. Of none there is no such thing: 0 stands for what is usual of the processor.
+/// Cycles of an access. They cannot be reduced to none: 0 stands for the processor's usual value.
 constexpr const char* memory_cycles = "memorycycles";
 constexpr const char* router_cycles = "router_cycles"; // counts only where channels travel in packets
 constexpr const char* cycles_on_chip = "1";
@@ -33,7 +33,7 @@ constexpr const char* cycles_on_chip = "1";
 struct Factor {
     const char* faster;
     const char* less;
-    double by; ///< 0: as fast as can be said
+    double by; ///< 0: as fast as the language allows
 };
 constexpr std::array<Factor, 3> factors{{
     {.faster = "10 % faster", .less = "a tenth less", .by = 1.1},
@@ -46,13 +46,14 @@ std::string faster(std::int64_t rate, const Factor& factor) {
     return std::to_string(factor.by == 0 ? fastest : std::min(wanted, fastest));
 }
 
-/// A tenth faster is a time of 1 / 1.1; here it is said of the constant itself.
+/// Describes the reduced constant. The factor 1.1 of a speed divides a time by 1.1, while a constant is described by
+/// its own reduction.
 std::string less(std::int64_t constant, const Factor& factor) {
     double share = factor.by == 0 ? 0 : factor.by == 2 ? 0.5 : 0.9;
     return std::to_string(std::llround(static_cast<double>(constant) * share));
 }
 
-/// In ns; the least is what the netlist takes.
+/// Returns a shorter time, in ns, not below the least that the netlist accepts.
 std::string shorter(std::int64_t time, std::int64_t least, const Factor& factor) {
     auto wanted = factor.by == 0 ? least : std::llround(static_cast<double>(time) / factor.by);
     return std::to_string(std::max<std::int64_t>(wanted, least));
@@ -62,7 +63,7 @@ std::string array_of(const std::string& name) { return name.substr(0, name.find(
 
 std::string as_array(const std::string& name) { return array_of(name) + (name.find('[') < name.size() ? "[]" : ""); }
 
-/// The names of those with the greatest times, the greatest first.
+/// Returns the names of those with the greatest times, the greatest first.
 template <class Uses, class Name, class Spent>
 std::vector<std::string> busiest(const Uses& uses, Name name, Spent spent) {
     std::vector<std::pair<Time, std::string>> by_time;
@@ -145,7 +146,7 @@ private:
             changes_.push_back({of, what, factor.faster, {{set, faster(speed, factor)}}});
     }
 
-    /// Those that --set knows by one name: as wired, or wire[0], wire[1] ...
+    /// Returns the wires that --set can name, as wired or as wire[0], wire[1] ..., by each of their two ends.
     std::map<std::string, const LinkConnection*> wires_by_end() const {
         std::map<std::string, const LinkConnection*> wires;
         for (std::size_t i = 0; i < network_.count_wires(); ++i)
@@ -164,7 +165,8 @@ private:
         return wanted.name.empty() ? fmt::format("wire[{}]", without_name) : wanted.name;
     }
 
-    /// Where a switch is on the way a link is made of several wires, and is varied with all of them only.
+    /// Returns whether links lead through switches: such a link consists of several wires, and is only varied together
+    /// with all links.
     bool switched() const {
         return std::ranges::any_of(network_.connections,
                                    [](const auto& each) { return each.at_run_time || !each.crossings.empty(); });
@@ -184,7 +186,7 @@ private:
             add_link(*wires.at(from));
     }
 
-    /// Either of its directions may have been among the busiest.
+    /// Adds the changes of a link. Both of its directions may be among the busiest.
     void add_link(const LinkConnection& wire) {
         if (links_known_.insert(&wire).second)
             add_speeds(
@@ -233,7 +235,8 @@ private:
         return integer && is_cost(name) && *integer > 0 ? std::optional(*integer) : std::nullopt;
     }
 
-    /// What it computes, by its own parameters. One that has a processor for itself is varied with that.
+    /// Adds the changes of a process's computing time, by its own parameters. A process alone on a processor is varied
+    /// by the processor.
     void add_process(const ProcessInstance& process) {
         for (const Factor& factor : factors) {
             Change change{Change::Of::alone, "what " + process.name + " computes", factor.less, {}};
@@ -264,7 +267,7 @@ private:
                 add_process(process);
     }
 
-    /// By what has it: a node, a process.
+    /// A constant by the node or process that has it.
     using Costs = std::map<std::string, std::int64_t>;
 
     template <class Map>
@@ -302,7 +305,7 @@ private:
         return {std::istreambuf_iterator<char>(file), {}};
     }
 
-    /// The vals that a file gives a plain number.
+    /// Returns the vals that a file sets to a plain number.
     static std::map<std::string, std::int64_t> plain_vals(const std::string& text) {
         static const std::regex declaration(R"((?:^|\n)\s*val\s+(\w+)\s+(\d{1,9})\s*;)");
         std::map<std::string, std::int64_t> vals;
@@ -311,7 +314,8 @@ private:
         return vals;
     }
 
-    /// A machine that is refused is worth an answer too: why there cannot be one more.
+    /// Returns whether the settings make more processes or processors. A refused machine counts, since the refusal says
+    /// why there cannot be more.
     bool makes_more(const Overrides& set) const {
         Declared then = declared_(set);
         return then.processes > now_.processes || then.processors > now_.processors;

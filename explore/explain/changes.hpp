@@ -12,22 +12,22 @@ namespace placedpar {
 
 /// A change of a netlist, as `placedpar run --set` makes it.
 struct Change {
-    /// What gains by it: everything of a sort, what an array runs on, a part of the machine or a process alone, what a
-    /// process does or sends, or a number of things.
+    /// Says what the change affects: all things of a kind, the processors of an array, a single part of the machine or
+    /// a single process, a constant of a process, or the number of processes or processors.
     enum class Of { all, array, alone, constant, number } of;
     std::string what;   ///< "processors of master[]"
     std::string change; ///< "twice as fast"
     Overrides set;
 };
 
-/// What the netlist declares with these settings, even where it is refused with them.
+/// Returns what the netlist declares with these settings, even if it is refused with them.
 using DeclaredWith = std::function<Declared(const Overrides&)>;
 
-/// The changes worth asking about: all processors, those on which the processes of an array run, the links and the
-/// buses a tenth faster, twice as fast, and as fast as can be said (1 GHz, 1 Gbit/s, 1 ns a word); the same of the ten
-/// processors, the ten links, the ten buses and the ten processes alone that were the busiest in the run; memory as
-/// fast as that on the chip; constants in cycles or bytes that processes or processors have, a tenth less, half, none;
-/// one more of what a val makes more processes or processors of.
+/// Returns the changes worth trying. All processors, the processors of an array's processes, all links and all buses
+/// are made 10 % faster, twice as fast, and as fast as a netlist allows (1 GHz, 1 Gbit/s, 1 ns a word); likewise, one
+/// at a time, the ten processors, links, buses and processes that were the busiest in the run. Memory becomes as fast
+/// as that on the chip. Constants of processes or processors in cycles or bytes are reduced by 10 %, halved, and set to
+/// 0. Vals that determine the number of processes or processors are raised by one.
 std::vector<Change> changes_of(const Network&, const RunReport&, const DeclaredWith&);
 
 } // namespace placedpar

@@ -50,7 +50,7 @@ Row use_of(const char* key, const std::string& name, std::size_t width, Time use
 
 Field waits(const std::string& text) { return Field::right(7, "waits to", text); }
 
-/// All together.
+/// Returns the sum of the waiting times of all masters of a bus.
 Time masters_waited(const BusUse& bus) {
     Time waited{};
     for (const BusMasterUse& master : bus.masters)
@@ -63,7 +63,7 @@ Time waited_to(const LinkUse& link, const Explanation& explanation) {
     return found == explanation.waits_at_links.end() ? Time{0} : found->second;
 }
 
-/// How each part of the machine was used, by its kind.
+/// The rows that show how each part of the machine was used, by kind.
 struct MachineRows {
     std::vector<Row> processors, links, buses;
 };
@@ -96,7 +96,7 @@ std::string print_machine(const Explanation& explanation) {
     return table.text("\n");
 }
 
-/// The rows with the greatest times, and the others in one.
+/// Prints the rows with the greatest times, and the others in one row.
 std::string print_shares(const std::vector<PathShare>& shares, std::size_t most, Time whole) {
     Time rest = whole;
     std::string out;
@@ -166,7 +166,8 @@ std::string remark_on_slower(bool any) {
                : "";
 }
 
-/// The greatest gains, then all that is slower; what makes hardly a difference is counted.
+/// Prints the greatest gains, then all changes that make the run slower, and the number of those that make hardly any
+/// difference.
 std::string print_answers(const Explanation& explanation) {
     constexpr std::size_t most = 24;
     Time whole = explanation.report.result.time;
@@ -194,7 +195,7 @@ std::string print_answers(const Explanation& explanation) {
     return out + remark_on_slower(slower);
 }
 
-/// The answer with the greatest gain of those that the condition takes; none if none gains .1 %.
+/// Returns the answer with the greatest gain among those that satisfy the condition; null if none gains .1 %.
 template <class Condition>
 const Answer* best(const Explanation& explanation, Condition takes) {
     for (const Answer& answer : explanation.answers)
@@ -220,7 +221,8 @@ std::string print_numbers(const Explanation& explanation) {
     return out;
 }
 
-/// The part that gains most by twice the speed, one more of things, and the links, which everybody asks about.
+/// Prints which part gains most at twice the speed, what one process or processor more would gain, and the gain of
+/// faster links, which readers usually ask about.
 std::string print_verdict(const Explanation& explanation) {
     Time whole = explanation.report.result.time;
     auto of_a_part = [](const Change& change) {

@@ -10,22 +10,23 @@
 
 namespace placedpar {
 
-/// Why a run took as long as it did.
+/// The causes of the time that a run took.
 struct Explanation {
     RunReport report;
     std::map<std::string, Account> accounts; ///< by process
-    /// By direction of a link, "a.link[0] -> b.link[1]": how long outputters were in it before their inputters came.
+    /// By direction of a link, "a.link[0] -> b.link[1]": how long outputting processes waited there for the inputting
+    /// ones.
     std::map<std::string, Time> waits_at_links;
     std::vector<PathPart> path;
-    bool path_too_long = false;  ///< to be kept
+    bool path_too_long = false;  ///< the path was not kept because it is too long
     std::vector<Answer> answers; ///< the greatest gain first
     std::size_t left_out = 0;    ///< changes that an interruption left untried
-    std::string not_tried = "";  ///< why no change was, though it was wanted; "" otherwise
+    std::string not_tried = "";  ///< why no change was tried although changes were asked for; "" otherwise
 };
 
-/// For people.
+/// Returns the explanation as text for readers.
 std::string print_explanation(const Explanation&, const Network&);
-/// The same for machines; times in picoseconds.
+/// Returns the explanation as JSON; times are in picoseconds.
 boost::json::object explanation_json(const Explanation&, const Network&);
 
 } // namespace placedpar

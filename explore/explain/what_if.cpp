@@ -32,7 +32,7 @@ std::map<std::string, Time> time_by_part(const std::vector<PathPart>& parts) {
     return times;
 }
 
-/// What the path has more of than the one before, the greatest difference.
+/// Returns the activity whose time on the critical path has grown most.
 std::string greatest_increase(const std::vector<PathPart>& before, const std::vector<PathPart>& after) {
     std::map<std::string, Time> more = time_by_part(after);
     for (const auto& [name, time] : time_by_part(before))

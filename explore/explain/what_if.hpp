@@ -15,13 +15,13 @@ namespace placedpar {
 /// once.
 using ChangedNetlist = std::function<Network(const Overrides&)>;
 
-/// What a change makes of the run.
+/// The run with a change, beside the unchanged one.
 struct Answer {
     Change change;
     Ending ending = Ending::interrupted;
     Time time{};
-    std::string refused = ""; ///< why there is no such machine: the first line; "" if there is
-    std::string why = "";     ///< it takes longer: what its critical path has more of
+    std::string refused = ""; ///< first line of the refusal; "" if the netlist was accepted
+    std::string why = "";     ///< if the run takes longer: what takes more time on its critical path
 
     bool completed() const { return refused.empty() && ending == Ending::completed; }
 };
@@ -31,12 +31,12 @@ struct WhatIfs {
     ChangedNetlist read;
     std::uint64_t seed;
     Time until;
-    const Interruption& interruption;                       ///< what has not been tried by then is left out
-    std::function<void(std::size_t, std::size_t)> progress; ///< done, of all
+    const Interruption& interruption;                       ///< changes not tried when it comes are left out
+    std::function<void(std::size_t, std::size_t)> progress; ///< changes done, all changes
 };
 
-/// The changed runs, in parallel on all cores; the shortest first, then those that do not complete, then those that
-/// the netlist refuses. The path is the unchanged run's.
+/// Makes the changed runs in parallel on all cores. Returns the shortest first, then those that do not complete, then
+/// those with which the netlist is refused. `path`: the critical path of the unchanged run.
 std::vector<Answer> try_out(const std::vector<Change>&, const std::vector<PathPart>& path, const WhatIfs&);
 
 } // namespace placedpar

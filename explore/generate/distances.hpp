@@ -6,12 +6,12 @@
 
 namespace placedpar::generate {
 
-/// Of the processors of a network, which are what processes take time on, and the wires between them.
+/// Describes the graph of the processors of a network and the wires between them.
 struct Distances {
     std::size_t processors = 0, links = 0;
-    std::size_t degree = 0;   ///< the most links of one to others
-    std::size_t diameter = 0; ///< the most wires between two of them by the shortest way
-    bool connected = true;    ///< there is a way from each to each
+    std::size_t degree = 0;   ///< largest number of links from one processor to others
+    std::size_t diameter = 0; ///< largest number of wires on a shortest path
+    bool connected = true;    ///< every processor can reach every other
 };
 
 Distances distances_in(const Network&);

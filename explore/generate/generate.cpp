@@ -61,7 +61,7 @@ std::string host_of(const Wish& wish, const Job& job, const Topology& topology) 
                                  : host_on_workstation(wish, topology);
 }
 
-/// In the order of the language: names before their use.
+/// Returns the statements in an order that the language accepts: names before their use.
 std::string body_of(const Wish& wish, const Job& job, const Topology& topology) {
     std::string host = host_of(wish, job, topology);
     return fmt::format("{}\n{}\n/* Hardware */\n"

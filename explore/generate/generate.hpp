@@ -14,7 +14,8 @@ struct Generated {
     Distances distances;
 };
 
-/// Throws UserError where there is no such topology, job or size, or no transputer has the links.
+/// Throws UserError if the topology, job or size does not exist, or a processor would need more links than a transputer
+/// has.
 Generated generate(const Wish&, const Catalogue&);
 
 } // namespace placedpar::generate

@@ -6,7 +6,7 @@
 
 namespace placedpar::generate {
 
-/// What runs on the processors t of a topology, and where: the rest of a netlist.
+/// The processes of a netlist and their placement on the processors t of a topology.
 struct Job {
     bool has_host = false;  ///< a process `host`, which the netlist has to place
     std::string about;      ///< "islands of algorithm B, each with its neighbours' as its neighbours"
@@ -14,13 +14,15 @@ struct Job {
     std::string statements; ///< likewise
 };
 
-/// A master, and a slave on every other processor; what is not a neighbour of the master is led through others.
+/// Places a master, and a slave on every other processor. Channels to slaves that are not neighbours of the master are
+/// routed through other processors.
 Job farm(const Topology&);
-/// An island on every processor; what is wired exchanges individuals.
+/// Places an island on every processor; islands on neighbouring processors exchange individuals.
 Job islands(const Topology&);
-/// Of figure-e2: an island on the head of each chain, its slaves along it.
+/// Places an island on the head of each chain of figure-e2, and its slaves along the chain.
 Job islands_with_slaves();
-/// A process of that kind on every processor, connected with its neighbours by these ports, which are arrays.
+/// Places a process of the kind on every processor, and connects it with its neighbours by these ports, which are
+/// arrays.
 Job processes_of(const std::string& kind, bool has_host, const std::string& output, const std::string& input,
                  const Topology&);
 

@@ -7,18 +7,19 @@
 
 namespace placedpar::generate {
 
-/// What --size says of a topology in one dimension. Throws UserError unless it is a number of processors from least to
-/// most_processors.
+/// Returns the size of a one-dimensional topology, as --size gives it. Throws UserError unless it is a number of
+/// processors from least to most_processors.
 std::size_t count_of(const Wish&, std::size_t least);
 
-/// What --size says of one in two: 4x4.
+/// The size of a two-dimensional topology, as --size gives it: 4x4.
 struct Grid {
     std::size_t rows = 0, columns = 0;
 };
-/// Throws UserError unless it is two numbers from the least to ..., whose product is at most most_processors.
+/// Returns the size. Throws UserError unless --size gives two numbers, not below the least, whose product is at most
+/// most_processors.
 Grid grid_of(const Wish&, std::size_t least_rows, std::size_t least_columns);
 
-/// Throws UserError: "size 7: " and why not.
+/// Throws UserError with the text "size 7: " and the reason.
 [[noreturn]] void refuse_size(const Wish&, const std::string& why);
 
 } // namespace placedpar::generate

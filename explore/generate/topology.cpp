@@ -23,7 +23,7 @@ void require_links(const Wish& wish, std::size_t needed, const char* who, const 
             wish, fmt::format("{} needs {} links, and a transputer has {}; {}", who, needed, links_of_a_node, instead));
 }
 
-/// What it says where every processor has four neighbours.
+/// The reason for topologies in which every processor has four neighbours.
 constexpr const char* all_links_taken = "every processor has four neighbours and four links";
 
 Topology pipeline(const Wish& wish) {
@@ -154,7 +154,7 @@ Topology star(const Wish& wish) {
             .host = {"", "0", "[nodes == 5]", "nodes == 5 ? 1 : 3"}};
 }
 
-/// The odd number next to the square root: about the best.
+/// Returns the largest odd number not above the square root, at least 3: about the best chord.
 std::size_t usual_chord(std::size_t nodes) {
     std::size_t chord = 3;
     while ((chord + 2) * (chord + 2) <= nodes)
@@ -204,7 +204,7 @@ Topology chordal_ring(const Wish& wish) {
     return degree == 3 ? chordal_ring_of_three(wish, nodes, chord) : chordal_ring_of_four(wish, nodes, chord);
 }
 
-/// Of the masters each has a link of its own to the host.
+/// The machine of Figure E.2. Each master has a link of its own to the host.
 Topology figure_e2(const Wish& wish) {
     Grid grid = grid_of(wish, 1, 1);
     return {.about = fmt::format("Figure E.2 of the thesis: a ring of {}, each the head of a chain of {}", grid.rows,

@@ -9,9 +9,10 @@ namespace placedpar::generate {
 
 /// One of the two ends of a wire, as expressions of the netlist language.
 struct WireEnd {
-    std::string at;   ///< the subscripts of its processor, "[r][c + 1]"
-    std::string link; ///< its number, "1"
-    std::string port; ///< which of its neighbours this one is to a process there: numbered 0, 1, 2 ... without a gap
+    std::string at;   ///< subscripts of the processor at this end, "[r][c + 1]"
+    std::string link; ///< number of the link, "1"
+    std::string
+        port; ///< subscript of the port to this neighbour, for a process on that processor: 0, 1, 2 ... without gaps
 };
 
 /// Wires, one for each round of the loops.
@@ -20,7 +21,7 @@ struct Wires {
     WireEnd from, to;
 };
 
-/// Where a wire to the host leads to.
+/// The end of a wire to the host.
 struct HostWires {
     std::string loop; ///< "" for one wire
     std::string sun;  ///< the link of the workstation, "0"
@@ -28,14 +29,14 @@ struct HostWires {
     std::string link; ///< an expression, "dimensions"
 };
 
-/// A topology of its size, in pieces of the netlist language: all that it says of the array t of processors. Pieces
-/// follow from the vals, so that `--set` makes another size of the same netlist.
+/// A topology of a given size as fragments of the netlist language, which declare and connect the array t of
+/// processors. The fragments depend on the vals, so that `--set` can change the size.
 struct Topology {
     std::string about;             ///< "A ring of 8 processors"
     std::vector<std::string> vals; ///< "val rows 4;", among them one called nodes: the number of processors
     std::string array;             ///< the subscripts with which t is declared, "[rows][columns]"
-    std::string first;             ///< those of processor number 0, "[0][0]"
-    std::string at;                ///< those of processor number i, "[i / columns][i % columns]"
+    std::string first;             ///< subscripts of processor number 0, "[0][0]"
+    std::string at;                ///< subscripts of processor number i, "[i / columns][i % columns]"
     std::vector<Wires> wires;
     HostWires host;
     std::string no_host = ""; ///< why no link is left for a wire to the host; "" if one is
@@ -43,7 +44,7 @@ struct Topology {
 
 std::vector<std::string> names_of_topologies();
 
-/// Throws UserError where there is no such topology, it has no such size, or a processor of it would need more links
+/// Throws UserError if the topology does not exist or does not have this size, or a processor would need more links
 /// than a transputer has.
 Topology topology_of(const Wish&);
 

@@ -6,22 +6,22 @@
 
 namespace placedpar::generate {
 
-/// The machine that is wanted, as it is typed.
+/// The options that describe the wanted machine, as typed by the user.
 struct Wish {
     std::string topology;                ///< one of names_of_topologies()
     std::string size;                    ///< "8" processors, or "4x4"
-    std::optional<std::size_t> branches; ///< of a tree
-    std::optional<std::size_t> chord;    ///< of a chordal ring: how far it leads
+    std::optional<std::size_t> branches; ///< branches of each node of a tree
+    std::optional<std::size_t> chord;    ///< length of the chords of a chordal ring, in processors
     std::optional<std::size_t> degree;   ///< of a chordal ring: 3 or 4
     std::string job = "islands";         ///< "farm", "islands", or a kind of process for every processor
     std::string host = "workstation";    ///< or "node": the host's process is on the first processor
     std::string output = "to_neighbours", input = "from_neighbours"; ///< ports of a kind: arrays
 };
 
-/// What a transputer has.
+/// Number of links of a transputer.
 inline constexpr std::size_t links_of_a_node = 4;
 
-/// What the host, and what reads the netlist, can do with.
+/// Largest number of processors of a generated netlist.
 inline constexpr std::size_t most_processors = 4096;
 
 } // namespace placedpar::generate

@@ -13,13 +13,13 @@ namespace placedpar {
 
 namespace {
 
-constexpr int most_draws = 20'000; ///< in a row, before the condition is thought to hold for nothing more
+constexpr int most_draws = 20'000; ///< failed draws in a row after which no further machines are expected
 
-constexpr std::size_t at_once = 1000; ///< machines that are handed over to be tried out
+constexpr std::size_t at_once = 1000; ///< machines given to MachineTrials at once
 
 [[noreturn]] void refuse_empty() { throw UserError("the study's condition leaves nothing to be run"); }
 
-/// Even chances for each of `count`, as nearly as 64 bits have it.
+/// Draws a number below `count`, uniform up to the resolution of 64 bits.
 std::uint64_t draw_below(std::uint64_t count, RandomStream& random) {
     if (count <= RandomStream::max())
         return random.below(static_cast<std::uint32_t>(count));
@@ -65,8 +65,8 @@ std::optional<SearchCourse> MachineSearch::genetic() {
     return course;
 }
 
-/// Drawn from the machines for which the condition holds: constraints that can be told without a netlist would
-/// otherwise leave next to nothing of it.
+/// Draws the population from the machines for which the condition holds: otherwise the condition could reject almost
+/// all of them.
 std::vector<Genome> MachineSearch::first_population() {
     RandomStream random(wanted_.seed, "optimise/first");
     std::vector<Genome> population;
@@ -82,7 +82,7 @@ std::vector<Genome> MachineSearch::first_population() {
     return population;
 }
 
-/// The better half by rank, the best most; nothing for the others, who become no parents.
+/// Returns a fitness by rank for the better half; 0 for the others, which do not become parents.
 std::vector<double> MachineSearch::fitness_of(const std::vector<std::uint64_t>& machines) {
     std::vector<Merit> merits;
     std::set<std::uint64_t> seen;
@@ -110,7 +110,7 @@ std::optional<SearchCourse> MachineSearch::random(std::size_t simulated) {
     return course;
 }
 
-/// So many that have not been drawn before; fewer where next to none are left.
+/// Draws `wanted` machines that have not been drawn before; fewer if almost none are left.
 std::vector<std::uint64_t> MachineSearch::draw(std::size_t wanted, std::set<std::uint64_t>& drawn,
                                                RandomStream& random) {
     std::vector<std::uint64_t> machines;
@@ -137,7 +137,7 @@ std::optional<SearchCourse> MachineSearch::exhaustive() {
     return course;
 }
 
-/// Tries them out, and adds what is new. False when interrupted.
+/// Tries the machines, and adds the new ones to the course. Returns false if interrupted.
 bool MachineSearch::take(SearchCourse& course, const std::vector<std::uint64_t>& machines, const std::string& step) {
     listener_({course, step, 0});
     if (!trials_.try_out(machines, [&](std::uint64_t runs) { listener_({course, step, runs}); }))

@@ -16,46 +16,47 @@ namespace placedpar {
 /// Why machines are infeasible.
 struct Infeasible {
     std::size_t machines = 0;
-    std::string said = {}; ///< of the first of them, in full
+    std::string said = {}; ///< full text of the first refusal
 };
 
-/// A way through the machines.
+/// The machines that one method of search has tried, in order.
 struct SearchCourse {
     std::string way;                            ///< "genetic", "random", "exhaustive"
     std::vector<std::uint64_t> machines = {};   ///< simulated, each once, in the order in which they were tried
-    std::vector<Merit> merits = {};             ///< theirs
-    std::set<std::uint64_t> tried = {};         ///< these, and those that cannot be built
-    std::map<std::string, Infeasible> why = {}; ///< by the first line of what is said
+    std::vector<Merit> merits = {};             ///< of `machines`, in the same order
+    std::set<std::uint64_t> tried = {};         ///< `machines`, and those that cannot be built
+    std::map<std::string, Infeasible> why = {}; ///< by the first line of the refusal
 
-    /// Those of `machines` that none dominates, by place: of one cost, all that have the least.
+    /// Returns the indices of the machines that no other dominates; with one cost, all machines of least cost.
     std::vector<std::size_t> front() const { return front_of(merits); }
 };
 
-/// What is told of a course while it goes on.
+/// The progress of a search, as told to its listener.
 struct CourseProgress {
     const SearchCourse& course;
     std::string step;   ///< "generation 3 of 20"
-    std::uint64_t runs; ///< made of this step
+    std::uint64_t runs; ///< runs of this step made so far
 };
 
-/// The ways to look for the best machine of a space. Each is deterministic, whatever the number of workers and whatever
-/// has been run before. None of them returns a course when interrupted.
+/// The methods of searching for the best machine of a space. Each is deterministic: the number of workers and earlier
+/// runs do not matter. A method that is interrupted returns nothing.
 class MachineSearch {
 public:
     using Listener = std::function<void(const CourseProgress&)>;
 
-    /// REQUIRES: all outlive it; the study has a search.
+    /// REQUIRES: the arguments outlive it; the study has a search.
     MachineSearch(const Study&, const MachineSpace&, MachineTrials&, Listener);
 
-    /// By the genetic algorithm of this project. A generation is a population of genomes in order_of() their merits:
-    /// the better half goes over unchanged as the elite, and is bred, by stochastic universal sampling over linear
-    /// ranks and uniform crossover, for the other half: NSGA-II's scheme. A genome that stands for the machine of
-    /// another one counts as infeasible, so that each machine is in the elite once. Throws UserError when the condition
-    /// holds for no machine that is drawn.
+    /// Searches by the genetic algorithm of this project. A generation is a population of genomes in order_of() their
+    /// merits: the better half goes over unchanged as the elite, and is bred, by stochastic universal sampling over
+    /// linear ranks and uniform crossover, for the other half: NSGA-II's scheme. A genome that stands for the machine
+    /// of another one counts as infeasible, so that each machine is in the elite once. Throws UserError when the
+    /// condition holds for no machine that is drawn.
     std::optional<SearchCourse> genetic();
-    /// Draws machines for which the condition holds, none twice, until so many have been simulated, or next to all.
+    /// Draws machines for which the condition holds, none twice, until `simulated` of them have been simulated, or
+    /// nearly all.
     std::optional<SearchCourse> random(std::size_t simulated);
-    /// All for which the condition holds.
+    /// Simulates every machine for which the condition holds.
     std::optional<SearchCourse> exhaustive();
 
 private:

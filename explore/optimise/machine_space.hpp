@@ -15,19 +15,19 @@ namespace placedpar {
 /// has a field of bits for each setting that has several values; its codes are spread over them.
 class MachineSpace {
 public:
-    /// Throws UserError: further products, which a genome could not stand for, nothing to choose from, or more than 64
-    /// bits hold. REQUIRES: the study outlives it, and has a product.
+    /// Throws UserError if the study has several products, which a genome cannot code; only one machine; or more
+    /// machines than 64 bits can count. REQUIRES: the study outlives it, and has a product.
     explicit MachineSpace(const Study&);
 
-    /// Those for which the study's condition does not hold among them.
+    /// Counts all machines, including those for which the study's condition does not hold.
     std::uint64_t count() const { return count_; }
-    /// Whether the study's condition holds.
+    /// Returns whether the study's condition holds for the machine.
     bool holds(std::uint64_t machine) const { return product_.where.holds(settings(machine)); }
     Overrides settings(std::uint64_t machine) const { return product_.at(machine); }
 
-    /// The settings that have several values.
+    /// Returns the names of the settings that have several values.
     std::vector<std::string> names() const;
-    /// What all machines set to the same.
+    /// Returns the settings that all machines share.
     Overrides fixed() const;
 
     std::size_t bits() const { return coding_.bits(); }

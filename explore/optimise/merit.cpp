@@ -10,14 +10,14 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-/// By feasibility and cost: whoever dominates comes before whom it dominates.
+/// Sorts by feasibility and costs, so that a machine comes before those that it dominates.
 void sort_by_costs(Indices& indices, std::span<const Merit> merits) {
     std::ranges::stable_sort(indices, [&](std::size_t a, std::size_t b) {
         return merits[a].feasible != merits[b].feasible ? merits[a].feasible : merits[a].costs < merits[b].costs;
     });
 }
 
-/// Takes those whom none of `left` dominates out of it. REQUIRES: left is sorted by costs.
+/// Moves the machines that no other dominates out of `left`. REQUIRES: left is sorted by costs.
 Indices take_front(Indices& left, std::span<const Merit> merits) {
     Indices front, rest;
     for (std::size_t each : left) {
@@ -29,8 +29,8 @@ Indices take_front(Indices& left, std::span<const Merit> merits) {
     return front;
 }
 
-/// Adds to each of the front how far its neighbours in one cost are apart, as a part of the whole front; to its ends
-/// more than any sum.
+/// Adds to each machine of the front the distance between its neighbours in one cost, as a fraction of the front's
+/// range; to the ends of the front, a value above any sum.
 void add_distances(const Indices& front, std::span<const Merit> merits, std::size_t cost,
                    std::vector<double>& distances) {
     Indices order = front;

@@ -6,7 +6,7 @@ namespace placedpar {
 
 namespace {
 
-/// The best so far over the machines simulated: stairs.
+/// Returns the best cost so far over the number of machines simulated, as a step curve.
 Series convergence_of(const SearchCourse& course) {
     Series series{.name = course.way, .stroke = Stroke::plain};
     double best = 0;

@@ -16,13 +16,13 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t most_machines = 5;  ///< of one cost, that are shown
-constexpr std::size_t most_reasons = 5;   ///< why machines are infeasible
-constexpr std::size_t most_path_rows = 8; ///< parts of the paths that are told apart
+constexpr std::size_t most_machines = 5;  ///< machines shown if there is one cost
+constexpr std::size_t most_reasons = 5;   ///< reasons shown why machines are infeasible
+constexpr std::size_t most_path_rows = 8; ///< rows shown for the parts of the paths
 
 using Costs = std::vector<double>;
 
-/// By place, the best first.
+/// Returns the indices of the machines in the course, the best first.
 std::vector<std::size_t> in_order_of_costs(const SearchCourse& course) {
     std::vector<std::size_t> front = course.front();
     if (!front.empty() && course.merits[front.front()].costs.size() > 1)
@@ -32,7 +32,7 @@ std::vector<std::size_t> in_order_of_costs(const SearchCourse& course) {
     return order;
 }
 
-/// The costs of the front, each once.
+/// Returns the costs on the front, each once.
 std::set<Costs> costs_on_front(const SearchCourse& course) {
     std::set<Costs> costs;
     for (std::size_t place : course.front())
@@ -56,7 +56,8 @@ std::string print_start(const Trial& start) {
                           start.merit.feasible ? print_cost(start.merit.costs) : refusal_line(start.why), "");
 }
 
-/// How many of the front's points it found; of one cost, what it found, and when first.
+/// Prints how many points of the joint front a course found; for one cost, the best value and after how many machines
+/// it was found.
 std::string print_course(const SearchCourse& course, const std::set<Costs>& joint) {
     std::string machines = std::to_string(course.machines.size());
     std::set<Costs> own = costs_on_front(course);
@@ -86,7 +87,7 @@ bool is_plain(char character) {
            std::string_view("_.,=+-/:@%").find(character) != std::string_view::npos;
 }
 
-/// As a shell takes it for one word.
+/// Quotes the text so that a shell reads it as one word.
 std::string shell_word(const std::string& text) {
     if (!text.empty() && std::ranges::all_of(text, is_plain))
         return text;

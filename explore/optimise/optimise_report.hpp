@@ -14,35 +14,38 @@
 
 namespace placedpar {
 
-/// What came of a search for the best machine.
+/// The result of a search for the best machine.
 struct Optimum {
-    std::vector<std::string> measures; ///< that were minimised: one or two, with their units
-    Trial start;                       ///< the netlist as it is, with what all machines have in common
-    std::vector<SearchCourse> courses; ///< the genetic one first, which has feasible machines; another may have none
+    std::vector<std::string> measures; ///< the one or two measures that were minimised, with their units
+    Trial start;                       ///< the unchanged netlist, with the settings that all machines share
+    std::vector<SearchCourse>
+        courses; ///< the genetic course first, which has feasible machines; the others may have none
 
-    /// The machines of all courses, each once, those of the first before others.
+    /// Returns the machines of all courses, each once, in the order of the courses.
     SearchCourse together() const;
 };
 
-/// The machines to be shown, by place in the course: of one cost the best few, of two the front; one of each cost.
+/// Returns the indices in the course of the machines to be shown: the best few for one cost, the front for two; only
+/// one machine for each value of the costs.
 std::vector<std::size_t> best_of(const SearchCourse&);
 
-/// What is minimised, and then what else the study wants to know. REQUIRES: it has a search.
+/// Returns the minimised measures, followed by the study's other measures. REQUIRES: the study has a search.
 std::vector<std::string> shown_measures(const Study&);
 
-/// Their settings and measures, the best first.
+/// Returns the settings and measures of the best machines, the best first.
 StudySummary summary_of_best(StudyResults&, const Study&, const MachineSpace&, const SearchCourse&);
 
-/// What each way found, and how much it tried for it: against the netlist as it is.
+/// Compares what each method found, and in how many runs, with the unchanged netlist.
 std::string print_comparison(const Optimum&);
 
-/// Why one run takes another time than the other: by what their critical paths were spent with.
+/// Explains why two runs take different times, by the activities on their critical paths.
 std::string print_paths(const std::vector<PathPart>& start, const std::vector<PathPart>& best);
 
-/// One measure: the best found over the machines simulated. Two: all machines, and the front.
+/// Returns the plot: for one measure, the best value over the number of machines simulated; for two, all machines and
+/// the front.
 Plot optimum_plot(const Optimum&, const std::string& title);
 
-/// What has `placedpar run` make the run again.
+/// Returns the `placedpar run` command that repeats the run.
 std::string command_of(const Study&, const Overrides& settings);
 
 /// Says what made all machines infeasible, the most frequent first.

@@ -17,32 +17,33 @@
 
 namespace placedpar {
 
-/// What came of trying a machine out.
+/// The result of trying a machine.
 struct Trial {
     Merit merit;
-    bool simulated = false; ///< false: there is no such machine, so it cost no run
-    std::string why = "";   ///< it is infeasible: what the study or the netlist says, how a run ended, what it lacked
+    bool simulated = false; ///< false: the netlist refuses the machine, so no run was needed
+    std::string why = "";   ///< reason if the machine is infeasible: a refusal, the end of a run, or a missing measure
 };
 
-/// The study's runs of these settings alone.
+/// Returns the study with only these settings to run.
 Study study_of(const Study&, const std::vector<Overrides>& all);
 
-/// Machines that are tried out: run with each seed of the study, and kept as a sweep keeps them, so that no run is made
-/// twice, whoever asks for it. What comes of a machine does not depend on when it is tried, or beside which others.
+/// Tries machines: runs each with every seed of the study, and keeps the runs as a sweep does, so that no run is made
+/// twice. The result of a machine does not depend on when it is tried, or on other machines.
 class MachineTrials {
 public:
-    /// REQUIRES: all outlive it; the study has a search.
+    /// REQUIRES: the arguments outlive it; the study has a search.
     MachineTrials(const Study&, const MachineSpace&, StudyResults&, std::size_t workers, Interruption&);
 
-    /// Makes the runs that are missing, and tells `show` now and then how many have been. False when interrupted.
+    /// Makes the missing runs, and tells `show` from time to time how many have been made. Returns false if
+    /// interrupted.
     bool try_out(std::span<const std::uint64_t> machines, const std::function<void(std::uint64_t runs)>& show);
-    /// REQUIRES: it has been tried out.
+    /// REQUIRES: the machine has been tried out.
     const Trial& of(std::uint64_t machine);
-    /// The same of any settings, tried out if they have not been; none when interrupted.
+    /// Returns the trial of any settings, and makes its runs if they are missing; none when interrupted.
     std::optional<Trial> of(const Overrides& settings);
 
-    /// Throws UserError, naming those that there are, where a measure that is to be minimised has been found of no
-    /// machine yet, although some runs completed.
+    /// Throws UserError if runs have completed but none had a measure that is to be minimised. The message lists the
+    /// measures that the runs had.
     void require_measures() const;
 
 private:
@@ -58,7 +59,7 @@ private:
     std::vector<StudyMeasure> costs_;
     std::map<std::uint64_t, Trial> trials_;
     std::vector<bool> found_;         ///< by cost
-    std::optional<StudyFigures> any_; ///< of a run that completed
+    std::optional<StudyFigures> any_; ///< figures of some completed run
 };
 
 } // namespace placedpar

@@ -33,7 +33,7 @@ double end_of_range(std::string_view range, std::string_view text) {
 
 bool is_whole(double number) { return number == std::floor(number) && std::abs(number) < most_values; }
 
-/// Where a part ends: at a comma outside of quotes, parentheses and braces, or the end.
+/// Returns the end of a part: a comma outside of quotes, parentheses and braces, or the end of the text.
 std::size_t end_of_part(const std::string& text, std::size_t begin) {
     int depth = 0;
     bool quoted = false;
@@ -56,7 +56,7 @@ std::string without_blanks(std::string text) {
     return text;
 }
 
-/// Where the same is there, in the better spelling of both.
+/// Adds a part; an equal value that is already there gets the better of the two spellings.
 void add_part(std::vector<StudyValues>& parts, const std::string& name, const std::string& text) {
     StudyValues part(name, text);
     SettingValue value(name, text);

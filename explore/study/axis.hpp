@@ -10,19 +10,19 @@
 
 namespace placedpar {
 
-/// Values that are written as one: a single one, or those of a range, which are never all written out.
+/// A single value, or the values of a range, which are computed when needed.
 class StudyValues {
 public:
-    /// Of a setting of this name: "5M", "0..7", "0..100..10" in steps of 10, "1..64..x2" each twice the one before. A
-    /// range counts upwards and has its last value if a step meets it. Throws UserError where it is empty or its ends
-    /// are no numbers.
+    /// Reads the values of the setting `name`: "5M", "0..7", "0..100..10" in steps of 10, "1..64..x2" doubling at each
+    /// step. A range is ascending and includes its last value if a step meets it. Throws UserError if it is empty or
+    /// its ends are not numbers.
     StudyValues(const std::string& name, std::string_view text);
 
     std::uint64_t count() const { return count_; }
-    /// As --set takes it. REQUIRES: index < count().
+    /// Returns the value as text for --set. REQUIRES: index < count().
     std::string at(std::uint64_t index) const;
     bool is_range() const { return is_range_; }
-    /// The one that is equal to it.
+    /// Returns the value that is equal to the argument, if there is one.
     std::optional<SettingValue> find(const SettingValue&) const;
 
 private:
@@ -31,29 +31,30 @@ private:
     void count_steps(std::string_view text, double from, double to);
 
     std::string name_;
-    SettingValue only_; ///< of no range
+    SettingValue only_; ///< the single value, where there is no range
     double from_ = 0, step_ = 1;
     bool is_range_ = false, multiplies_ = false, whole_ = true;
     std::uint64_t count_ = 1;
 };
 
-/// What a study sets, by a name as --set takes it: a val, an attribute, a parameter; to each of the values in turn.
+/// A val, an attribute or a parameter that a study varies, by its name in --set, with its values.
 struct StudyAxis {
     std::string name;
     std::vector<StudyValues> parts;
 
-    /// Throws UserError where 64 bits do not hold it.
+    /// Returns the number of values. Throws UserError if 64 bits do not hold it.
     std::uint64_t count() const;
     /// REQUIRES: index < count().
     std::string at(std::uint64_t index) const;
-    /// The one that is equal to it, if it has that.
+    /// Returns the value that is equal to the argument, if there is one.
     std::optional<SettingValue> find(const SettingValue&) const;
 };
 
-/// "slaves=0..7,10": parts with commas between them, but for those in quotes, parentheses or braces. Throws UserError.
+/// Reads an axis such as "slaves=0..7,10". Commas separate its parts, except within quotes, parentheses or braces.
+/// Throws UserError.
 StudyAxis read_axis(const std::string& text);
-/// Parts of what stands behind the `=`; a single value that is equal to one before it is left out. Throws UserError,
-/// which names the axis.
+/// Reads the parts after the `=`; a single value that is equal to an earlier one is left out. Throws UserError, which
+/// names the axis.
 std::vector<StudyValues> read_values(const std::string& name, const std::string& text);
 
 } // namespace placedpar

@@ -18,7 +18,7 @@ namespace {
 
 using FiguresByName = StudyExpression::Figures;
 
-/// Why cells of a table have no figure: the runs by their ends.
+/// Collects why cells of a table have no figure: the number of runs for each kind of ending.
 class MissingFigures {
 public:
     void add(const Overrides& set, const UserError& why) {

@@ -21,7 +21,7 @@ ExpressionPointer parsed_expression(const std::shared_ptr<const SourceFile>& sou
     return reporter.failed() ? nullptr : std::move(expression);
 }
 
-/// "master.trials" is also "trials", unless something else is called so.
+/// Returns the settings with the setting "master.trials" also as "trials", unless another setting has that name.
 Overrides named_plainly(const Overrides& set) {
     Overrides named = set;
     for (const auto& [name, text] : set)
@@ -69,7 +69,7 @@ void read_as_frequency(Expression& expression) {
     visit_operands(expression, read_as_frequency);
 }
 
-/// What a clock or the speed of a link is compared with is one, too: 20M is 20 million there.
+/// Reads numbers that are compared with a clock or the speed of a link as frequencies: 20M is 20 million.
 void read_frequencies(Expression& expression) {
     const auto* operation = std::get_if<BinaryOperation>(&expression.form);
     if (operation && operation->symbol != "&&" && operation->symbol != "||" && has_frequency(expression))

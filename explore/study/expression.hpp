@@ -9,23 +9,24 @@
 
 namespace placedpar {
 
-/// An expression of the netlist language over what a study sets, `slaves * clusters <= 16`, and over figures of its
-/// runs. There `master.trials` is `trials`, and in what is compared with a clock or the speed of a link 20M is 20
-/// million. Copies are the same expression, which one thread at a time may evaluate.
+/// An expression of the netlist language whose names are settings of a study, `slaves * clusters <= 16`, or figures of
+/// its runs. The setting `master.trials` is called `trials`. In a comparison with a clock or the speed of a link, 20M
+/// is 20 million. Copies share the parsed expression: only one thread at a time may evaluate it.
 class StudyExpression {
 public:
-    /// Numbers by their names, which settings of these names hide.
+    /// Numbers by name; a setting of the same name takes precedence.
     using Figures = std::map<std::string, double>;
 
-    /// "" is none. Throws RefusedInput.
+    /// "" makes an empty expression. Throws RefusedInput.
     explicit StudyExpression(const std::string& text);
 
     explicit operator bool() const { return parsed_ != nullptr; }
-    /// The names in it, whether they stand for something or not.
+    /// Returns the names in the expression, known or not.
     std::set<std::string> names() const;
-    /// None always holds. Throws RefusedInput where it names what is neither set nor a figure, or cannot be computed.
+    /// An empty expression always holds. Throws RefusedInput if a name is not a setting, or the value cannot be
+    /// computed.
     bool holds(const Overrides& set) const;
-    /// Throws RefusedInput as holds(), and where it is not a number. REQUIRES: it is not none.
+    /// Throws RefusedInput as holds(), and if the value is not a number. REQUIRES: the expression is not empty.
     double value(const Overrides& set, const Figures&) const;
 
 private:

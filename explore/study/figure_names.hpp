@@ -9,16 +9,16 @@
 
 namespace placedpar {
 
-/// What the names in a table's expressions stand for.
+/// The meanings of the names in a table's expressions.
 class FigureNames {
 public:
-    /// `meaning` says what it is: "the row above".
+    /// `meaning` describes the name for messages: "the row above".
     void add(const std::string& name, const std::string& meaning) { meanings_[name].insert(meaning); }
-    /// "master.trials" is also "trials", unless something else that is set is called so.
+    /// Adds the settings. "master.trials" is also called "trials", unless another setting has that name.
     void add_settings(const Overrides&);
     void add_measures(const std::vector<std::string>&);
 
-    /// Throws UserError for a name in it that stands for nothing, or for several things. `other`: more names.
+    /// Throws UserError for a name in the expression that has no meaning or several. `other`: further names.
     void require(const StudyExpression&, const FigureNames& other) const;
 
 private:

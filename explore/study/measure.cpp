@@ -46,13 +46,13 @@ std::string unknown_measure(const std::string& measure, const std::set<std::stri
     return unknown_name("measure", measure, names, fmt::format("the runs have {}", fmt::join(names, ", ")));
 }
 
-/// How many of these it describes.
+/// Returns how many of the measurements the kind describes.
 std::ptrdiff_t count_described(const ProcessKind& kind, const std::set<std::string>& measured) {
     return std::ranges::count_if(kind.measurements, [&](const auto& each) { return measured.contains(each.name); });
 }
 
-/// As the kind of a process describes it that measured some other things: the figures do not say which kind that is,
-/// but one that describes most of them. "" where none of these does.
+/// Returns the description of a measurement by the kind of a process. The figures do not name the kind: it is taken to
+/// be one that describes most of the process's other measurements. Returns "" if no such kind describes it.
 std::string description_of(const std::string& name, const std::set<std::string>& measured, const Catalogue& kinds) {
     std::ptrdiff_t most = 1;
     for (const auto& each : kinds.kinds())
@@ -65,7 +65,8 @@ std::string description_of(const std::string& name, const std::set<std::string>&
     return "";
 }
 
-/// What no process of this name has come to measure. "" where some did, or none is known that could.
+/// Returns the description of a measure that no process of this name has measured so far; "" if a process has, or if no
+/// kind describes the measure.
 std::string not_come_to(const StudyMeasure& measure, const StudyFigures& figures) {
     std::string name = measure.name_without_subscripts(), process = name.substr(0, name.rfind('.') + 1);
     name = name.substr(process.size());
@@ -77,7 +78,7 @@ std::string not_come_to(const StudyMeasure& measure, const StudyFigures& figures
     return measured.empty() || measured.contains(name) ? "" : description_of(name, measured, known_kinds(problems));
 }
 
-/// Boost.JSON 1.81 reads some numbers a last bit off.
+/// Returns the numbers of a JSON text outside of its strings. Boost.JSON 1.81 reads the last bit of some numbers wrong.
 std::vector<double> numbers_outside_of_strings(const std::string& json) {
     std::vector<double> numbers;
     bool quoted = false;

@@ -22,33 +22,33 @@ struct StudyFigure {
     std::string unit;
 };
 
-/// Everything that is known of a run in numbers: "time" in ms, the "processors" and "links" that it took, what the
-/// processes measured, "master[0].T_exe", and how busy the processors were, "t[0][1].busy" in percent.
+/// Returns all figures of a run: "time" in ms, the numbers of "processors" and "links" used, the measurements of the
+/// processes such as "master[0].T_exe", and the load of each processor, "t[0][1].busy", in percent.
 using StudyFigures = std::map<std::string, StudyFigure>;
 StudyFigures figures_of(const RunReport&, const Network&);
 
-/// JSON in which texts are the bytes that they were, whether these are UTF-8 or not. Throws std::exception.
+/// Parses JSON and keeps the bytes of its strings, whether they are UTF-8 or not. Throws std::exception.
 boost::json::value read_kept_json(const std::string&);
 
-/// JSON: {"time":[8.9,"ms"], ...}.
+/// Returns the figures as JSON: {"time":[8.9,"ms"], ...}.
 std::string figures_text(const StudyFigures&);
-/// The same to the last bit. Throws std::exception where figures_text() did not make it.
+/// Reads the figures back without any loss. Throws std::exception if the text was not made by figures_text().
 StudyFigures figures_from(const std::string&);
 
 /// One figure of a run, as a study names it: "time", "master[0].T_exe"; "master.T_exe" is the mean of all processes of
 /// the array master, and min(...), max(...) and sum(...) are what they say.
 class StudyMeasure {
 public:
-    /// Throws UserError for what can be none.
+    /// Throws UserError for a text that cannot name a measure.
     explicit StudyMeasure(const std::string& text);
 
     const std::string& text() const { return text_; }
-    /// None where the run has no such figure.
+    /// Returns the measure of a run; nothing if the run has no such figure.
     std::optional<StudyFigure> of(const StudyFigures&) const;
 
-    /// Of what it is a measure: "master.T_exe" of "max(master[0].T_exe)".
+    /// Returns the name of the measured quantity: "master.T_exe" for "max(master[0].T_exe)".
     std::string name_without_subscripts() const;
-    /// What figures of tables call it: "T_exe".
+    /// Returns its name in the figures of tables: "T_exe".
     std::string last_name() const;
 
 private:
@@ -59,24 +59,24 @@ private:
     Way way_ = Way::mean;
 };
 
-/// What is so of a measure that a run does not have, a sentence: what it is, where the run was one of those that do not
-/// come to it; else what may have been meant, with all that it has.
+/// Returns a sentence about a measure that a run does not have: if the run did not reach it, what the measure is;
+/// otherwise a similar name, and all measures that the run has.
 std::string there_is_no_measure(const StudyMeasure&, const StudyFigures&);
 
-/// What runs can measure, as far as their netlists say before any is made. What is measured only where it came to pass
-/// is among it.
+/// The measures that runs may have, as far as their netlists say before a run. Measures that only some runs have are
+/// included.
 class PossibleMeasures {
 public:
     void add(const Network&, const Catalogue&, const ProblemRegistry&);
     bool has(const StudyMeasure&) const;
-    /// A sentence, with all that there are.
+    /// Returns a sentence with all possible measures.
     std::string why_unknown(const StudyMeasure&) const;
 
 private:
     void add(const ProcessInstance&, const std::string& described, const ProblemRegistry&);
 
     std::set<std::string> names_;   ///< without subscripts
-    std::set<std::string> unknown_; ///< "column.": of processes that measure what their kind does not name
+    std::set<std::string> unknown_; ///< "column.": processes with measurements that their kind does not name
 };
 
 } // namespace placedpar

@@ -26,7 +26,7 @@ void RankHelper::tell(const RankMessage& message) {
     ranks_.send(0, text_of(message));
 }
 
-/// Rank 0 begins when it has read the study, so that what is wrong with it is said once.
+/// Rank 0 begins after reading the study, so that only rank 0 reports its errors.
 void RankHelper::help(const std::function<Study()>& study, const Interruption& interruption) {
     try {
         RankMessage first = wait_for_message();
@@ -74,7 +74,7 @@ void RankHelper::work(const Study& study, std::size_t worker) {
     }
 }
 
-/// None when there will be none.
+/// Waits for the next run; returns nothing if no more will come.
 std::optional<StudyRun> RankHelper::wait_for_run() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return stopped_ || !runs_.empty() || no_more_; });

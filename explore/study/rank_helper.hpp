@@ -15,15 +15,15 @@
 
 namespace placedpar {
 
-/// What a rank other than 0 does for a sweep: it makes the runs that rank 0 hands it (rank_zero.hpp), so many at once,
-/// and has one more in hand, so that it never waits for the next.
+/// Makes runs of a sweep in a rank other than 0: runs that rank 0 hands out (rank_zero.hpp), `jobs` of them at once. It
+/// requests one run more than it can make at once, so that its threads do not wait for rank 0.
 class RankHelper {
 public:
     /// REQUIRES: ranks outlives it.
     RankHelper(Ranks& ranks, std::size_t jobs) : ranks_(ranks), jobs_(jobs), interruptions_(jobs) {}
 
-    /// Returns when there is nothing left to do. What goes wrong is told to rank 0. `study` is called when there is
-    /// something to do. The interruption ends it early.
+    /// Makes runs until none is left, or until the interruption. Reports errors to rank 0. Calls `study` only once rank
+    /// 0 begins a sweep.
     void help(const std::function<Study()>& study, const Interruption&);
 
 private:
@@ -38,15 +38,15 @@ private:
 
     Ranks& ranks_;
     std::size_t jobs_;
-    std::string digest_;         ///< of what rank 0 sweeps
-    std::size_t unanswered_ = 0; ///< requests, which rank 0 answers unless it stops all
-    std::mutex mutex_;           ///< of what follows
+    std::string digest_;         ///< digest of rank 0's source
+    std::size_t unanswered_ = 0; ///< requests that rank 0 has not answered; after stop it answers none
+    std::mutex mutex_;           ///< guards the members below
     std::condition_variable changed_;
     std::deque<StudyRun> runs_;      ///< to be made
-    std::vector<RankMessage> ended_; ///< to be told
+    std::vector<RankMessage> ended_; ///< messages about ended runs, to be sent
     bool no_more_ = false;           ///< rank 0 has none left
     bool stopped_ = false;
-    std::vector<Interruption> interruptions_; ///< of one run at a time each
+    std::vector<Interruption> interruptions_; ///< one for each worker, used by one run at a time
 };
 
 } // namespace placedpar

@@ -7,7 +7,7 @@
 
 namespace placedpar {
 
-/// What the ranks of a sweep say to each other: rank 0, which has the results, and the others, its helpers.
+/// The messages between the ranks of a sweep: rank 0, which has the results, and the others, its helpers.
 ///
 ///     rank 0                      helper
 ///     begin                  ->                        or, where it comes to nothing, stop
@@ -18,16 +18,17 @@ namespace placedpar {
 ///                            <-   gone                 its last word; failed, where it cannot go on
 struct RankMessage {
     enum class Kind { begin, run, none, stop, ask, ended, failed, gone } kind;
-    std::string text = "";                    ///< of begin: what is swept (digest_of); of failed: why
-    std::optional<StudyRun> run = {};         ///< of run and ended
-    std::optional<StudyOutcome> outcome = {}; ///< of ended
+    std::string text = "";                    ///< begin: digest_of() the source; failed: the reason
+    std::optional<StudyRun> run = {};         ///< set in run and ended
+    std::optional<StudyOutcome> outcome = {}; ///< set in ended
 };
 
 std::string text_of(const RankMessage&);
-/// The same to the last bit. REQUIRES: text_of() made it, of the same version.
+/// Reads the message back without any loss. REQUIRES: the text was made by text_of() of the same version.
 RankMessage rank_message_from(const std::string&);
 
-/// The same only where the netlist with all that it includes, the options and PlacedPar are the same.
+/// Returns a digest that is the same only if the netlist, its included files, the options and the version of PlacedPar
+/// are the same.
 std::string digest_of(const StudySource&);
 
 } // namespace placedpar

@@ -10,8 +10,8 @@
 
 namespace placedpar {
 
-/// What rank 0 has the others do. It alone has the results; the others make runs for it (rank_helper.hpp). When it is
-/// destroyed they have gone, whatever was thrown meanwhile.
+/// Hands out the runs of a sweep from rank 0 to the other ranks (rank_helper.hpp); only rank 0 has the results. The
+/// destructor waits until all other ranks have ended their help, also after an exception.
 class RankZero {
 public:
     /// REQUIRES: ranks outlives it.
@@ -20,15 +20,16 @@ public:
     RankZero(const RankZero&) = delete;
     RankZero& operator=(const RankZero&) = delete;
 
-    /// Has the others begin. REQUIRES: the sweep is of the source, and outlives this.
+    /// Tells the other ranks to begin. REQUIRES: the sweep is one of the source, and outlives this.
     void begin(StudySweep& sweep, const StudySource&);
-    /// Does what they ask for, and keeps what came of their runs; `stopped` has them end these early. False when all
-    /// have gone. Throws UserError where one of them cannot go on, or the results cannot be kept. REQUIRES: begin() was
-    /// called.
+    /// Answers the requests of the other ranks and keeps the outcomes of their runs; `stopped` ends these runs early.
+    /// Returns false when all ranks have ended. Throws UserError if a rank cannot go on, or an outcome cannot be kept.
+    /// REQUIRES: begin() was called.
     bool serve(bool stopped);
-    /// Runs that others were handed and that none has ended: once serve() is false, of those who left them.
+    /// Returns the number of runs that were handed out and have not ended. After serve() has returned false, these are
+    /// the runs that other ranks left unfinished.
     std::uint64_t in_hand() const { return in_hand_; }
-    /// With this one.
+    /// Returns the number of ranks, including rank 0.
     std::size_t ranks() const { return static_cast<std::size_t>(ranks_.count()); }
 
 private:
@@ -39,7 +40,7 @@ private:
 
     Ranks& ranks_;
     StudySweep* sweep_ = nullptr;
-    std::set<int> helping_; ///< that have not gone
+    std::set<int> helping_; ///< ranks that are still helping
     std::uint64_t in_hand_ = 0;
     bool stopped_ = false;
 };

@@ -15,12 +15,12 @@ namespace placedpar {
 
 namespace {
 
-/// What Open MPI, and Slurm with PMIx, tell the processes that they start.
+/// Returns whether Open MPI, or Slurm with PMIx, started this process: both set variables of the environment.
 bool started_as_rank() {
     return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMIX_NAMESPACE") != nullptr;
 }
 
-/// Beside the program, where it is installed, or where the system's linker looks.
+/// Loads the module from the program's folder, from the folder of the installation, or as the system's linker finds it.
 void* load_module() {
     const std::filesystem::path name = "placedpar_mpi.so";
     std::error_code unknown;

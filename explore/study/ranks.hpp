@@ -8,9 +8,10 @@
 namespace placedpar {
 
 /// The ranks of an MPI program: mpirun starts copies of this program, on one machine or many, and each has a number,
-/// its rank. They send each other texts, which come in the order in which they were sent.
+/// its rank. Ranks send each other texts; those from one rank to another arrive in the order in which they were sent.
 ///
-/// REQUIRES: used by the thread alone that asked for it, and destroyed when nobody sends this rank anything any more.
+/// REQUIRES: used only by the thread that called ranks_of_mpirun(), and not destroyed while another rank may still send
+/// a message to this one.
 class Ranks {
 public:
     struct Message {
@@ -22,21 +23,21 @@ public:
     virtual int own() const = 0;
     virtual int count() const = 0;
     virtual void send(int to, const std::string& text) = 0;
-    /// The next message that has come; none if none has.
+    /// Returns the next message that has arrived; nothing if there is none.
     virtual std::optional<Message> receive() = 0;
 };
 
-/// How long to leave the processor to others before looking for messages again.
+/// The pause between two checks for messages.
 inline constexpr std::chrono::milliseconds rank_patience{4};
 
-/// Those among which mpirun, or Slurm's srun, started this program; null where neither did. Throws UserError where this
-/// PlacedPar was built without MPI.
+/// Returns the ranks with which mpirun, or Slurm's srun, started this program; null if neither started it. Throws
+/// UserError if this PlacedPar was built without MPI.
 ///
-/// MPI is loaded only now, as a module of its own (app/mpi): who does not start ranks need not have it.
+/// MPI is loaded by this call, as a separate module (app/mpi), so that a program without ranks does not need MPI.
 std::unique_ptr<Ranks> ranks_of_mpirun();
 
-/// For work that ranks cannot share, and would all do: throws UserError in rank 0 of several, and is true in the
-/// others, which have nothing to do nor to say.
+/// Prevents several ranks from all doing work that they cannot share: throws UserError in rank 0 of several, and
+/// returns true in the others, which must then end silently.
 bool left_to_rank_zero(const std::string& command);
 
 } // namespace placedpar

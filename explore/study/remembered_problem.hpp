@@ -13,15 +13,16 @@
 
 namespace placedpar {
 
-/// An objective problem whose fitness is computed once for each string, and found again when the string comes back in
-/// another process, generation or run: to the bit what was computed. Not thread-safe; neither is ProblemRegistry.
+/// An objective problem that computes the fitness of each string once and remembers it for other processes, generations
+/// and runs, with the same bits. Not thread-safe, as ProblemRegistry is not.
 class RememberedProblem final : public SearchProblem {
 public:
-    /// Bytes that are left for what is remembered. Several problems may share them.
+    /// The number of bytes left for remembered strings. Several problems may share it.
     using Room = std::shared_ptr<std::size_t>;
     static Room usual_room() { return std::make_shared<std::size_t>(32 << 20); }
 
-    /// Where there is no room left, it begins anew. REQUIRES: the problem has an objective().
+    /// When no room is left, the problem forgets all its strings and begins again. REQUIRES: the problem has an
+    /// objective().
     explicit RememberedProblem(std::shared_ptr<const SearchProblem> problem, Room room = usual_room());
     ~RememberedProblem() override { forget(); }
 
@@ -46,7 +47,7 @@ private:
         std::size_t operator()(const Genome&) const;
     };
 
-    /// One for each coding, which remembers its own strings.
+    /// Returns one problem for each coding, which remembers its own strings.
     std::shared_ptr<const SearchProblem> coded_plainly(Coding) const override;
     std::size_t bytes_of_one() const;
     void forget() const;
@@ -57,11 +58,11 @@ private:
     mutable std::map<std::string, std::shared_ptr<const SearchProblem>> codings_;
 };
 
-/// Problems so remembered, by name and numbers: what several registries have in common, such as those of other seeds.
+/// The RememberedProblems that several registries share, such as those of different seeds; by name and numbers.
 class RememberedProblems {
 public:
-    /// Makes the problems of the family, those with an objective remembered, each once. REQUIRES: this outlives it, and
-    /// families of one name are the same.
+    /// Returns a family that makes each problem once and remembers the strings of those with an objective. REQUIRES:
+    /// this outlives the result, and families of the same name are the same.
     ProblemFamily around(const ProblemFamily& family);
 
 private:

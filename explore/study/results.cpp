@@ -61,7 +61,7 @@ std::string text_of_file(const std::string& path) {
     return loaded.file->text();
 }
 
-/// SQLite would call a folder a file that it is unable to open.
+/// Refuses a folder, for which SQLite's message would be that it cannot open the file.
 void require_no_folder(const std::filesystem::path& path) {
     std::error_code ignored;
     if (is_standard_stream(path) ||
@@ -207,7 +207,7 @@ StudyResults::StudyResults(const std::filesystem::path& path) : path_(path) {
     });
 }
 
-/// One file is left of what SQLite has beside it meanwhile, unless somebody is reading it.
+/// Leaves one file and none of SQLite's companion files, unless another process is reading it.
 StudyResults::~StudyResults() {
     try {
         has_.reset();
@@ -274,7 +274,7 @@ void StudyResults::read_head() {
         refuse_damaged("the row of table study, or one of table texts");
 }
 
-/// They are in order, so that none is there twice, and however the file is damaged there is an end to them.
+/// Reads the runs in order, so that none can occur twice, and reading ends however the file is damaged.
 void StudyResults::read_runs() {
     std::int64_t count = 0, sum = 0;
     std::pair<std::string, std::int64_t> last;

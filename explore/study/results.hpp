@@ -16,80 +16,82 @@
 
 namespace placedpar {
 
-/// What came of a run.
+/// The outcome of a run.
 struct StudyOutcome {
     std::string ended; ///< "completed", "deadlock", "stopped at the time limit", "refused"
     Time time{};
     std::uint64_t fingerprint = 0;
     std::uint64_t netlist_hash = 0;
-    std::string refused = ""; ///< why there is no such machine, as it is printed; "" if there is
+    std::string refused = ""; ///< printed reason why the machine is refused; "" if it is not
     StudyFigures figures = {};
 };
 
-/// What all runs of a file have in common. Files of another one are refused. Those of functions have no texts.
+/// The source that all runs of a file of results share. A file with another source is refused. The source of a function
+/// has no texts.
 struct StudySource {
-    std::string netlist;                                    ///< its path as it was given; may be another
-    std::vector<std::pair<std::string, std::string>> texts; ///< path and text of the netlist and what it includes
+    std::string netlist;                                    ///< path as it was given; not compared
+    std::vector<std::pair<std::string, std::string>> texts; ///< path and text of the netlist and its included files
     std::string
-        options; ///< JSON: what else decides a run: programs, faults, where it is stopped; of functions, whose they are
-    std::string named_by = " with --results"; ///< how another file is named, as a refusal says it
+        options; ///< JSON: all else that determines a run: programs, faults, time limit; for a function, its owner
+    std::string named_by = " with --results"; ///< how to name another file, for the text of a refusal
 
-    /// Whatever its files are called.
+    /// Compares all but the paths of the files.
     bool operator==(const StudySource& other) const;
 };
-/// Reads the netlist's files. `network` is one that was read from them. Throws UserError.
+/// Reads the netlist's files. `network` was read from them. Throws UserError.
 StudySource source_of(const Study&, const Network& network);
 
-/// The runs of studies of one netlist, in a file of SQLite: a row a run, with all that is needed to make it again. What
-/// has been kept outlives the program, however that ends. Each row has a checksum, and their number and the sum of
-/// these are kept, so that a file is read only if it is what was written. Functions throw UserError with the file's
-/// name.
+/// The runs of studies of one netlist in a file of SQLite: one row for each run, with everything needed to repeat the
+/// run. A run that has been kept is safe however the program ends. Each row has a checksum, and the file holds the
+/// number of rows and the sum of the checksums, so that a damaged file is refused. Functions throw UserError with the
+/// file's name.
 class StudyResults {
 public:
-    /// Opens a file to add runs, or makes it. Refuses one of another netlist, of other options, of a later format, and,
-    /// unless told otherwise, of another version of PlacedPar; and one that another program adds to.
+    /// Opens a file to add runs, or creates it. Refuses a file of another netlist, of other options, of a later format,
+    /// or, unless `of_any_version`, of another version of PlacedPar; also a file to which another program is adding
+    /// runs.
     StudyResults(const std::filesystem::path&, const StudySource&, bool of_any_version = false);
-    /// Opens a file to read it, also while another program adds to it: it stays as it is now.
+    /// Opens a file to read it, also while another program adds runs. Runs that are added later are not seen.
     explicit StudyResults(const std::filesystem::path&);
-    /// Has them in memory: they go with it.
+    /// Keeps the runs only in memory.
     explicit StudyResults(const StudySource&);
     ~StudyResults();
 
     bool has(const StudyRun&);
     std::optional<StudyOutcome> find(const StudyRun&);
-    /// At once, and whole.
+    /// Writes the run completely before returning.
     void keep(const StudyRun&, const StudyOutcome&);
     std::uint64_t count();
-    /// By settings and seed, in an order that does not depend on when they were kept.
+    /// Calls the function for each run, ordered by settings and seed.
     void for_each(const std::function<void(const StudyRun&, const StudyOutcome&)>&);
 
-    /// What some of its runs set, each once.
+    /// Calls the function once for each combination of settings that has runs.
     void for_each_setting(const std::function<void(const Overrides&)>&);
 
-    /// What was to be known of the runs when they were added to last.
+    /// Sets the measures asked for when runs were last added.
     void set_measures(const std::vector<std::string>&);
     std::vector<std::string> measures();
-    /// What its runs have in common.
+    /// Returns the source that all runs share.
     StudySource source();
-    /// The netlist's path.
+    /// Returns the path of the netlist.
     std::string netlist();
     std::string version();
     const std::filesystem::path& path() const { return path_; }
 
 private:
-    /// The rows but the runs, and what checks these.
+    /// The data of the file other than the runs, and the checks of the runs.
     struct Head {
         StudySource source;
         std::string version, measures;
         std::int64_t runs = 0, sum = 0;
-        std::string texts_checksums = {}; ///< of the source's texts, which may be long and do not change
+        std::string texts_checksums = {}; ///< checksums of the source's texts, kept because the texts may be long
         void add_up_texts();
         std::int64_t checksum() const; ///< REQUIRES: add_up_texts() was called for these texts
     };
 
     void open(const StudySource&, bool of_any_version);
     void make(const StudySource&);
-    /// Whether something is in it; throws where that is not ours.
+    /// Returns whether the file has content; throws if the content is not that of a file of results.
     bool is_ours();
     void read_head();
     void write_head();
@@ -104,7 +106,7 @@ private:
     auto parsed(Read read);
 
     std::filesystem::path path_;
-    std::optional<store::FileLock> lock_; ///< none: to read
+    std::optional<store::FileLock> lock_; ///< none: the file is only read
     std::optional<store::Database> database_;
     std::optional<store::Statement> has_, find_, insert_, update_;
     Head head_;

@@ -7,28 +7,29 @@
 
 namespace placedpar {
 
-/// What the text of --set is without a netlist, whose names mean nothing here. None where that is no expression: then
-/// it is a text without quotes.
+/// Returns the value of a text of --set without a netlist, so that names have no meaning. Returns nothing if the text
+/// is not an expression: it is then a text without quotes.
 std::optional<Constant> constant_of_setting(const std::string& text);
 
-/// The number that a value of --set is, as it means a clock or the speed of a link: 5M is 5 million. None for a text.
+/// Returns the number that a value of --set means for a clock or the speed of a link: 5M is 5 million. Returns nothing
+/// for a text.
 std::optional<double> number_of_setting(const std::string& text);
 
-/// Whether it is called as a clock or the speed of a link is: "t.clock".
+/// Returns whether the name is that of a clock or the speed of a link: "t.clock".
 bool is_frequency(const std::string& name);
 
-/// A value of --set, which is equal to others that mean the same: 8 to 8.0, a text without quotes to the same with
-/// them, and, of a clock or the speed of a link, 20M to 20000000. Of anything else 20M may be a size, 20971520.
+/// A value of --set, compared by its meaning: 8 equals 8.0, a text equals the same text in quotes, and for a clock or
+/// the speed of a link 20M equals 20000000. For other settings 20M may be a size, 20971520, and the two are different.
 class SettingValue {
 public:
     /// `name` as --set takes it: "t.clock".
     SettingValue(const std::string& name, std::string spelling);
 
     const std::string& spelling() const { return spelling_; }
-    /// The same for equal values, and only for them.
+    /// Returns a text that is the same for equal values, and only for them.
     const std::string& meaning() const { return meaning_; }
     std::optional<double> number() const { return number_of_setting(spelling_); }
-    /// With a point, or a power of ten: not everything that takes 8 takes 8.0.
+    /// Returns whether the number has a point or a power of ten: some settings accept 8 but not 8.0.
     bool is_real() const { return is_real_; }
 
     bool operator==(const SettingValue& other) const { return meaning_ == other.meaning_; }
@@ -38,7 +39,8 @@ private:
     bool is_real_;
 };
 
-/// The one by which both are called: the first, unless only the other is taken everywhere. REQUIRES: they are equal.
+/// Returns the spelling to use for both: the first, unless only the other is accepted by every setting. REQUIRES: the
+/// values are equal.
 const SettingValue& better_spelt(const SettingValue& first, const SettingValue& other);
 
 } // namespace placedpar

@@ -8,16 +8,17 @@
 
 namespace placedpar {
 
-/// One spelling for all values that mean the same: the study's, if there is one that has them, or that of the first
+/// Chooses one spelling for all values that mean the same: that of the study, if it has the value, or that of the first
 /// run.
 class Spellings {
 public:
     /// REQUIRES: both outlive it.
     Spellings(StudyResults&, const Study*);
 
-    /// The same settings in that spelling.
+    /// Returns the same settings in the chosen spelling.
     Overrides of(Overrides set);
-    /// Runs with their settings in that spelling. Of those that are the same then, one: that which was made so.
+    /// Calls the function for each run, with its settings in the chosen spelling. Of several runs that are then the
+    /// same, only the one that was made with this spelling is passed.
     void for_each(const std::function<void(const StudyRun&, const StudyOutcome&)>&);
 
 private:
@@ -27,7 +28,7 @@ private:
     const Study* study_;
     std::map<std::string, std::map<std::string, std::string>> known_, ///< by name and text
         of_runs_;                                                     ///< by name and meaning
-    bool differ_ = false;                                             ///< whether some run is spelt otherwise
+    bool differ_ = false;                                             ///< whether the spelling of some run differs
 };
 
 } // namespace placedpar

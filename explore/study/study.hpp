@@ -15,20 +15,21 @@
 
 namespace placedpar {
 
-/// All combinations of the axes' values for which the condition holds. The last axis counts fastest.
+/// All combinations of the axes' values for which the condition holds. The last axis varies fastest.
 struct StudyProduct {
     std::vector<StudyAxis> axes;
     StudyExpression where{""};
 
-    /// Throws UserError, which says what makes it so large, where 64 bits do not hold it.
+    /// Returns the number of combinations, including those for which the condition does not hold. Throws UserError if
+    /// 64 bits do not hold it; the message names the cause.
     std::uint64_t count() const;
     /// REQUIRES: index < count().
     Overrides at(std::uint64_t index) const;
-    /// Whether it is one of these combinations.
+    /// Returns whether the settings are one of these combinations.
     bool has(const Overrides&) const;
 };
 
-/// A run of a study: what is set in the netlist, and the seed.
+/// A run of a study: settings of the netlist, and a seed.
 struct StudyRun {
     Overrides set;
     std::uint64_t seed = 1;
@@ -40,40 +41,42 @@ struct StudyRun {
 struct StudySearch {
     static constexpr std::uint64_t most_population = 10'000, most_generations = 1'000'000;
 
-    std::vector<std::string> minimise; ///< a measure, or two that are weighed against each other
+    std::vector<std::string> minimise; ///< one measure, or two for a Pareto front
     std::uint64_t population = 40;     ///< 4 or more; the better half stays and breeds the other
     std::uint64_t generations = 20;    ///< 1 or more
-    std::uint64_t seed = 1;            ///< of the search's random numbers
+    std::uint64_t seed = 1;            ///< seed of the search's random numbers
 };
 
-/// What is run in place of a netlist. Called from several threads at once. REQUIRES: the figures are finite.
+/// A function that is run in place of a netlist. It is called from several threads at once. REQUIRES: its figures are
+/// finite.
 using StudyFunction = std::function<StudyFigures(const StudyRun&)>;
 
-/// Which runs of a netlist, or of a function, are to be made, and what is to be known of them.
+/// The runs to be made of a netlist or of a function, and the measures to be reported.
 struct Study {
     std::string netlist;         ///< its path
     StudyFunction function = {}; ///< none: the netlist is run
     ReadOptions read = {};
     std::vector<StudyProduct> products;
-    std::uint64_t first_seed = 1, seeds = 1; ///< each combination is run with so many
-    Time until = Time::max();                ///< runs that are not over then are stopped
+    std::uint64_t first_seed = 1, seeds = 1; ///< each combination is run with `seeds` seeds
+    Time until = Time::max();                ///< virtual time at which unfinished runs are stopped
     std::vector<std::string> measures;
     Overrides relative_to = {}; ///< figures are shown relative to those with these settings; none: as they are
-    std::optional<StudySearch> search = {}; ///< none: it is only swept
-    std::vector<StudyTable> tables = {};    ///< of figures beside known ones
+    std::optional<StudySearch> search = {}; ///< none: the study is only swept
+    std::vector<StudyTable> tables = {};    ///< tables of figures beside known ones
     std::vector<std::string> figures = {};  ///< measures that the tables are made of
     std::string notes = "";                 ///< for people, below the tables
 
-    /// Runs, those with combinations for which the condition does not hold among them. Throws UserError, which says
-    /// what makes it so large, where 64 bits do not hold it, or the last seed.
+    /// Returns the number of runs, including those for which the condition does not hold. Throws UserError if 64 bits
+    /// do not hold it, or the last seed; the message names the cause.
     std::uint64_t count() const;
-    /// None where the condition does not hold. The seed counts fastest. REQUIRES: index < count().
+    /// Returns a run; nothing if the condition does not hold for it. The seed varies fastest. REQUIRES: index <
+    /// count().
     std::optional<StudyRun> at(std::uint64_t index) const;
-    /// Whether it has runs with these settings, whatever else they set, were it not for a condition.
+    /// Returns whether the study has runs with these settings and any others; conditions are ignored.
     bool has_some(const Overrides&) const;
-    /// What it sets.
+    /// Returns the names of all settings of the study.
     std::vector<std::string> names() const;
-    /// Its value of that name that is equal to this one, if it has that.
+    /// Returns the study's value of this setting that is equal to the argument; nothing if there is none.
     std::optional<SettingValue> find(const std::string& name, const SettingValue&) const;
 };
 
@@ -90,7 +93,7 @@ public:
 
 private:
     const Study& study_;
-    std::vector<std::uint64_t> ends_; ///< of the products: how many runs there are up to each
+    std::vector<std::uint64_t> ends_; ///< number of runs up to the end of each product
 };
 
 } // namespace placedpar

@@ -76,7 +76,7 @@ private:
             read_part();
     }
 
-    /// Refuses what does not go together with tables.
+    /// Refuses keys that cannot be combined with tables.
     void require_simple(const toml::table& top) {
         if (top.contains("where") && !top.contains("set"))
             report(top.get("where")->source().begin,
@@ -226,7 +226,7 @@ private:
         }
     }
 
-    /// What can be said of a cell before its run is made.
+    /// Checks a cell as far as possible before its run is made.
     void check_cell(const Members& members, const StudyRow& row, const Overrides& set, std::size_t column,
                     const FigureNames& measures_and_rows) {
         FigureNames settings;
@@ -255,7 +255,7 @@ private:
             throw UserError(fmt::format("a tolerance is 0 or more: this is {}", value));
     }
 
-    /// Where it stands, for messages.
+    /// Returns the node of a value, whose position is used in messages.
     static const toml::node& value_at(const Members& members, const char* name, std::size_t column) {
         const toml::node& node = *members.at(name);
         const toml::array* list = node.as_array();
@@ -397,13 +397,14 @@ private:
         return set;
     }
 
-    /// What stands below a line in brackets is of that table.
+    /// Reports a key that stands below a line in brackets and so belongs to that table.
     void report_misplaced(const std::string& name, const toml::node& node) {
         report(node.source().begin, fmt::format("\"{}\" is of the whole study, not of this part of it", name),
                "it stands above [set] and [[also]]");
     }
 
-    /// In the order of the text, which the parser's tables do not keep. Names with dots are tables in tables.
+    /// Reads the axes in the order of the text, which the parser's tables do not keep. The parser makes nested tables
+    /// of names with dots.
     void read_axes(const toml::node& node, const std::string& prefix, std::vector<StudyAxis>& axes) {
         const toml::table* table = node.as_table();
         if (!table)

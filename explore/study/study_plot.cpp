@@ -17,7 +17,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t most_curves = 8; ///< that have a colour of their own
+constexpr std::size_t most_curves = 8; ///< number of curves with different colours
 
 std::set<std::string> values_of_axis(const StudySummary& summary, std::size_t axis) {
     std::set<std::string> values;
@@ -26,7 +26,7 @@ std::set<std::string> values_of_axis(const StudySummary& summary, std::size_t ax
     return values;
 }
 
-/// How many different values, if all are numbers; 0 if not.
+/// Returns the number of different values of the axis if all are numbers; otherwise 0.
 std::size_t count_numbers(const StudySummary& summary, std::size_t axis) {
     std::set<std::string> values = values_of_axis(summary, axis);
     bool numbers =
@@ -107,7 +107,7 @@ private:
         curves_[curve].intervals.push_back(interval_of(cell));
     }
 
-    /// None where all runs give the same.
+    /// Returns the interval; none if all runs have the same value.
     static Interval interval_of(const StudyCell& cell) {
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
         const double half = cell.half_width > 0 ? cell.half_width : none;

@@ -10,7 +10,7 @@ namespace placedpar {
 
 namespace {
 
-/// A text has its ending last, behind the measures.
+/// Returns a row of the table. The endings of runs come last, after the measures.
 Row row_of(const StudySummary& summary, const StudyLine& line, bool intervals) {
     Row row;
     for (std::size_t i = 0; i < summary.axes.size(); ++i)

@@ -7,17 +7,17 @@
 
 namespace placedpar {
 
-/// For people: a line a combination, with means and the intervals around them.
+/// Returns the summary as a table: a line for each combination, with means and their confidence intervals.
 std::string print_summary(const StudySummary&);
-/// The same as comma-separated values.
+/// Returns the summary as comma-separated values.
 std::string summary_csv(const StudySummary&);
 
-/// The measures over the axis that has most numbers, or over the one that is named, a panel a measure, a curve for
-/// each combination of the other axes; 95 % intervals as bars. Throws UserError where there is nothing to draw, and for
-/// more curves than can be told apart.
+/// Plots the measures over the axis with most numbers, or over the axis `over`: a panel for each measure, a curve for
+/// each combination of the other axes, and 95 % intervals as bars. Throws UserError if there is nothing to draw, or if
+/// there are more curves than can be told apart.
 Plot summary_plot(const StudySummary&, const std::string& over = "");
 
-/// A page of HTML that needs no other file: the plot, where it can be drawn, the table, and what was run.
+/// Returns a self-contained page of HTML with the plot if it can be drawn, the table, and a description of the runs.
 std::string summary_page(const StudySummary&, const std::string& over = "");
 
 } // namespace placedpar

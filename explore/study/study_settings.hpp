@@ -7,15 +7,16 @@
 
 namespace placedpar {
 
-/// Knows with which settings a study has runs. Thousands of products with one combination, as the cells of tables are,
-/// are looked up by what their values mean; only the others are asked one by one.
+/// Finds out whether a study has runs with given settings. Products with a single combination, which the cells of
+/// tables make by the thousand, are looked up in a set by the meaning of their values; only the others are searched one
+/// by one.
 class StudySettings {
 public:
     StudySettings() = default;
     explicit StudySettings(const std::vector<StudyProduct>&);
 
     void add(const StudyProduct&);
-    /// Whether there are runs with these settings, however they are spelled.
+    /// Returns whether there are runs with these settings, in any spelling.
     bool has(const Overrides&) const;
 
 private:

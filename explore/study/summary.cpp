@@ -15,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-/// By measure; none where the run does not have it.
+/// Figures of a run, by measure; none if the run does not have the measure.
 using Measured = std::vector<std::optional<StudyFigure>>;
 
 Measured measured(const StudyOutcome& outcome, const std::vector<StudyMeasure>& measures) {
@@ -26,7 +26,7 @@ Measured measured(const StudyOutcome& outcome, const std::vector<StudyMeasure>& 
     return figures;
 }
 
-/// What the runs with some settings measured, for others to be divided by.
+/// The figures of the reference runs, by which those of other runs are divided.
 class References {
 public:
     References(Spellings& spellings, const std::vector<StudyMeasure>& measures, const Overrides& relative_to)
@@ -48,7 +48,7 @@ public:
             figures[i] = compares ? ratio(figures[i], found->second.figures[i]) : std::nullopt;
         return figures;
     }
-    /// Runs with figures that were divided by none.
+    /// Returns the number of runs with figures but without a reference run.
     std::uint64_t without() const { return without_; }
 
 private:
@@ -94,7 +94,7 @@ void Gathered::add(const StudyOutcome& outcome, const Measured& figures, std::ve
         }
 }
 
-/// Names, each with the values that it has; "" where it is not set.
+/// Returns the names with their values; "" stands for a run that does not set the name.
 std::map<std::string, std::set<std::string>> values_by_name(const std::map<Overrides, Gathered>& all) {
     std::map<std::string, std::set<std::string>> values;
     for (const auto& each : all)
@@ -107,7 +107,7 @@ std::map<std::string, std::set<std::string>> values_by_name(const std::map<Overr
     return values;
 }
 
-/// Numbers before texts, and by size.
+/// Returns an order of the values: numbers by size, then texts.
 std::vector<std::pair<double, std::string>> order_of(const std::vector<std::string>& values) {
     std::vector<std::pair<double, std::string>> order;
     for (const std::string& value : values)
@@ -123,7 +123,7 @@ void add_names(StudySummary& summary, const std::map<Overrides, Gathered>& all) 
             summary.axes.push_back(name);
 }
 
-/// So that 10 comes after 2.
+/// Sorts the lines by their values, numbers by size: 10 comes after 2.
 void sort_lines(std::vector<StudyLine>& lines) {
     std::ranges::stable_sort(lines, {}, [](const StudyLine& line) { return order_of(line.values); });
 }

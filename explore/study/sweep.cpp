@@ -24,21 +24,21 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::uint64_t most_read = 100;          ///< netlists that are looked at, of very many
-constexpr std::uint64_t most_refused = 300;       ///< the same where each is refused for another reason
-constexpr std::uint64_t most_counted = 1'000'000; ///< runs that are looked up one by one
+constexpr std::uint64_t most_read = 100;          ///< combinations that are read if there are very many
+constexpr std::uint64_t most_refused = 300;       ///< as most_read, if combinations are refused for different reasons
+constexpr std::uint64_t most_counted = 1'000'000; ///< number of runs up to which all are looked up
 
-/// Combinations that cannot be read.
+/// Collects the combinations that cannot be read.
 class Refusals {
 public:
-    /// The one that is being caught.
+    /// Adds a refusal. REQUIRES: called while it is being caught.
     void add(const UserError& refused) {
         if (count_++ == 0)
             first_ = std::current_exception();
         said_.insert(refused.what());
     }
     std::uint64_t count() const { return count_; }
-    /// Whether others may well be read: these are few, or what is wrong with them is not the same.
+    /// Returns whether other combinations may be readable: few have been refused, or for different reasons.
     bool leave_hope() const { return count_ < most_read || (said_.size() > 1 && count_ < most_refused); }
     void rethrow_first() const { std::rethrow_exception(first_); }
 
@@ -55,7 +55,8 @@ public:
         : seeds_(study.seeds), runs_(study), netlist_(study.netlist, study.read) {}
     NetworkReader(const NetworkReader&) = delete; // the kinds know the problems
 
-    /// None where the condition does not hold for that combination, or where it is refused, which is noted.
+    /// Returns the network; nothing if the condition does not hold for the combination, or if it is refused, which is
+    /// noted in `refusals`.
     std::optional<Network> at(std::uint64_t combination, Refusals& refusals) const {
         std::optional<StudyRun> run = runs_.at(combination * seeds_);
         try {
@@ -85,7 +86,7 @@ public:
         while (std::gcd(step_, count_) != 1)
             ++step_;
     }
-    /// None after all; the last one comes twice.
+    /// Returns the next combination; nothing after all. The last combination comes twice.
     std::optional<std::uint64_t> next() {
         if (given_ > count_)
             return std::nullopt;
@@ -141,7 +142,7 @@ ProblemRegistry StudyWorker::problems_of(std::uint64_t seed) {
     return known_problems(seed, [this](const ProblemFamily& family) { return remembered_.around(family); });
 }
 
-/// Their place stays the same: the kinds know it.
+/// Replaces the problems in place, since the kinds hold a reference to them.
 void StudyWorker::go_to_seed(std::uint64_t seed) {
     constexpr std::size_t most = 100;
     if (seed == seed_)
@@ -164,7 +165,8 @@ void StudyWorker::go_to_network(const Overrides& set) {
     departed_ = 0;
 }
 
-/// Where courses depend on the seed, or cannot be repeated, that is given up after a few.
+/// Returns whether to record the next run. If runs differ between seeds, or cannot be repeated, recording is given up
+/// after a few.
 bool StudyWorker::is_worth_recording() const {
     constexpr std::uint64_t departures_at_most = 3;
     return study_.seeds > 1 && departed_ < departures_at_most && is_determinate(network_, kinds_);
@@ -179,7 +181,7 @@ std::optional<RunReport> StudyWorker::repeat(const RunSettings& settings) {
     return report;
 }
 
-/// A run that departs is recorded in place of the one before: the next ones may be as this one.
+/// A run that differs from the record is recorded in its place: later runs may be like it.
 RunReport StudyWorker::report_of(const StudyRun& run, Interruption& interruption) {
     RunSettings settings{.seed = run.seed, .until = study_.until, .interruption = &interruption};
     if (record_ && record_->can_be_repeated())
@@ -250,7 +252,7 @@ void require_possible(const std::vector<std::string>& measures, const Study& stu
         throw UserError(possible.why_unknown(missing.front()));
 }
 
-/// Makes it, keeps it, and notes how long it took. None when it was interrupted.
+/// Makes and keeps a run, and notes how long it took. Returns nothing if it was interrupted.
 std::optional<StudyOutcome> StudySweep::timed_outcome(const StudyRun& run, Interruption& interruption) {
     if (!trier_)
         trier_.emplace(study_);
@@ -264,7 +266,7 @@ std::optional<StudyOutcome> StudySweep::timed_outcome(const StudyRun& run, Inter
     return outcome;
 }
 
-/// Of the first run from there on, or back, that completes. Looks at few.
+/// Returns the figures of the first run that completes, from `index` forwards or backwards. Tries only a few runs.
 std::optional<StudyFigures> StudySweep::figures_near(std::uint64_t index, bool forwards, Interruption& interruption) {
     constexpr int few = 3;
     std::uint64_t count = runs_.count();
@@ -308,7 +310,7 @@ StudySweep::Missing StudySweep::missing() {
     return {found, true};
 }
 
-/// One that is refused takes no time: another is tried, but not very many.
+/// A refused run takes no time, so others are tried, up to a limit.
 std::optional<double> StudySweep::seconds_a_run(Interruption& interruption) {
     bool was_run = false;
     std::uint64_t refused = 0;
@@ -323,7 +325,7 @@ std::optional<double> StudySweep::seconds_a_run(Interruption& interruption) {
     return seconds_;
 }
 
-/// The first of a combination may take longer than the others, which repeat it.
+/// Makes a run with another seed: the first run of a combination may take longer than the others, which repeat it.
 void StudySweep::time_another_seed(Interruption& interruption) {
     const double first = *seconds_, others = static_cast<double>(study_.seeds - 1);
     StudyRun another = *tried_;

@@ -18,18 +18,19 @@
 
 namespace placedpar {
 
-/// A netlist of the study: the first that can be read of some that are spread over it, or where its condition leaves
-/// none of these of all. Throws UserError where none can: what the first is refused with.
+/// Returns a network of the study: the first that can be read of some combinations spread over the study, or of all
+/// combinations if the condition holds for none of those. If none can be read, throws UserError with the refusal of the
+/// first.
 Network readable_network(const Study&);
 
-/// Throws UserError for one of these measures that no run can have: none of all combinations, or where there are very
-/// many none of some that are spread over them. The network is one of the study's.
+/// Throws UserError if no run can have one of the measures. All combinations are checked, or, if there are very many,
+/// some that are spread over them. `network` is one of the study's.
 void require_possible(const std::vector<std::string>& measures, const Study&, const Network&);
 
-/// Makes runs of a study, one after the other. What they have in common is made once: the kinds; what the
-/// netlist's text says; the network of those of one combination, and where that does not depend on the seed what
-/// happens on its machine (RepeatedRun); the records that are searched over, of those of one seed; the fitness of the
-/// strings of own problems.
+/// Makes runs of a study, one after the other. Data that runs share are made once: the kinds; the parsed netlist; for
+/// the runs of one combination, the network, and the events on the machine if they do not depend on the seed
+/// (RecordedRun); for the runs of one seed, the records of measurement; and the fitness of strings of objective
+/// problems.
 class StudyWorker {
 public:
     /// REQUIRES: the study outlives it.
@@ -37,9 +38,9 @@ public:
     StudyWorker(const StudyWorker&) = delete; // the kinds know the problems
     StudyWorker& operator=(const StudyWorker&) = delete;
 
-    /// None when it was interrupted.
+    /// Makes a run; returns nothing if it was interrupted.
     std::optional<StudyOutcome> outcome_of(const StudyRun&, Interruption&);
-    /// How many of them it needed no machine for.
+    /// Returns the number of runs that were repeated without the machine.
     std::uint64_t repeated() const { return repeated_; }
 
 private:
@@ -54,42 +55,43 @@ private:
     const ParsedNetlist netlist_;
     std::uint64_t seed_ = 0;
     RememberedProblems remembered_;
-    ProblemRegistry problems_ = problems_of(seed_);      ///< of the seed
-    std::map<std::uint64_t, ProblemRegistry> of_others_; ///< of seeds that have been, but not of very many
+    ProblemRegistry problems_ = problems_of(seed_);      ///< problems of seed_
+    std::map<std::uint64_t, ProblemRegistry> of_others_; ///< problems of a limited number of earlier seeds
     const Catalogue kinds_ = known_kinds(problems_);
     std::optional<Overrides> set_; ///< of the network
     Network network_;
-    std::optional<RecordedRun> record_; ///< of the network, if runs of it may be repeated
-    std::uint64_t departed_ = 0;        ///< runs of the network that took another course
+    std::optional<RecordedRun> record_; ///< record of a run of the network, if its runs may be repeated
+    std::uint64_t departed_ = 0;        ///< number of runs of the network that differed from the record
     std::uint64_t repeated_ = 0;
 };
 
-/// Makes the runs of a study that its results do not have yet. What comes of a run does not depend on when it is made
-/// or beside which others, so neither do the results.
+/// Makes the runs of a study that its results do not have yet. The outcome of a run does not depend on when it is made,
+/// or on other runs, so the results do not depend on the order.
 class StudySweep {
 public:
     /// REQUIRES: both outlive it. Throws as Study::count().
     StudySweep(const Study& study, StudyResults& results) : study_(study), runs_(study), results_(results) {}
 
-    /// Makes and keeps a run or two, unless they are there, so that a measure that no run has is refused before the
-    /// others are made: UserError. None ends the others early.
+    /// Makes and keeps one or two runs, unless the results have them, and throws UserError for a measure that they do
+    /// not have, before the other runs are made.
     void try_measures(Interruption&);
 
-    /// How many are missing; where there are very many at most that many.
+    /// The number of missing runs; an upper bound if there are very many.
     struct Missing {
         std::uint64_t runs = 0;
         bool exact = true;
     };
     Missing missing();
-    /// How long a run takes in the mean, by the wall's clock; makes one of them where none was made, and one with
-    /// another seed. None when interrupted. REQUIRES: called once.
+    /// Returns the mean wall-clock time of a run, in seconds. Makes a run if none has been made, and one with another
+    /// seed. Returns nothing if interrupted. REQUIRES: called once.
     std::optional<double> seconds_a_run(Interruption&);
 
-    /// Makes all that are missing, so many at once. `show` is told now and then how many have ended. `others`, if any,
-    /// make some of them elsewhere: asked again and again, in the caller's thread, until it says that they have gone.
+    /// Makes all missing runs, `workers` at once. `show` is called from time to time with the number of runs that have
+    /// ended. `others`, if not null, lets other ranks make some of the runs: it is called repeatedly, in the caller's
+    /// thread, until it returns false.
     void run(std::size_t workers, Interruption&, const std::function<void(std::uint64_t ended)>& show,
              const std::function<bool(bool stopped)>& others = nullptr);
-    /// For the others: the next run that somebody has to make. None when there is none left, or all is to stop.
+    /// Returns the next run for a worker to make; nothing if none is left, or the sweep is to stop.
     std::optional<StudyRun> next();
     void keep(const StudyRun&, const StudyOutcome&);
 
@@ -102,13 +104,13 @@ private:
     const Study& study_;
     const StudyRuns runs_;
     StudyResults& results_;
-    std::mutex mutex_; ///< of the results and what follows
+    std::mutex mutex_; ///< guards the results and the members below
     std::uint64_t next_ = 0;
     std::atomic<std::uint64_t> ended_ = 0;
     std::atomic<bool> stop_ = false;
-    std::optional<StudyWorker> trier_; ///< of single runs, to see what they are like
-    std::optional<StudyRun> tried_;    ///< the last of these
-    std::optional<double> seconds_;    ///< that it took
+    std::optional<StudyWorker> trier_; ///< makes single runs, before the sweep, to measure them
+    std::optional<StudyRun> tried_;    ///< last run of trier_
+    std::optional<double> seconds_;    ///< duration of that run
 };
 
 } // namespace placedpar

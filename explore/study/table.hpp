@@ -8,7 +8,7 @@
 
 namespace placedpar {
 
-/// What a table calls some runs of a study, and what is set for them.
+/// A name in a table for some runs of a study, and their settings.
 struct StudyVariant {
     std::string name;
     Overrides set = {};
@@ -16,33 +16,34 @@ struct StudyVariant {
 
 /// How far a figure may be from the known one.
 struct StudyTolerance {
-    StudyExpression amount{""}; ///< over what is set, and `known`; none: the figure is not judged by it
-    bool in_percent = false;    ///< of the known one; else in the unit of the figure
+    StudyExpression amount{""}; ///< expression of the settings and `known`; none: no tolerance
+    bool in_percent = false;    ///< percent of the known figure; otherwise in the unit of the figure
 };
 
-/// A row of a table. Lists have a member for each column, or none at all.
+/// A row of a table. Each list is empty or has a member for each column.
 struct StudyRow {
     StudyVariant runs;
-    std::string measure = "";   ///< the figure is this one, as the study names it; "": the next
-    StudyExpression figure{""}; ///< over what is set, measures by their last names, and the rows above by their names
+    std::string measure = ""; ///< the measure that is the figure, as the study names it; "": `figure` gives it
+    StudyExpression figure{
+        ""}; ///< expression of the settings, the measures by their last names, and the rows above by their names
     std::string unit = "";
     int decimals = 2;
-    std::vector<StudyExpression> known = {}; ///< over what is set
+    std::vector<StudyExpression> known = {}; ///< expressions of the settings
     std::vector<StudyTolerance> tolerances = {};
     std::vector<Origin> origins = {};
-    Overrides relative_to = {}; ///< measures are divided by those of the same run with these settings
+    Overrides relative_to = {}; ///< measures are divided by those of the otherwise same run with these settings
 };
 
-/// Figures of a study beside known ones: a cell for each row and column.
+/// A table of figures of a study beside known ones, with a cell for each row and column.
 struct StudyTable {
     std::string name, against = "known", notes = "";
     bool judged = false;   ///< even where it is not the first
-    bool fit = false;      ///< whether a line below it says how far its outcomes are from what is known
-    Overrides shared = {}; ///< what is set in all its runs, unless a row or column sets it
+    bool fit = false;      ///< whether a line below the table gives the deviation of its figures from the known ones
+    Overrides shared = {}; ///< settings of all its runs, unless a row or column sets them
     std::vector<StudyVariant> columns = {};
     std::vector<StudyRow> rows = {};
 
-    /// What is set for a cell.
+    /// Returns the settings of a cell.
     Overrides set(const StudyRow&, const StudyVariant& column) const;
 };
 

@@ -1,9 +1,9 @@
 #pragma once
 
-// Debian's package would have a library linked otherwise.
+// Without this macro, Debian's package needs a library to be linked.
 #define TOML_HEADER_ONLY 1
-// What the parser asserts, it promises to the compiler where assertions are off, and "[(set]" breaks the promise. With
-// neither, it goes on and says itself what is wrong with such a text.
+// With assertions off, the parser tells the compiler to assume what it would assert, and "[(set]" breaks the
+// assumption. With neither assertion nor assumption, the parser reports the error in such a text.
 #define TOML_ASSERT(condition) static_cast<void>(0)
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
@@ -32,11 +32,11 @@
 
 namespace placedpar {
 
-/// Reads a file of TOML. Reports everything that is wrong, not only the first: what is read in place of it means
-/// nothing, and refuse_if_failed() comes before it is used.
+/// Reads a file of TOML. Reports all errors, not only the first. A value read in place of a wrong one is meaningless:
+/// call refuse_if_failed() before using any value.
 class TomlReader {
 protected:
-    /// Throws RefusedInput where there is no such text.
+    /// Throws RefusedInput if the text cannot be read.
     explicit TomlReader(const std::string& path) {
         LoadedSource loaded = load_input(path);
         source_ = loaded.file;
@@ -65,7 +65,7 @@ protected:
         return fmt::format("\"{}\" is given twice", key_at(error.source().begin));
     }
 
-    /// Without its quotes. The place may be in the key or in its value.
+    /// Returns the key at a position, without quotes. The position may be in the key or in its value.
     std::string key_at(const toml::source_position& place) const {
         std::string key;
         char quote = 0;
@@ -88,7 +88,7 @@ protected:
         return key;
     }
 
-    /// Each member by what takes it.
+    /// Passes each member to its handler.
     void read_table(const toml::table& table, const Handlers& handlers, std::string_view what = "study") {
         for (const auto& [key, node] : table) {
             std::string name(key.str());
@@ -121,7 +121,7 @@ protected:
         return tables;
     }
 
-    /// As --set takes it.
+    /// Returns the value as text for --set.
     std::string value_text(const toml::node& node) {
         if (const auto* text = node.as_string())
             return text->get();

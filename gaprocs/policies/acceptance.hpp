@@ -17,7 +17,7 @@ namespace placedpar {
 
 class RandomStream;
 
-/// An island whose immigrants look for places.
+/// The population that immigrants enter.
 struct IslandPopulation {
     std::span<const Genome> strings;
     std::span<const double> fitness;
@@ -26,16 +26,16 @@ struct IslandPopulation {
     const Representation* representation = nullptr; ///< binary strings where it is null
 };
 
-/// Where each immigrant comes to live: the index of the individual that it replaces, or nothing where it is turned
+/// The place of each immigrant: the index of the individual that it replaces, or nothing where it is turned
 /// away.
 using Places = std::vector<std::optional<std::size_t>>;
 
-// Each way gives the immigrants their places, to one after the other. No two get the same place, so that those who come
-// together do not replace each other. With `only_if_better`, an immigrant that is not fitter than the one it would
-// replace is turned away.
-// REQUIRES, everywhere: immigrants.size() + island.elite <= island.strings.size(), all strings of one length.
+// Each policy assigns places to the immigrants, one after the other. No two immigrants of an exchange get the same
+// place, so that they do not replace each other. With `only_if_better`, an immigrant that is not fitter than the one it
+// would replace is turned away. REQUIRES, everywhere: immigrants.size() + island.elite <= island.strings.size(), all
+// strings of one length.
 
-/// The least fit; the lower index first among equals. Draws nothing.
+/// Replaces the least fit; among equals the lower index first. Draws nothing.
 struct WorstAcceptance {
     static constexpr std::string_view name = "worst", about = "the least fit is replaced",
                                       source = "ours: the thesis does not say";
@@ -47,7 +47,8 @@ struct WorstAcceptance {
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
 
-/// Anyone who is not of the elite, with the same chance. At least one number an immigrant.
+/// Replaces an individual outside the elite, each with the same probability. Draws at least one number for each
+/// immigrant.
 struct RandomAcceptance {
     static constexpr std::string_view name = "random", about = "one drawn at random, not of the elite, is replaced",
                                       source = "not in the thesis";
@@ -59,9 +60,8 @@ struct RandomAcceptance {
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
 
-/// The one that is least distant from the immigrant (Representation::distance(); of binary strings, it differs in the
-/// fewest bits) and is not of the elite; among equals the least fit, then
-/// the lowest index. Draws nothing.
+/// Replaces the individual outside the elite with the least distance from the immigrant (Representation::distance();
+/// for binary strings, the number of different bits); among equals the least fit, then the lowest index. Draws nothing.
 struct AlikeAcceptance {
     static constexpr std::string_view name = "alike", about = "the most alike, not of the elite, is replaced",
                                       source = "not in the thesis";
@@ -73,10 +73,10 @@ struct AlikeAcceptance {
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
 
-/// Anyone of the population that has just been bred, with the same chance, but not of the elite at its head. So an
-/// immigrant is evaluated with the next generation and becomes nobody's parent before (thesis 5.3.2: "one generation
-/// later"). The population has no fitness yet: none is looked at, and nobody is turned away. At least one number an
-/// immigrant.
+/// Replaces an individual of the population that has just been bred, outside the elite at its head, each with the same
+/// probability. So an immigrant is evaluated with the next generation and cannot become a parent earlier (thesis 5.3.2:
+/// "one generation later"). The population has no fitness yet, so no immigrant is turned away. Draws at least one
+/// number for each immigrant.
 struct OffspringAcceptance {
     static constexpr std::string_view name = "offspring",
                                       about = "one of the new population drawn at random, not of its elite, is "
@@ -99,7 +99,7 @@ private:
     std::function<Places(const IslandPopulation&, std::span<const Individual>, RandomStream&)> choose_;
 };
 
-/// Who is replaced by an immigrant.
+/// The policy that says which individual an immigrant replaces.
 class Acceptance
     : public OneOf<Acceptance, WorstAcceptance, RandomAcceptance, AlikeAcceptance, OffspringAcceptance, OwnAcceptance> {
 public:
@@ -109,7 +109,8 @@ public:
     /// Whether immigrants come into the population that has just been bred, instead of the one that breeds.
     bool among_offspring() const { return std::holds_alternative<OffspringAcceptance>(policy()); }
 
-    /// Throws UserError where more come at once than may be replaced. REQUIRES: elite <= population.
+    /// Throws UserError if more immigrants come at once than individuals may be replaced. REQUIRES: elite <=
+    /// population.
     static void validate_for(std::size_t immigrants, std::size_t population, std::size_t elite);
     /// Throws as validate_for(). REQUIRES: all strings of one length; island.elite <= their number; for each a fitness
     /// that is a finite number, unless among_offspring().

@@ -9,11 +9,11 @@
 
 namespace placedpar {
 
-// How a string stands for the parameters of a problem, a field for each. With `dont_care`, so many bits that nobody
-// reads are stuffed between every two neighbours of the binary string (thesis eq. 6.14 and 6.15 have 1): an individual
-// of the search then has many strings, the more the more of its bits do not matter.
+// Codings: how a string codes the parameters of a problem, in one field each. With `dont_care`, that number of unused
+// bits is stuffed between every two neighbouring bits of the binary string (thesis eq. 6.14 and 6.15 have 1), so that
+// many strings stand for the same individual.
 
-/// In natural binary, as in the thesis, neighbours may differ in every bit: a search that stands at 0111 cannot step to
+/// Natural binary, as in the thesis. Neighbouring numbers may differ in every bit: a search at 0111 cannot step to
 /// 1000.
 struct NaturalCoding {
     static constexpr std::string_view name = "natural", about = "fields in natural binary",
@@ -25,7 +25,7 @@ struct NaturalCoding {
     }
 };
 
-/// In the (binary reflected) Gray code neighbours differ in one bit.
+/// The (binary reflected) Gray code, in which neighbouring numbers differ in one bit.
 struct GrayCoding {
     static constexpr std::string_view name = "gray", about = "fields in Gray code: neighbours differ in one bit",
                                       source = "F. Gray, 1953; don't-care bits: thesis eq. 6.14 and 6.15";
@@ -51,9 +51,9 @@ public:
         about = "how a string stands for the parameters of a problem, a field of bits for each";
     static const Coding natural, gray, real; ///< without don't-care bits
 
-    /// As OneOf::text(), but without don't-care bits where there are none.
+    /// Returns OneOf::text(), without the number of don't-care bits if that is 0.
     std::string text() const { return dont_care() == 0 ? std::string(way()) : OneOf::text(); }
-    /// "natural", "gray" or "real".
+    /// Returns "natural", "gray" or "real".
     constexpr std::string_view way() const {
         return std::visit([](const auto& coding) { return coding.name; }, policy());
     }
@@ -63,7 +63,7 @@ public:
         const auto* gray_coding = std::get_if<GrayCoding>(&policy());
         return gray_coding ? gray_coding->dont_care : 0;
     }
-    /// The same way without don't-care bits.
+    /// Returns the same coding without don't-care bits.
     Coding plain() const { return named(way()); }
 
     friend constexpr bool operator==(const Coding& a, const Coding& b) {

@@ -11,8 +11,8 @@ namespace placedpar {
 
 namespace {
 
-/// The next individual behind the first that differs from it in two bits or more becomes its neighbour.
-/// False where there is none.
+/// Moves the next individual that differs from the first in two bits or more to the place behind the first. Returns
+/// false if there is none.
 bool mate_by_difference(std::span<Genome> unmated) {
     auto differs = [&](const Genome& other) { return difference(unmated.front(), other) >= 2; };
     auto mate = std::find_if(unmated.begin() + 1, unmated.end(), differs);
@@ -22,14 +22,14 @@ bool mate_by_difference(std::span<Genome> unmated) {
     return true;
 }
 
-/// Two different numbers below `count`, in any order.
+/// Returns two different numbers below `count`, in any order.
 std::pair<std::size_t, std::size_t> two_of(std::size_t count, RandomStream& random) {
     auto places = static_cast<std::uint32_t>(count);
     std::size_t first = random.below(places), second = random.below(places - 1);
     return {first, second + (second >= first)};
 }
 
-/// A mask of words that are all ones or all zeros, with an even chance.
+/// Returns a mask of words that are all ones or all zeros, each with probability 1/2.
 Genome whole_words_at_random(std::size_t bits, RandomStream& random) {
     Genome mask(bits);
     for (std::size_t word = 0; word < bits / 64; ++word)

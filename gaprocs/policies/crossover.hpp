@@ -15,11 +15,11 @@
 
 namespace placedpar {
 
-// Each way exchanges parts of two mates and says how many numbers of the stream it draws for it. Characters are those
-// of a binary string; of a real vector, whose `unit` is 64 bits that stay together, they are whole numbers. REQUIRES,
-// everywhere: both strings of one length, 2 characters or more.
+// Each policy exchanges parts of two mates; its comment says how many numbers of the stream it draws. A character is a
+// bit of a binary string, or a number of a real vector, whose `unit` of 64 bits is never cut. REQUIRES, everywhere:
+// both strings of one length, 2 characters or more.
 
-/// The characters 1 ... k, k uniform in 1 ... L - 1 (thesis eq. 1.1 and 1.2). One number.
+/// Exchanges the characters 1 ... k, k uniform in 1 ... L - 1 (thesis eq. 1.1 and 1.2). Draws one number.
 struct OnePointCrossover {
     static constexpr std::string_view name = "one-point", about = "the characters before a cut",
                                       source = "thesis 1.1, eq. 1.1 and 1.2";
@@ -28,8 +28,8 @@ struct OnePointCrossover {
     void operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit = 1) const;
 };
 
-/// The characters between two cuts of the string closed to a ring, each pair of two of its L places equally likely.
-/// Two numbers.
+/// Exchanges the characters between two cuts of the string closed to a ring; each pair of its L places is equally
+/// likely. Draws two numbers.
 struct TwoPointCrossover {
     static constexpr std::string_view name = "two-point", about = "the characters between two cuts",
                                       source = "K. De Jong, 1975";
@@ -38,8 +38,8 @@ struct TwoPointCrossover {
     void operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit = 1) const;
 };
 
-/// Each character with an even chance (G. Syswerda, "Uniform crossover in genetic algorithms", 1989). One number for
-/// each begun half word, or for each of real numbers.
+/// Exchanges each character with probability 1/2 (G. Syswerda, "Uniform crossover in genetic algorithms", 1989). Draws
+/// one number for each half word begun, or for each real number.
 struct UniformCrossover {
     static constexpr std::string_view name = "uniform", about = "each character with an even chance",
                                       source = "G. Syswerda, 1989";
@@ -48,8 +48,8 @@ struct UniformCrossover {
     void operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit = 1) const;
 };
 
-/// One-point crossover that always makes something new (thesis 6.3): parents that differ in fewer than two bits have no
-/// new offspring and are no mates, and the cut lies between the first and the last bit in which the parents differ. One
+/// One-point crossover whose offspring always differ from the parents (thesis 6.3): the cut lies between the first and
+/// the last bit in which the parents differ, and parents that differ in fewer than two bits are not mates. Draws one
 /// number.
 struct DifferenceCrossover {
     static constexpr std::string_view name = "by-difference",
@@ -61,9 +61,9 @@ struct DifferenceCrossover {
     void operator()(Genome& a, Genome& b, RandomStream& random) const;
 };
 
-/// Each number of each offspring anew, uniform between those of its parents and a share `alpha` of their distance
-/// beyond them (L. Eshelman and J. Schaffer, "Real-coded genetic algorithms and interval-schemata", 1993: BLX-alpha);
-/// beyond an end of the range lies that end. Two numbers for each.
+/// Draws each number of each offspring uniformly from the interval between those of its parents, extended at both ends
+/// by `alpha` times its length (L. Eshelman and J. Schaffer, "Real-coded genetic algorithms and interval-schemata",
+/// 1993: BLX-alpha); values outside the parameter's range become its nearest end. Draws two numbers for each.
 struct BlendCrossover {
     static constexpr std::string_view name = "blend",
                                       about = "numbers between the parents', and `alpha` of their distance beyond",
@@ -78,8 +78,8 @@ struct BlendCrossover {
 };
 
 /// Order crossover (L. Davis, "Applying adaptive algorithms to epistatic domains", 1985): an offspring keeps the places
-/// between two cuts from one parent; the others follow behind them in the order of the other parent. The cuts are as
-/// those of TwoPointCrossover. Two numbers.
+/// between two cuts from one parent; the others follow behind them in the order of the other parent. The cuts are drawn
+/// as in TwoPointCrossover. Draws two numbers.
 struct OrderCrossover {
     static constexpr std::string_view name = "order",
                                       about = "a stretch of one parent, the rest in the order of the other",
@@ -104,25 +104,25 @@ public:
           }) {}
 };
 
-/// How two parents make two offspring. Neighbours 0 and 1, 2 and 3, ... are mates: after reproduction they are mates at
-/// random already. By difference, an individual's mate is the next one behind it that differs enough and has no mate
-/// yet, and changes places with its neighbour.
+/// The policy by which two parents make two offspring. Neighbours 0 and 1, 2 and 3, ... are mates, since their order is
+/// random after reproduction. With DifferenceCrossover, an individual's mate is the next individual that differs enough
+/// and has no mate yet; it is moved next to the individual.
 class Crossover : public OneOf<Crossover, OnePointCrossover, TwoPointCrossover, UniformCrossover, DifferenceCrossover,
                                BlendCrossover, OrderCrossover, OwnCrossover> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "crossover", about = "how two parents make two offspring";
 
-    /// Each pair with the given probability: one number for the chance, and the way's own. The last of an odd number
-    /// has no mate, and strings of one character have no cut: for neither is a number drawn. REQUIRES: all strings of
-    /// this representation, fits(representation.kind()).
+    /// Crosses each pair with the given probability, which draws one number in addition to those of the policy. An
+    /// individual without a mate (the last of an odd number) and strings of one character stay, and draw nothing.
+    /// REQUIRES: all strings of this representation, fits(representation.kind()).
     void operator()(std::span<Genome> population, double probability, const Representation& representation,
                     RandomStream& random) const;
 
-    /// All offspring that it can make of two mates, found by trying every outcome of its draws: vertices of the
-    /// hypercube, each the string read as a whole number. The parents are among them where both can stay as they are.
-    /// Empty where the two are no mates. REQUIRES: both binary strings of one length, 2 to 20. Throws
-    /// std::invalid_argument for a way that does not fit binary strings.
+    /// Returns all offspring that two mates can have, found by trying every outcome of the draws. Each is a vertex of
+    /// the hypercube: its string read as a whole number. The parents are included if the draws can leave them
+    /// unchanged. Returns an empty set if the two are not mates. REQUIRES: both binary strings of one length, 2 to 20.
+    /// Throws std::invalid_argument for a policy that does not fit binary strings.
     std::set<std::uint64_t> every_offspring(const Genome& a, const Genome& b) const;
 };
 

@@ -15,7 +15,8 @@ namespace placedpar {
 
 namespace {
 
-/// `count` times what choose(those left) gives, a place among them; the chosen one is then no longer left.
+/// Calls choose(those left) `count` times; each result is an index into those left, from which the chosen one is
+/// removed.
 template <class Choose>
 std::vector<std::size_t> choose_different(std::size_t population, std::size_t count, Choose choose) {
     std::vector<std::size_t> left(population), chosen;

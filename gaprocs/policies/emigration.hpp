@@ -13,10 +13,10 @@ namespace placedpar {
 
 class RandomStream;
 
-// Each way chooses `count` different individuals, by index, of which copies leave; they themselves stay.
+// Each policy chooses `count` different individuals, by index. Copies of them leave; the individuals themselves stay.
 // REQUIRES, everywhere: count <= fitness.size().
 
-/// The best first; the lower index first among equals. Draws nothing.
+/// Chooses the best; among equals the lower index first. Draws nothing.
 struct BestEmigration {
     static constexpr std::string_view name = "best", about = "the `count` best", source = "thesis 4.3 and 5.2.1";
     std::size_t count = 1;
@@ -26,7 +26,7 @@ struct BestEmigration {
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };
 
-/// Each individual with the same chance. At least one number for each that leaves.
+/// Chooses each individual with the same probability. Draws at least one number for each that leaves.
 struct RandomEmigration {
     static constexpr std::string_view name = "random", about = "`count` drawn at random",
                                       source = "a control: not in the thesis";
@@ -37,8 +37,8 @@ struct RandomEmigration {
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };
 
-/// Each the best of `size` individuals that are drawn with replacement from those not chosen yet; the first of equals.
-/// At least `size` numbers for each that leaves.
+/// Chooses the best of `size` individuals drawn with replacement from those not chosen yet, the first of equals;
+/// repeated for each that leaves. Draws at least `size` numbers for each.
 struct TournamentEmigration {
     static constexpr std::string_view name = "tournament", about = "`count` times the best of `size` drawn at random",
                                       source = "not in the thesis";
@@ -63,17 +63,18 @@ private:
     std::function<std::vector<std::size_t>(std::span<const double>, RandomStream&)> choose_;
 };
 
-/// Who leaves an island, and how many.
+/// The policy that says which individuals leave an island, and how many.
 class Emigration : public OneOf<Emigration, BestEmigration, RandomEmigration, TournamentEmigration, OwnEmigration> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "emigration", about = "who leaves an island, and how many";
 
-    /// How many leave.
+    /// Returns the number of individuals that leave.
     std::size_t count() const;
-    /// Throws UserError where more shall leave than there are.
+    /// Throws UserError if more individuals are to leave than the population has.
     void validate_for(std::size_t population) const;
-    /// The indices of those who leave. Throws as validate_for(). REQUIRES: every fitness is a finite number.
+    /// Returns the indices of the individuals that leave. Throws as validate_for(). REQUIRES: every fitness is a finite
+    /// number.
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };
 

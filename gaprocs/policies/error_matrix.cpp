@@ -7,7 +7,7 @@ namespace placedpar {
 
 namespace {
 
-// So that quotients and their sums are finite whatever a problem gives: an error that is not a number counts as the
+// Limits that keep quotients and their sums finite for all errors; an error that is not a number counts as the
 // greatest.
 constexpr double least_error = 1e-12, greatest_error = 1e100;
 

@@ -6,14 +6,14 @@
 
 namespace placedpar {
 
-/// What the best of each of several islands leaves unexplained. Island i has the i-th window, and A_i is its best.
+/// The errors of the best individuals of several islands. Island i has the i-th window, and A_i is its best.
 struct ErrorsOfBest {
     std::vector<std::size_t> windows;        ///< in samples, none longer than the errors known
     std::vector<std::vector<double>> errors; ///< [j]: y - y-hat of A_j at each sample, oldest first, the newest for all
     /// [i][j]: of A_j in window i, where errors depend on where their window begins; else none.
     std::vector<std::vector<std::vector<double>>> by_window = {};
 
-    /// Of the best of an island at each sample of a window.
+    /// Errors of the best individual of an island at each sample of a window.
     std::span<const double> in_window(std::size_t window, std::size_t island) const {
         return by_window.empty() ? std::span(errors[island]).last(windows[window])
                                  : std::span(by_window[window][island]);
@@ -40,15 +40,15 @@ public:
 
     std::size_t islands() const { return islands_; }
     double error(std::size_t window, std::size_t island) const { return errors_[window * islands_ + island]; }
-    /// |Error(w_i, A_j)| divided. Errors below 1e-12 count as 1e-12, so that two perfect islands are equals; those that
-    /// are no number or above 1e100 as 1e100.
+    /// Returns |Error(w_i, A_j)| divided by the normaliser. Errors below 1e-12 count as 1e-12, so that two perfect
+    /// islands are equals; errors above 1e100, or that are not a number, count as 1e100.
     double normalised(std::size_t window, std::size_t island, Normaliser normaliser) const;
 
-    /// SA_j of 5.3: column j summed, A_j under all windows.
+    /// Returns SA_j of 5.3: the sum of column j, A_j in all windows.
     double sum_over_windows(std::size_t island, Normaliser normaliser) const;
-    /// Sw_i of 5.4: row i summed, all A under w_i.
+    /// Returns Sw_i of 5.4: the sum of row i, all A in window w_i.
     double sum_over_islands(std::size_t window, Normaliser normaliser) const;
-    /// Sw_i / SA_i of 5.7.
+    /// Returns Sw_i / SA_i of 5.7.
     double ratio(std::size_t island, Normaliser normaliser) const;
 
 private:

@@ -9,10 +9,10 @@ namespace placedpar {
 
 namespace {
 
-/// The lowest index of the fitness that comes first. REQUIRES: one at least, and none that is not a number.
+/// Returns the lowest index of the fitness that comes first. REQUIRES: at least one fitness, and no NaN.
 template <class ComesFirst>
 std::size_t first_index(std::span<const double> fitness, ComesFirst comes_first) {
-    // Its value first, several side by side: one after the other each comparison would wait for the one before.
+    // Finds the value first, in several lanes: in a single sequence each comparison would wait for the one before.
     std::array<double, 4> firsts;
     firsts.fill(fitness.front());
     std::size_t i = 0;
@@ -25,7 +25,7 @@ std::size_t first_index(std::span<const double> fitness, ComesFirst comes_first)
     return static_cast<std::size_t>(std::find(fitness.begin(), fitness.end(), first) - fitness.begin());
 }
 
-/// The first `count` indices, of those whose fitness comes first and of equals the lower one.
+/// Returns the indices of the `count` fitnesses that come first; among equals the lower index first.
 template <class ComesFirst>
 std::vector<std::size_t> first_indices(std::span<const double> fitness, std::size_t count, ComesFirst comes_first) {
     if (count == 0)

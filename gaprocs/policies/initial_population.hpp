@@ -14,13 +14,13 @@ namespace placedpar {
 
 class RandomStream;
 
-/// Every string is drawn by the search.
+/// The search draws every string.
 struct RandomStart {
     static constexpr std::string_view name = "random", about = "every string is drawn", source = "thesis 1.1";
     static constexpr std::tuple<> numbers() { return {}; }
 };
 
-/// The codes of each field evenly over its range, in an order drawn for each: spread_population().
+/// Spreads the codes of each field evenly over its range, in an order drawn for each field: spread_population().
 struct SpreadStart {
     static constexpr std::string_view name = "spread",
                                       about = "the codes of each field evenly over its range, in an order drawn for "
@@ -29,7 +29,8 @@ struct SpreadStart {
     static constexpr std::tuple<> numbers() { return {}; }
 };
 
-/// A struct of a program's own that gives the first of the first population, `population` strings at the most:
+/// A struct of a program's own that returns the first individuals of the first population, at most `population`
+/// strings:
 ///
 ///     std::vector<Genome> operator()(std::size_t population, const Representation& representation,
 ///                                    RandomStream& random) const;
@@ -51,7 +52,7 @@ private:
     std::function<std::vector<Genome>(std::size_t, const Representation&, RandomStream&)> begin_;
 };
 
-/// Where a search begins, unless with the strings of a file.
+/// The policy that makes the first population, unless that is read from a file.
 class InitialPopulation : public OneOf<InitialPopulation, RandomStart, SpreadStart, OwnStart> {
 public:
     using OneOf::OneOf;

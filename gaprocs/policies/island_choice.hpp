@@ -12,9 +12,9 @@ namespace placedpar {
 
 class RandomStream;
 
-// Active error analysis (thesis 5.3.2): each way chooses, of islands with windows of different lengths, the one whose
-// best is the answer. Ratios are those of 5.7, and of equal ones the first island's wins.
-// REQUIRES, everywhere: as ErrorMatrix, at least one island.
+// Active error analysis (thesis 5.3.2): each policy chooses, among islands with windows of different lengths, the
+// island whose best is the answer. Ratios are those of 5.7; among equal ratios the first island wins. REQUIRES,
+// everywhere: as ErrorMatrix, at least one island.
 //
 // The rule as it is printed cannot do what the thesis says of it. Windows are nested: the newest ten samples are among
 // the newest thirty. So whatever the errors, with squares Error(w_i, A_j) cannot fall when w_i grows, and with
@@ -35,7 +35,7 @@ struct PrintedChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// The same to the letter of 5.2 too, in which errors of both signs cancel.
+/// As PrintedChoice, but with the sums of 5.2 as printed, in which errors of both signs cancel.
 struct PlainSumChoice {
     static constexpr std::string_view name = "plain", about = "greatest Sw/SA, plain errors summed with their signs",
                                       source = "thesis eq. 5.2 to 5.7, to the letter";
@@ -62,7 +62,7 @@ struct RowChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// Always the same island, counted from 0.
+/// Chooses always the same island, counted from 0.
 struct FixedChoice {
     static constexpr std::string_view name = "fixed", about = "always the same island, counted from 0",
                                       source = "a control: not in the thesis";
@@ -74,7 +74,7 @@ struct FixedChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// An island at random: what a rule has to beat. One number.
+/// Chooses an island at random, as a baseline for the other rules. Draws one number.
 struct RandomChoice {
     static constexpr std::string_view name = "random", about = "an island drawn anew each time",
                                       source = "a control: not in the thesis";
@@ -93,7 +93,7 @@ private:
     std::function<std::size_t(const ErrorsOfBest&, RandomStream&)> choose_;
 };
 
-/// Which island's best is the answer of all.
+/// The policy that chooses the island whose best is the answer of all islands.
 class IslandChoice : public OneOf<IslandChoice, PrintedChoice, PlainSumChoice, MeansChoice, RowChoice, FixedChoice,
                                   RandomChoice, OwnChoice> {
 public:
@@ -101,7 +101,7 @@ public:
     static constexpr std::string_view noun = "choice",
                                       about = "of islands with windows of different lengths, whose best is the answer";
 
-    /// Throws UserError where it is of an island that there is not.
+    /// Throws UserError if it chooses an island that does not exist.
     void validate_for(std::size_t islands) const;
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream& random) const;
 };

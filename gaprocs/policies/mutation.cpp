@@ -21,15 +21,15 @@ double width_of(const RealVector& reals, std::size_t number) {
     return reals.range(number).high - reals.range(number).low;
 }
 
-/// Each of the others with the same chance.
+/// Returns one of the other places, each with the same probability.
 std::size_t another_place(std::size_t place, std::size_t places, RandomStream& random) {
     return (place + 1 + random.below(static_cast<std::uint32_t>(places - 1))) % places;
 }
 
 using Drawn = std::array<std::uint32_t, 1024>;
 
-/// Calls `take` with the index of each of the first `count` numbers that is below the limit. These are few, as a rule:
-/// all are compared side by side, and where none of eight is, the eight are passed over.
+/// Calls `take` with the index of each of the first `count` numbers that is below the limit. Since these are usually
+/// few, eight numbers are compared at once, and skipped together if none is below the limit.
 template <class Take>
 void for_each_below(std::uint64_t limit, const Drawn& drawn, std::size_t count, const Take& take) {
     if (limit == 0)
@@ -76,7 +76,7 @@ void DistanceMutation::operator()(std::span<Genome> population, RandomStream& ra
     const double per_logarithm = 1 / std::log1p(-probability); // -0 for the certainty, -infinity for the impossible
     auto left = static_cast<double>(population.size() * length);
     for (std::size_t next = 0;; ++next) {
-        // That the next `distance` bits stay has the chance (1 - probability)^distance.
+        // The next `distance` bits stay with probability (1 - probability)^distance.
         double distance = std::floor(std::log(1 - random.uniform()) * per_logarithm);
         left -= distance + 1;
         if (!(left >= 0)) // nor when it is not a number: 0 times infinity

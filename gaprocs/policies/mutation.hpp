@@ -13,7 +13,7 @@
 
 namespace placedpar {
 
-/// Calls `mutate` with each place of each string with the given probability: one number for each chance.
+/// Calls `mutate`, with the given probability, for each place of each string. Draws one number for each place.
 template <class Mutate>
 void mutate_places(const Mutate& mutate, std::span<Genome> population, double probability,
                    const Representation& representation, RandomStream& random) {
@@ -24,11 +24,11 @@ void mutate_places(const Mutate& mutate, std::span<Genome> population, double pr
                 mutate(genome, place, representation, random);
 }
 
-// Each way changes a place of a string (a bit, a number, a place of a permutation) and says how many numbers of the
-// stream it draws for it.
+// Each policy changes a place of a string (a bit, a number, a place of a permutation); its comment says how many
+// numbers of the stream it draws.
 
-/// Every bit is flipped with the given probability. One number of the stream a bit, and no other. REQUIRES: all strings
-/// of one length.
+/// Flips every bit with the given probability. Draws exactly one number for each bit. REQUIRES: all strings of one
+/// length.
 struct BitMutation {
     static constexpr std::string_view name = "bit", about = "a bit is flipped", source = "thesis 1.1";
     static constexpr std::tuple<> numbers() { return {}; }
@@ -38,8 +38,9 @@ struct BitMutation {
     void operator()(std::span<Genome> population, RandomStream& random) const;
 };
 
-/// The same, drawing from each bit that is flipped the distance to the next, which is distributed geometrically: one
-/// number of the stream for each flip, and one for the end of the population. REQUIRES: all strings of one length.
+/// Flips bits with the same distribution as BitMutation, but draws the distance from each flipped bit to the next,
+/// which is distributed geometrically: one number for each flip, and one for the end of the population. REQUIRES: all
+/// strings of one length.
 struct DistanceMutation {
     static constexpr std::string_view name = "distance", about = "as bit, by drawing how far it is to the next flip",
                                       source = "thesis 1.1, drawn in another way";
@@ -50,7 +51,7 @@ struct DistanceMutation {
     void operator()(std::span<Genome> population, RandomStream& random) const;
 };
 
-/// A normal deviate is added; beyond an end of the range lies that end. Two numbers.
+/// Adds a normal deviate; values outside the range become its nearest end. Draws two numbers.
 struct GaussianMutation {
     static constexpr std::string_view name = "gaussian", about = "a normal deviate is added, `deviation` of the range",
                                       source = "I. Rechenberg, 1973";
@@ -64,8 +65,8 @@ struct GaussianMutation {
                     RandomStream& random) const;
 };
 
-/// A step up or down of `range` 2^(-u), u uniform in 0 ... `precision`: all sizes of steps are equally likely (after
-/// H. Mühlenbein and D. Schlierkamp-Voosen, "Predictive models for the breeder genetic algorithm", 1993). Two numbers.
+/// Adds or subtracts `range` 2^(-u), u uniform in 0 ... `precision`: all sizes of steps are equally likely (after H.
+/// Mühlenbein and D. Schlierkamp-Voosen, "Predictive models for the breeder genetic algorithm", 1993). Two numbers.
 struct BreederMutation {
     static constexpr std::string_view name = "breeder",
                                       about = "a step of any size from `range` down to `range` 2^-precision",
@@ -82,7 +83,7 @@ struct BreederMutation {
                     RandomStream& random) const;
 };
 
-/// Anew, uniform in the range. One number.
+/// Draws the number anew, uniform in its range. Draws one number.
 struct UniformMutation {
     static constexpr std::string_view name = "uniform", about = "a number is drawn anew from its range",
                                       source = "Z. Michalewicz, 1992";
@@ -92,7 +93,7 @@ struct UniformMutation {
                     RandomStream& random) const;
 };
 
-/// Changes places with another. One number.
+/// Exchanges the place with another. Draws one number.
 struct SwapMutation {
     static constexpr std::string_view name = "swap", about = "two places are exchanged", source = "not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
@@ -126,15 +127,15 @@ public:
           }) {}
 };
 
-/// How a string is changed by chance alone.
+/// The policy by which a string is changed at random.
 class Mutation : public OneOf<Mutation, BitMutation, DistanceMutation, GaussianMutation, BreederMutation,
                               UniformMutation, SwapMutation, InversionMutation, OwnMutation> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "mutation", about = "how an offspring is changed by chance alone";
 
-    /// Each place of each string with the given probability: one number for the chance, and the way's own. A
-    /// permutation of one place stays, and draws nothing. REQUIRES: fits(representation.kind()).
+    /// Mutates each place of each string with the given probability, which draws one number in addition to those of the
+    /// policy. A permutation of one place stays, and draws nothing. REQUIRES: fits(representation.kind()).
     void operator()(std::span<Genome> population, double probability, const Representation& representation,
                     RandomStream& random) const;
 };

@@ -78,7 +78,7 @@ Noun noun_of(std::vector<std::string> also_called = {}) {
             .printed = [](const std::string& text) { return Step::named(text).text(); }};
 }
 
-/// Of an operator: each policy says on which strings it can work.
+/// Describes an operator, each policy of which says on which strings it can work.
 template <class Step>
 Noun noun_of_operator(std::vector<std::string> also_called) {
     Noun noun = noun_of<Step>(std::move(also_called));

@@ -8,7 +8,7 @@
 
 namespace placedpar {
 
-/// A way that no text names, since a number, a file, the problem or the connections of a netlist decide it.
+/// A choice that is not named by a text, but made by a number, a file, the problem or the connections of a netlist.
 struct Form {
     std::string noun; ///< what it is a way to do: "farm"
     std::string name; ///< "star"
@@ -18,8 +18,8 @@ struct Form {
     std::string example; ///< what follows `placedpar` to see it, below the folder that holds examples/
 };
 
-/// What there is to decide about a genetic algorithm, and the policies that there are for it, as netlists and library
-/// name them. Which parameters of a netlist decide it, those say: ParameterDescription::noun.
+/// One aspect of a genetic algorithm, with the policies for it as netlists and the library name them. The parameters of
+/// a netlist that decide it are those with this ParameterDescription::noun.
 struct Noun {
     std::string name; ///< "selection"
     std::string about;
@@ -32,7 +32,7 @@ struct Noun {
     std::vector<Form> forms = {};
 };
 
-/// What there is to decide: first what one population does, then islands, a pair, a farm.
+/// Returns the aspects: first those of one population, then those of islands, a pair and a farm.
 std::vector<Noun> policy_nouns();
 
 } // namespace placedpar

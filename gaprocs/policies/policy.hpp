@@ -56,7 +56,7 @@ struct PolicyDescription {
     std::string about; ///< one line
     std::vector<PolicyNumberDescription> numbers;
     std::string source = ""; ///< where it is from: chapter or equation of the thesis, else who proposed it
-    std::vector<std::string> strings = {}; ///< of what strings it works on; empty: of all
+    std::vector<std::string> strings = {}; ///< kinds of strings that the policy works on; empty: all
 
     /// "tournament(size = 2)": as text() of the policy with these numbers.
     std::string text(const std::vector<double>& values) const;

@@ -15,7 +15,7 @@ namespace placedpar {
 
 class RandomStream;
 
-/// Indices of parents; none, and nothing drawn, when no individual may become one.
+/// Indices of parents; nothing, without a draw, if no individual may become a parent.
 using Parents = std::optional<std::vector<std::size_t>>;
 
 /// Reproduction by roulette: individual i is drawn with probability max(f_i, 0) / sum, with replacement, so
@@ -27,7 +27,7 @@ struct RouletteReproduction {
     static constexpr bool needs_positive_fitness = true;
     static constexpr std::tuple<> numbers() { return {}; }
 
-    /// One number of the stream a parent. Throws as RouletteWheel.
+    /// Draws one number for each parent. Throws as RouletteWheel.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 
@@ -42,7 +42,7 @@ struct UniversalReproduction {
     static constexpr bool needs_positive_fitness = true;
     static constexpr std::tuple<> numbers() { return {}; }
 
-    /// One number for the spin, at least count - 1 for the shuffle. Throws as RouletteWheel.
+    /// Draws one number for the spin, and at least count - 1 for the shuffle. Throws as RouletteWheel.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 
@@ -93,7 +93,7 @@ struct TournamentReproduction {
         return std::tuple(PolicyNumber{"size", &TournamentReproduction::size, 1, 1e6, "individuals that are drawn"});
     }
 
-    /// `size` numbers a parent, at least; there are always parents.
+    /// Draws at least `size` numbers for each parent; there are always parents.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 
@@ -110,7 +110,7 @@ private:
     std::function<Parents(std::span<const double>, std::size_t, RandomStream&)> choose_;
 };
 
-/// How parents are chosen (thesis 1.1): the step of a genetic algorithm that makes the fit many.
+/// The policy that chooses parents by their fitness (thesis 1.1).
 class Reproduction : public OneOf<Reproduction, RouletteReproduction, UniversalReproduction, ScaledReproduction,
                                   RankingReproduction, TournamentReproduction, OwnReproduction> {
 public:
@@ -122,7 +122,7 @@ public:
         return std::visit([](const auto& way) { return way.needs_positive_fitness; }, policy());
     }
 
-    /// `count` parents. REQUIRES: every fitness is a finite number, and there is one.
+    /// Returns `count` parents. REQUIRES: there is an individual; every fitness is a finite number.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 

@@ -9,17 +9,17 @@ namespace placedpar {
 /// A wheel with a sector as wide as max(f_i, 0) for each individual.
 class RouletteWheel {
 public:
-    /// Throws std::invalid_argument when the sum is beyond a double.
+    /// Throws std::invalid_argument if the sum overflows a double.
     explicit RouletteWheel(std::span<const double> fitness);
 
-    /// No fitness is positive, or their sum is below the smallest normal double.
+    /// Returns whether no fitness is positive, or their sum is below the smallest normal double.
     bool empty() const;
-    /// The individual whose sector the ball lies in, never one without a sector. Sector i holds its lower
-    /// end, not its upper. REQUIRES: not empty, 0 <= turn <= 1 - 2^-32.
+    /// Returns the individual in whose sector the ball lies, never one with an empty sector. A sector includes its
+    /// lower end, not its upper. REQUIRES: not empty, 0 <= turn <= 1 - 2^-32.
     std::size_t sector(double turn) const;
-    /// Of each of several balls, sooner than one after the other. REQUIRES: as sector().
+    /// Returns sector() for each of several balls, faster than one by one. REQUIRES: as sector().
     std::vector<std::size_t> sectors(std::vector<double> turns) const;
-    /// The individuals that `balls` evenly spaced balls lie with, the first at turn / balls, in order.
+    /// Returns the individuals in whose sectors `balls` evenly spaced balls lie, the first at turn / balls, in order.
     /// REQUIRES: as sector().
     std::vector<std::size_t> sectors(std::size_t balls, double turn) const;
 

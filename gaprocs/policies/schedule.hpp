@@ -27,8 +27,8 @@ struct BroadcastSchedule {
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
 };
 
-/// The first neighbour at the first exchange, then the second, after the last again the first: in a hypercube of two
-/// dimensions i xor 1 and i xor 2 alternately (thesis 5.3.2).
+/// Sends to the first neighbour at the first exchange, then to the second, and after the last to the first again: in a
+/// hypercube of two dimensions i xor 1 and i xor 2 alternately (thesis 5.3.2).
 struct SequentialSchedule {
     static constexpr std::string_view name = "sequential",
                                       about = "every `every` generations to one neighbour, each in its turn",
@@ -40,8 +40,8 @@ struct SequentialSchedule {
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
 };
 
-/// Nobody waits for anybody: emigrants go to all neighbours, and an island takes in those who have come meanwhile, from
-/// each neighbour the last that it sent. On a machine that depends on its times, and is the same in every run of it.
+/// No island waits for another: emigrants go to all neighbours, and an island accepts those that have arrived, from
+/// each neighbour only the last sent. On a simulated machine this depends on its times, and is the same in every run.
 struct AsynchronousSchedule {
     static constexpr std::string_view name = "asynchronous",
                                       about = "every `every` generations to all neighbours, waiting for none",
@@ -72,7 +72,7 @@ private:
     std::function<std::span<const std::size_t>(std::uint64_t, std::span<const std::size_t>)> choose_;
 };
 
-/// When emigrants leave, and to whom they go.
+/// The policy that says when emigrants leave, and to which neighbours.
 class Schedule : public OneOf<Schedule, BroadcastSchedule, SequentialSchedule, AsynchronousSchedule, OwnSchedule> {
 public:
     using OneOf::OneOf;
@@ -87,7 +87,7 @@ public:
     bool is_own() const { return std::holds_alternative<OwnSchedule>(policy()); }
     /// Whether an exchange follows the evaluation of the given generation, counted from 1.
     bool is_due(std::uint64_t generation) const { return generation > 0 && generation % every() == 0; }
-    /// Generations from one exchange to the next.
+    /// Returns the number of generations from one exchange to the next.
     std::size_t every() const {
         return std::visit([](const auto& way) { return way.every; }, policy());
     }
@@ -97,10 +97,10 @@ public:
     std::span<const std::size_t> destinations(std::uint64_t generation, std::span<const std::size_t> neighbours) const;
 };
 
-/// For each island from how many others immigrants come at once at the most: with a schedule of a program's own from
-/// all of which it is a neighbour. Looks at 10 000 exchanges, in which every
-/// coincidence of the turns occurs unless islands have very odd numbers of neighbours.
-/// REQUIRES: neighbours as Topology::neighbours() gives them.
+/// Returns for each island the largest number of islands from which immigrants arrive at once. With a program's own
+/// schedule, these are all islands of which it is a neighbour. Looks at 10 000 exchanges, in which every coincidence of
+/// the turns occurs unless islands have very odd numbers of neighbours. REQUIRES: neighbours as Topology::neighbours()
+/// gives them.
 std::vector<std::size_t> most_senders_at_once(const Schedule&, const Neighbours&);
 
 } // namespace placedpar

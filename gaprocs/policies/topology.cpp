@@ -15,11 +15,11 @@ namespace placedpar {
 
 namespace {
 
-/// A list of neighbours in the making.
+/// Builds the list of an island's neighbours.
 class NeighbourList {
 public:
     explicit NeighbourList(std::size_t island) : island_(island) {}
-    /// Unless it is the island itself, or in the list.
+    /// Adds a neighbour unless it is the island itself, or already in the list.
     void add(std::size_t other) {
         if (other != island_ && std::find(others_.begin(), others_.end(), other) == others_.end())
             others_.push_back(other);
@@ -31,7 +31,7 @@ private:
     std::vector<std::size_t> others_;
 };
 
-/// The lists of all islands, where add_neighbours(i, list) adds those of island i.
+/// Returns the lists of all islands; add_neighbours(i, list) adds the neighbours of island i.
 template <class Add>
 Neighbours neighbours_by(std::size_t islands, Add add_neighbours) {
     Neighbours all;
@@ -63,7 +63,7 @@ Neighbours reversed(const Neighbours& neighbours) {
     return back;
 }
 
-/// The same where each neighbour is one in both directions.
+/// Returns the neighbours with each connection made in both directions.
 Neighbours both_ways(const Neighbours& neighbours) {
     Neighbours both = reversed(neighbours);
     for (std::size_t i = 0; i < neighbours.size(); ++i)

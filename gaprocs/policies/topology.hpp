@@ -16,12 +16,12 @@ namespace placedpar {
 /// takes them.
 using Neighbours = std::vector<std::vector<std::size_t>>;
 
-// Each way gives the neighbours of `islands` islands. An island that would be its own neighbour, or somebody's
-// neighbour twice (as in a torus of two columns), is left out. In all but the star, the neighbours at one place of
-// the lists are a permutation of the islands: when all send to their first, each gets from one.
-// REQUIRES: islands >= 1. Throws UserError for a number of islands that does not fit.
+// Each policy returns the neighbours of `islands` islands. A neighbour that is the island itself, or is listed already
+// (as in a torus of two columns), is left out. In all topologies except the star, the n-th neighbours of all islands
+// are a permutation of the islands: if all send to their n-th neighbour, each receives from one island. REQUIRES:
+// islands >= 1. Throws UserError for a number of islands that does not fit.
 
-/// The next, of the last the first; both ways also the one before.
+/// Connects each island to the next, and the last to the first; with 2 ways also to the one before.
 struct RingTopology {
     static constexpr std::string_view name = "ring", about = "to the next island; with 2 ways also to the one before",
                                       source = "thesis, appendix E";
@@ -77,8 +77,8 @@ struct NoTopology {
     Neighbours operator()(std::size_t islands) const { return Neighbours(islands); }
 };
 
-/// As listed. The list is no part of its text: who names it by text lists the neighbours elsewhere, as a netlist does
-/// by its connections. An island may only send or only receive, but not be without both.
+/// Connects islands as listed. The list is not part of the policy's text: a netlist lists neighbours by its
+/// connections. An island may only send or only receive, but must do one of them.
 struct GivenTopology {
     static constexpr std::string_view name = "given", about = "neighbours as they are listed",
                                       source = "as a netlist connects islands";
@@ -102,7 +102,7 @@ private:
     std::function<Neighbours(std::size_t)> neighbours_;
 };
 
-/// Which islands exchange individuals.
+/// The policy that says which islands exchange individuals.
 class Topology : public OneOf<Topology, RingTopology, HypercubeTopology, TorusTopology, StarTopology, CompleteTopology,
                               NoTopology, GivenTopology, OwnTopology> {
 public:
@@ -117,15 +117,16 @@ public:
     Neighbours neighbours(std::size_t islands) const;
 };
 
-/// Exchanges until what was on one island may be on each of the others, when all neighbours are sent to at once:
-/// 0 for the island itself, nothing where it never comes. REQUIRES: from < neighbours.size().
+/// Returns for each island the number of exchanges after which individuals of the island `from` can have reached it, if
+/// each island sends to all its neighbours: 0 for the island itself, nothing if they never reach it. REQUIRES: from <
+/// neighbours.size().
 std::vector<std::optional<std::size_t>> distances(const Neighbours& neighbours, std::size_t from);
 
-/// The islands in parts that exchange nothing with each other, each part and the parts in ascending order. One part:
-/// the whole is connected.
+/// Returns the parts of the topology that exchange nothing with each other, each part and the parts in ascending order.
+/// A single part: the topology is connected.
 std::vector<std::vector<std::size_t>> separate_parts(const Neighbours& neighbours);
 
-/// Two islands of one part, where nothing of the first ever comes to the second, as from the end of a chain of one way
+/// Two islands of one part, where nothing of the first ever reaches the second, as from the end of a chain of one way
 /// to its beginning: the first such pair.
 struct OneWay {
     std::size_t from, never_to;

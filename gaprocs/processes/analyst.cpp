@@ -49,8 +49,8 @@ std::vector<std::size_t> windows_of(const std::vector<AnalysedIsland>& islands) 
     return windows;
 }
 
-/// Active error analysis beside the islands, which send it their bests: it holds their answer.
-/// REQUIRES: a network that has passed check_analyst(), so that there are islands, and all of them have one host.
+/// Makes the active error analysis of the bests that the islands send, and keeps the answer. REQUIRES: a network that
+/// has passed check_analyst(), so that there are islands, and all of them have one host.
 class Analyst {
 public:
     Analyst(ProcessEnvironment& environment, const SearchProblem& problem, SearchObserver* observer)
@@ -72,14 +72,14 @@ public:
     }
 
 private:
-    /// Of every island, at once.
+    /// Receives a report of every island, in parallel.
     std::vector<EstimateMessage> receive_reports() {
         std::vector<EstimateMessage> reports(islands_.size());
         par_for(reports.size(), [&](std::size_t i) { reports[i] = islands_[i].reports.input(); });
         return reports;
     }
 
-    /// Until there are so many, as the islands had when they found their bests.
+    /// Receives samples until there are `count`, the number that the islands had when they found their bests.
     void take_samples(std::size_t count) {
         for (; taken_ < count; ++taken_)
             samples_.push(from_host_.input().sample);
@@ -90,8 +90,8 @@ private:
         }
     }
 
-    /// Each best has one at each sample of the longest window, or of every window where it depends on where that
-    /// begins.
+    /// Returns the number of error evaluations: for each best, one at each sample of the longest window, or of every
+    /// window if errors depend on where a window begins.
     std::size_t errors_to_find() const {
         const std::vector<std::size_t> windows = windows_of(islands_);
         std::size_t of_each = problem_.depends_on_window()
@@ -127,12 +127,12 @@ private:
 
     ProcessEnvironment& environment_;
     const SearchProblem& problem_;
-    SearchObserver* observer_; ///< null: nobody
+    SearchObserver* observer_; ///< null: no observer
     Input<HostMessage> from_host_;
     std::vector<AnalysedIsland> islands_;
     std::size_t longest_window_;
-    SlidingWindow samples_; ///< the longest window's: all that an analysis needs
-    std::size_t taken_ = 0; ///< samples, as many as the islands had
+    SlidingWindow samples_; ///< samples of the longest window, which an analysis needs
+    std::size_t taken_ = 0; ///< number of samples received
     ActiveErrorAnalysis analysis_;
     std::size_t answers_ = 0;
 };

@@ -17,7 +17,7 @@ namespace placedpar {
 
 namespace {
 
-/// Collects what is to be said about one analyst.
+/// Collects the complaints about one analyst.
 class AnalystCheck {
 public:
     AnalystCheck(const Network& network, std::size_t analyst, const ProblemRegistry& problems)
@@ -100,7 +100,7 @@ private:
         return static_cast<std::size_t>(longest);
     }
 
-    /// It answers after an exchange with as many samples as the longest window.
+    /// Warns unless some exchange comes with enough samples for the longest window: the analyst answers only then.
     void warn_of_no_answer() {
         Archipelago archipelago(network_);
         auto run = run_of(network_, archipelago, archipelago.number_of(first_island()), problems_);

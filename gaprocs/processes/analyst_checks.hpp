@@ -9,10 +9,11 @@
 
 namespace placedpar {
 
-/// What ga.analyst refuses in a netlist before it runs: reports of no island, islands that do not exchange with each
-/// other in step, so that their reports would not be of one generation, a problem without a record to analyse, samples
-/// from another host than the islands', a choice of an island that there is not. Warns where it would never answer.
-/// REQUIRES: ports that must be connected are: the reader refuses a netlist where they are not, before it asks here.
+/// Returns what is wrong with a ga.analyst in a netlist that has not run yet: a report that does not come from an
+/// island; islands that do not exchange with each other in step, so that their reports would be of different
+/// generations; a problem without a record; samples from another host than the islands'; the choice of an island that
+/// does not exist. Warns if the analyst would never answer. REQUIRES: all ports that must be connected are connected,
+/// which the reader checks first.
 std::vector<Complaint> check_analyst(const Network&, std::size_t process, const ProblemRegistry&);
 
 } // namespace placedpar

@@ -63,7 +63,8 @@ void Archipelago::add_neighbour(const Network& network, PlacedIsland& self, cons
         self.neighbours.push_back(number->second);
 }
 
-/// As the topology orders them, where it has the same; else as they are connected.
+/// Puts the neighbours in the order of the topology if it has the same neighbours; otherwise leaves them in the order
+/// of the connections.
 void Archipelago::order_neighbours(const std::string& text, std::size_t island) {
     auto [known, is_new] = topologies_.try_emplace(text);
     NamedTopology& named = known->second;
@@ -90,8 +91,8 @@ void Archipelago::add_parts(const Network& network) {
         }
 }
 
-/// An entry is found only while an island of the run holds it, and so while the network is alive: no other is there
-/// then.
+/// An entry is found only while an island of the run holds it, so that the network is alive and no other network has
+/// its address.
 std::shared_ptr<const Archipelago> archipelago_of(const Network& network) {
     static std::mutex one_at_a_time;
     static std::map<std::pair<const Network*, std::uint64_t>, std::weak_ptr<const Archipelago>> all;

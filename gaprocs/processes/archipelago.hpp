@@ -12,38 +12,39 @@
 
 namespace placedpar {
 
-/// An island of a netlist. The others are known by their numbers.
+/// An island of a netlist. Islands refer to each other by number.
 struct PlacedIsland {
-    std::size_t process;                                     ///< its place in Network::processes
-    std::vector<std::size_t> neighbours;                     ///< in the order in which a sequential schedule takes them
-    std::map<std::size_t, std::string> ports_to, ports_from; ///< by the number of the other
-    /// Connections that no topology has, by port: to the island itself, to one and the same twice, to no island.
+    std::size_t process;                 ///< index in Network::processes
+    std::vector<std::size_t> neighbours; ///< numbers of the neighbours, in the order of a sequential schedule
+    std::map<std::size_t, std::string> ports_to, ports_from; ///< port, by number of the neighbour
+    /// Errors in the connections, by port: a connection to the island itself, a second one to the same island, or one
+    /// to a process that is not an island.
     std::map<std::string, std::string> refused;
-    std::size_t part; ///< its place in Archipelago::parts()
+    std::size_t part; ///< index in Archipelago::parts()
 };
 
-/// What the topology that an island names would connect, were it of all islands.
+/// The connections that the topology named by an island would make between all islands.
 struct NamedTopology {
     Neighbours neighbours;
-    std::string does_not_fit; ///< why; "" where it does
+    std::string does_not_fit; ///< why the topology does not fit the number of islands; "" if it fits
 };
 
-/// The islands of a netlist, the processes of the kind ga.island: numbered from 0 in the order in which they are
-/// declared, and neighbours as they are connected. Those of an island whose parameter `topology` is not "given" stand
-/// in that topology's order, if it has the same. To make one takes a time that grows with the netlist: one serves all
-/// islands.
+/// The islands of a netlist: its processes of the kind ga.island, numbered from 0 in the order of their declarations,
+/// with their neighbours in the order of the connections. If an island's parameter `topology` is not "given", and that
+/// topology has the same neighbours, they are in the topology's order. Construction takes time in proportion to the
+/// netlist, so that all islands share one archipelago.
 class Archipelago {
 public:
     explicit Archipelago(const Network&);
 
     const std::vector<PlacedIsland>& islands() const { return islands_; }
-    /// The number of the island that is this process. REQUIRES: it is one.
+    /// Returns the number of the island. REQUIRES: the process is an island.
     std::size_t number_of(std::size_t process) const;
     const Neighbours& neighbours() const { return neighbours_; }
     const std::vector<std::vector<std::size_t>>& parts() const { return parts_; }
-    /// The islands with which this one exchanges, by way of others too; itself included.
+    /// Returns the islands that exchange with this one, directly or through other islands, including itself.
     const std::vector<std::size_t>& part_of(std::size_t island) const { return parts_[islands_[island].part]; }
-    /// The most that an island of its part needs for its first generation.
+    /// Returns the largest number of samples that any island of this island's part needs for its first generation.
     std::size_t samples_needed_around(std::size_t island) const { return samples_needed_[islands_[island].part]; }
     /// REQUIRES: the text is an island's parameter `topology`, and not "given".
     const NamedTopology& topology(const std::string& text) const { return topologies_.at(text); }
@@ -62,13 +63,13 @@ private:
     std::map<std::size_t, std::size_t> numbers_; ///< by process
 };
 
-/// The one of a network that runs, for all of its islands. REQUIRES: while somebody holds it, the network lives and
-/// stays as it is.
+/// Returns the archipelago that all islands of a running network share. REQUIRES: the network outlives it and does not
+/// change.
 std::shared_ptr<const Archipelago> archipelago_of(const Network&);
 
-/// The parameters `schedule` and `exchange_every` of an island: the second says how often where the first does not.
+/// Returns the schedule that the island's parameters give: `exchange_every` gives the interval if `schedule` does not.
 Schedule schedule_of(const ProcessInstance&);
-/// Whether the text of a schedule says how often: "sequential(5)".
+/// Returns whether the text of a schedule contains the interval, as "sequential(5)" does.
 bool says_how_often(const std::string& schedule);
 
 } // namespace placedpar

@@ -46,8 +46,8 @@ Estimates::Estimates(ProcessEnvironment& environment, const ProblemRegistry& pro
     : environment_(environment), problems_(problems), inputs_(environment.inputs<EstimateMessage>("from_masters")),
       last_(inputs_.size()), answers_(inputs_.size()), accuracy_(environment.real("accuracy")) {
     if (accuracy_ > 0 && problems.find(environment.text("problem")).problem()->true_parameters().empty())
-        throw UserError(fmt::format("accuracy = {}, but nobody knows the true parameters of \"{}\": they are known of "
-                                    "a record that is simulated",
+        throw UserError(fmt::format("accuracy = {}, but the true parameters of \"{}\" are unknown: they are known only "
+                                    "for a simulated record",
                                     accuracy_, environment.text("problem")));
     for (const Peer& search : peers_at(environment.network(), environment.index(), "from_masters"))
         processes_.push_back(search.process);
@@ -76,7 +76,8 @@ void Estimates::judge_fittest() {
         accurate_since_ = now();
 }
 
-/// A search that is on no processor answers at the very time at which it takes a sample.
+/// Returns the response time, at least 0: a search without a processor answers at the time at which it takes the
+/// sample.
 Time Estimates::response(std::size_t search, const Answer& answer) const {
     return std::max(answer.came - taken_.at(processes_[search]).at(answer.samples - 1), Time{});
 }
@@ -114,7 +115,7 @@ std::size_t Estimates::fittest() const {
     return fittest;
 }
 
-/// What a search's last estimate stands for, read as that search codes the problem's strings.
+/// Returns the parameters of a search's last estimate, decoded in the coding of that search.
 std::vector<double> Estimates::values_of(std::size_t search) const {
     return problem_of(search)->decode(last_[search].best.genome);
 }

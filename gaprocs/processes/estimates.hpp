@@ -13,35 +13,37 @@
 
 namespace placedpar {
 
-/// What the searches send back to their host, and how long each took: from when a search had taken a sample until its
-/// estimate of that sample had come; and since when the fittest of them has been accurate.
+/// Collects the estimates that the searches send back to their host. Measures each response time, from the moment at
+/// which the search had taken a sample to the arrival of its estimate for that sample, and since when the fittest
+/// estimate has been accurate.
 class Estimates {
 public:
     /// REQUIRES: a network that has passed check_host(), so that every estimate comes from a search that takes samples
-    /// of this host. Both must outlive it. Throws UserError where an accuracy is asked for of a problem whose record
-    /// was not simulated.
+    /// of this host. Both must outlive it. Throws UserError if an accuracy is given and the problem's record was not
+    /// simulated.
     Estimates(ProcessEnvironment&, const ProblemRegistry&);
 
-    /// How many searches send any.
+    /// Returns the number of searches that send estimates.
     std::size_t searches() const { return last_.size(); }
-    /// That process of the network has now taken one more sample.
+    /// Notes that the process has taken one more sample at the current time.
     void note_taken(std::size_t process);
-    /// Receives those of one search until it ends. Each wants a process of its own, beside those that send samples: a
-    /// search does not take the next sample before its estimate is taken.
+    /// Receives the estimates of one search until the search ends. Call it for each search in a process of its own,
+    /// parallel to the processes that send samples: a search takes no further sample until its estimate has been
+    /// received.
     void receive(std::size_t search);
-    /// How many came, how long they took, and what the fittest of the searches' last ones says; nothing where no search
-    /// sends any.
+    /// Reports, as measurements, the number of estimates, the response times, and the fittest of the searches' last
+    /// estimates. Does nothing if no search sends estimates.
     void report() const;
 
 private:
-    /// When the estimate of so many samples came.
+    /// The arrival of the estimate that followed this number of samples.
     struct Answer {
         std::size_t samples;
         Time came;
     };
     Time response(std::size_t search, const Answer&) const;
     void report_responses(std::size_t received) const;
-    /// The last estimate that is the fittest; searches() where none has come.
+    /// Returns the search whose last estimate is the fittest; searches() if no estimate has come.
     std::size_t fittest() const;
     std::shared_ptr<const SearchProblem> problem_of(std::size_t search) const;
     std::vector<double> values_of(std::size_t search) const;
@@ -50,18 +52,19 @@ private:
 
     ProcessEnvironment& environment_;
     const ProblemRegistry& problems_;
-    std::vector<std::size_t> processes_;         ///< by search: where in the network it is
+    std::vector<std::size_t> processes_;         ///< index in Network::processes, by search
     std::vector<Input<EstimateMessage>> inputs_; ///< by search
-    std::vector<EstimateMessage> last_;          ///< by search; of generation 0 where none has come
-    // Compared only at the end, since each is another component's: so it makes no difference who notes first.
-    std::map<std::size_t, std::vector<Time>> taken_{}; ///< by process: when it had taken each sample
+    std::vector<EstimateMessage> last_;          ///< last estimate, by search; generation 0: no estimate yet
+    // The times are compared only at the end: parallel processes note them, and the order of their notes must not
+    // matter.
+    std::map<std::size_t, std::vector<Time>> taken_{}; ///< times at which each sample had been taken, by process
     std::vector<std::vector<Answer>> answers_;         ///< by search
-    double accuracy_; ///< how far the fittest may be from the truth, as a part of it; 0: not judged
-    std::optional<Time> accurate_since_{}; ///< has been that near
+    double accuracy_;                      ///< largest relative error of an accurate estimate; 0: not checked
+    std::optional<Time> accurate_since_{}; ///< since when the fittest estimate has been accurate without a break
 };
 
-/// What an individual is worth and stands for, as measurements of the process. `values`: decoded, none where the
-/// problem's strings stand for no numbers.
+/// Reports the fitness or objective of an individual and its parameters as measurements of the process. `values`: the
+/// decoded parameters; empty if the problem's strings do not code numbers, in which case the string is reported.
 void measure_individual(ProcessEnvironment&, const SearchProblem&, const Individual&,
                         const std::vector<double>& values);
 

@@ -73,7 +73,7 @@ void Farm::send_to_all(Task::Kind kind, std::span<const Share> shares, std::span
     });
 }
 
-/// The next result, of whichever slave.
+/// Returns the next result of any slave.
 Fitnesses Farm::receive() {
     if (from_slaves_.size() == 1)
         return from_slaves_.front().input();
@@ -83,7 +83,7 @@ Fitnesses Farm::receive() {
     return next;
 }
 
-/// In order, the round of a channel ends with the result of the slave at its other end.
+/// Receives all results. If results come in order, the last one of a channel is that of the slave at its other end.
 void Farm::take_from_all(std::vector<double>& fitness) {
     if (!settings_.results_in_order || from_slaves_.size() == 1) {
         for (std::size_t slave = 0; slave < settings_.slaves; ++slave)

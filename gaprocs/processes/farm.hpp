@@ -24,30 +24,35 @@ public:
         std::size_t slaves = 0;
         SlaveRoutes routes = {};
         Split split = Split::individuals;
-        double own_share = 1; ///< of a slave's, that the master evaluates itself; not for Split::demand
+        double own_share =
+            1; ///< the master's share as a fraction of a slave's share, 0 ... 1; not used by Split::demand
         Sending sending = Sending::in_turn;
-        std::size_t tasks_under_way = 1; ///< sent to a slave before the first of them is answered; for Split::demand
-        bool measurements_every_generation = false; ///< else only when they are new
-        bool results_in_order = false; ///< channel by channel, the farthest slave's first; else as they become ready
+        std::size_t tasks_under_way = 1; ///< tasks that a slave may have unanswered at once; for Split::demand
+        bool measurements_every_generation =
+            false; ///< send the measurements in every generation, not only when they are new
+        bool results_in_order =
+            false; ///< receive channel by channel, the farthest slave first; otherwise as results become ready
         double bias = 0;
     };
 
     Farm(const SearchProblem&, const Workload&, const Settings&, std::vector<Output<Task>> to_slaves,
          std::vector<Input<Fitnesses>> from_slaves);
 
-    /// New measurements: each slave is sent them with its next task.
+    /// Sets new measurements, which each slave receives with its next task.
     void measure(Window);
-    /// The fitness of every individual. REQUIRES: measure() was called.
+    /// Returns the fitness of every individual. REQUIRES: measure() was called.
     std::vector<double> evaluate(std::span<const Genome> population);
-    /// All communication of a generation with new measurements, and no evaluation: the thesis measured C_time2 this
-    /// way. With on-demand dealing, assumes equal speeds: each slave gets 1/(slaves + 1). REQUIRES: slaves > 0.
+    /// Does all communication of a generation with new measurements, but evaluates nothing: the thesis measured C_time2
+    /// this way. With Split::demand, equal speeds are assumed: each slave gets 1/(slaves + 1) of the individuals.
+    /// REQUIRES: slaves > 0.
     void rehearse(std::span<const Genome> population);
     /// Ends the slaves.
     void end();
 
     /// Resets the two stopwatches below.
     void forget_times() { send_to_receive = own_evaluation = Stopwatch{}; }
-    /// Sending, evaluating, receiving (T_sr); the master's own evaluations (P_time2).
+    /// Times of a whole generation's sending, evaluating and receiving (T_sr), and of the master's own evaluations
+    /// (P_time2).
     Stopwatch send_to_receive, own_evaluation;
 
 private:
@@ -72,7 +77,7 @@ private:
     Settings settings_;
     TaskOutlets to_slaves_;
     std::vector<Input<Fitnesses>> from_slaves_;
-    std::vector<std::size_t> in_turn_; ///< the slaves, in the order in which they are sent tasks
+    std::vector<std::size_t> in_turn_; ///< slaves in the order in which tasks are sent to them
     Window window_;
     bool measurements_are_new_ = false;
 };

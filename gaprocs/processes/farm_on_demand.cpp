@@ -23,7 +23,7 @@ public:
         return {individual * window_, (individual + 1) * window_, window_};
     }
     void received() { ++received_; }
-    /// True once for each slave, if the measurements are new: they go with its first task.
+    /// Returns true once for each slave if the measurements are new: they are sent with its first task.
     bool owes_measurements(std::size_t slave) {
         bool owed = lacks_measurements_[slave];
         lacks_measurements_[slave] = false;
@@ -102,14 +102,14 @@ void Farm::rehearse_on_demand(std::span<const Genome> population, std::vector<do
     });
 }
 
-/// As many to each as it may have under way.
+/// Sends each slave as many tasks as it may have unanswered.
 void Farm::deal_to_slaves(Dealer& dealer, Task::Kind kind, std::span<const Genome> population) {
     for (std::size_t task = 0; task < settings_.tasks_under_way; ++task)
         for (std::size_t slave : in_turn_)
             deal_to_slave(slave, dealer, kind, population);
 }
 
-/// Nothing when all are dealt out.
+/// Sends the slave its next task; does nothing if all individuals are dealt out.
 void Farm::deal_to_slave(std::size_t slave, Dealer& dealer, Task::Kind kind, std::span<const Genome> population) {
     if (!dealer.anything_left())
         return;

@@ -29,7 +29,7 @@ std::size_t samples_to_send(const ProcessEnvironment& environment, std::size_t r
     return wanted == 0 ? recorded : wanted;
 }
 
-/// A sample without a number for each generation, or the samples of the record.
+/// Returns the samples of the record; for an objective problem, an empty sample for each generation.
 std::vector<Sample> samples_of(const ProcessEnvironment& environment, const RecordedProblem& recorded) {
     if (recorded.problem()->objective())
         return empty_record(static_cast<std::size_t>(environment.integer("generations")));
@@ -113,7 +113,7 @@ ProcessKind host_kind(const ProblemRegistry& problems) {
                        bytes_in_message("sample_bytes", 16, "a sample in a message"),
                        real("accuracy", {.by_default = 0, .least = 0, .most = 1},
                             "how far the fittest estimate may be from the true parameters of a simulated record, as "
-                            "a part of them, to be accurate; 0: nobody looks")},
+                            "a part of them, to be accurate; 0: not checked")},
         .measurements = host_measurements(),
         .body = [&problems](ProcessEnvironment& environment) { Host(environment, problems).run(); },
         .check = [&problems](const Network& network,

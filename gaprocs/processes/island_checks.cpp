@@ -29,7 +29,7 @@ namespace {
 /// This maps a schedule to how many immigrate to each island at once, at the most.
 using SendersBySchedule = std::map<std::string, std::vector<std::size_t>>;
 
-/// Collects what is to be said about one island.
+/// Collects the complaints about one island.
 class IslandCheck {
 public:
     IslandCheck(const Network& network, const Archipelago& archipelago, std::size_t number,
@@ -90,7 +90,8 @@ private:
                                            Topology::named(topology).text(), archipelago_.islands().size()));
     }
 
-    /// Islands of which none is connected are searches of their own; one among others that are is a slip.
+    /// Refuses an unconnected island among connected ones, which is probably a mistake. If no island is connected, they
+    /// are independent searches.
     void require_some_neighbour() {
         auto connected = [](const PlacedIsland& island) {
             return !island.ports_to.empty() || !island.ports_from.empty();
@@ -125,7 +126,7 @@ private:
         }
     }
 
-    /// The first island of those that it exchanges with is the measure of all.
+    /// Compares this island with the first island of its part.
     void check_neighbours_agree() {
         const ProcessInstance& first = instance(archipelago_.part_of(number_).front());
         for (const char* parameter : {"problem", "coding"})
@@ -189,7 +190,7 @@ private:
             {archipelago_.islands()[island].process, std::move(about), std::move(message), std::move(hint), true});
     }
 
-    /// At the first island of the second part; the first one says it.
+    /// Warns, on behalf of the first island only, at the first island of the second part.
     void warn_of_parts() {
         const auto& parts = archipelago_.parts();
         if (number_ != 0)
@@ -213,7 +214,7 @@ private:
                  "a ring leads back to the first island");
     }
 
-    /// At the first of those that do not say that it is meant.
+    /// Warns at the first island that does not have topology = "none".
     void warn_of_islands_alone() {
         for (std::size_t island = 0; island < archipelago_.islands().size(); ++island)
             if (Topology::named(text(instance(island), "topology")).is_given())
@@ -223,7 +224,7 @@ private:
                             "connect to_neighbours[0] of each; or say topology = \"none\", if that is meant");
     }
 
-    /// Islands in step do so all at once, and the first of them says it.
+    /// Warns of islands that never exchange. Only the first of several islands in step warns.
     void warn_of_no_exchange() {
         Schedule schedule = schedule_of(process_);
         const auto& part = archipelago_.part_of(number_);

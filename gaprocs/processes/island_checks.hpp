@@ -10,11 +10,12 @@
 
 namespace placedpar {
 
-/// What ga.island refuses in a netlist before it runs: connections that no topology has, another topology than the
-/// parameter says, neighbours of which one would wait for the other for ever or could not understand it, more emigrants
-/// or immigrants than there is room for. Warns, once a netlist, of islands in parts that exchange nothing, of islands
-/// none of which is connected where none says topology = "none", and of a run that ends before the first exchange.
-/// What `check_search` says of an island stands before what is said of its exchange.
+/// Returns what is wrong with the islands of a netlist that has not run yet: connections that are not between two
+/// different islands; connections that differ from the parameter `topology`; neighbours one of which would wait for
+/// ever for the other or could not read its strings; more emigrants or immigrants than the populations allow. Warns
+/// once for the whole netlist of parts that exchange nothing with each other, of islands without any connection unless
+/// an island has topology = "none", and of a run that ends before the first exchange. For each island, the complaints
+/// of `check_search` come first.
 std::vector<Complaint> check_islands(const Network&, const ProblemRegistry&,
                                      const std::function<std::vector<Complaint>(std::size_t process)>& check_search);
 

@@ -12,7 +12,7 @@ namespace placedpar {
 
 namespace {
 
-/// Whether the fitness found by one island holds for the other.
+/// Returns whether a fitness computed by one island is valid on the other.
 bool same_window(const ProcessInstance& a, const ProcessInstance& b) {
     return a.parameters.at("window") == b.parameters.at("window") && a.parameters.at("bias") == b.parameters.at("bias");
 }
@@ -66,7 +66,7 @@ std::vector<Migration> IslandExchange::exchange(Search& search, std::span<const 
     return arrivals;
 }
 
-/// Nobody is chosen where nobody is sent to: it might draw random numbers.
+/// Chooses no emigrants where there is no destination: the choice might draw random numbers.
 Emigrants IslandExchange::leaving(Search& search, std::span<const double> fitness) const {
     Emigrants emigrants;
     emigrants.generation = search.generation() + 1;
@@ -105,7 +105,8 @@ std::vector<Migration> IslandExchange::take_arrivals() {
     return arrivals;
 }
 
-/// The fitness that came with an immigrant holds where it was found over the same samples.
+/// Evaluates immigrants. The fitness that came with an immigrant remains valid if it was computed over the same
+/// samples.
 void IslandExchange::evaluate_arrivals(std::span<Migration> arrivals, std::span<const Sample> window) const {
     if (problem_.objective())
         return; // the same everywhere

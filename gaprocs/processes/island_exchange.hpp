@@ -19,43 +19,43 @@ namespace placedpar {
 
 class ProcessEnvironment;
 
-/// What an island process sends to its neighbours and gets from them: the exchange of Islands (gaprocs/islands.hpp),
-/// by messages.
+/// Exchanges individuals between an island process and its neighbours: the exchange of Islands (gaprocs/islands.hpp) by
+/// messages.
 ///
-/// In step, all emigrants go out and all immigrants come in at the same time, as parallel processes, and the exchange
-/// is over when all have. No topology can deadlock: every island makes its exchanges in the same order, each with all
-/// of its channels at once (P. Welch's I/O-PAR). Which channels are used in an exchange follows from the topology and
-/// the schedule, so both ends know it.
+/// In step, a process for each channel sends or receives, all in parallel, and the exchange ends when all of them have
+/// ended. No topology can deadlock: every island makes its exchanges in the same order, each with all of its channels
+/// at once (P. Welch's I/O-PAR). Which channels are used in an exchange follows from the topology and the schedule, so
+/// both ends know it.
 ///
-/// Asynchronous: for each neighbour a process sends, and a process receives into a letter box, both at high priority
-/// beside the search. The search hands its emigrants over where the last ones have gone, and empties the box. Receivers
-/// always receive, so that nothing waits for long. Each island ends by telling its neighbours so.
+/// Asynchronous: for each neighbour, one process sends and another receives into a letter box, both at high priority
+/// beside the search. The search hands emigrants to each sender that is idle, and empties the boxes. Receivers are
+/// always ready, so that no sender waits for long. An island that ends tells its neighbours.
 class IslandExchange {
 public:
     /// REQUIRES: the process is an island of the environment's network, which has passed check_islands().
     IslandExchange(const ProcessEnvironment&, const SearchProblem&, const SearchSettings&, const Workload&);
 
-    /// How many samples must be there for the first generation: where islands are in step, for that of each of them.
+    /// Returns the number of samples needed before the first generation; for islands in step, enough for each of them.
     std::size_t samples_to_begin() const { return samples_to_begin_; }
-    /// Is an exchange due after the evaluation of this generation?
+    /// Returns whether an exchange is due after the evaluation of this generation.
     bool is_due(std::uint64_t generation) const { return has_neighbours_ && schedule_.is_due(generation); }
-    /// Does it report its best to an analyst after this generation? Whether or not it has neighbours.
+    /// Returns whether the island, with or without neighbours, reports its best to an analyst after this generation.
     bool reports_after(std::uint64_t generation) const { return schedule_.is_due(generation); }
-    /// Runs the search, beside the processes that send and receive where it does not wait for them.
+    /// Runs the search; if the exchange is asynchronous, in parallel with the processes that send and receive.
     void beside_mail(const std::function<void()>& search);
     /// Sends the emigrants that are due and returns the immigrants in the order in which they are to be accepted.
-    /// Those from another window are evaluated in this one, which costs the error evaluations.
-    /// REQUIRES: is_due(search.generation() + 1).
+    /// Immigrants from an island with another window are evaluated again in this one, at the cost of the error
+    /// evaluations. REQUIRES: is_due(search.generation() + 1).
     std::vector<Migration> exchange(Search&, std::span<const double> fitness, std::span<const Sample> window);
     const Acceptance& acceptance() const { return acceptance_; }
-    /// The process of an island from which immigrants come, by its number. REQUIRES: it is one.
+    /// Returns the process name of an island. REQUIRES: immigrants come from it.
     const std::string& name_of(std::size_t island) const;
 
 private:
     struct Outgoing {
         std::size_t to;
         Output<Emigrants> output;
-        bool idle = true; ///< asynchronous: the last letter has gone
+        bool idle = true; ///< asynchronous: the last letter has been sent
         Channel<InPlace<Emigrants>> letters;
 
         Outgoing(std::size_t island, Output<Emigrants> end, const std::string& process)
@@ -63,11 +63,11 @@ private:
     };
     struct Incoming {
         std::size_t from;
-        std::string process; ///< its name
+        std::string process; ///< name of the sending process
         Input<Emigrants> input;
         std::vector<std::size_t> its_neighbours;
-        bool other_window; ///< than this island's
-        Emigrants last;    ///< received and not accepted yet
+        bool other_window; ///< the sender's window differs from this island's
+        Emigrants last;    ///< last emigrants received, if not yet accepted
     };
 
     Emigrants leaving(Search&, std::span<const double> fitness) const;
@@ -78,7 +78,7 @@ private:
     void send_letters(Outgoing&);
     void receive_letters(Incoming&);
 
-    std::shared_ptr<const Archipelago> archipelago_; ///< held for the islands that begin after this one
+    std::shared_ptr<const Archipelago> archipelago_; ///< kept alive for the islands that begin after this one
     const SearchProblem& problem_;
     double bias_;
     Workload workload_;
@@ -90,7 +90,7 @@ private:
     bool has_neighbours_ = false;
     std::size_t samples_to_begin_ = 0;
     std::vector<std::unique_ptr<Outgoing>> outgoing_;
-    std::vector<std::unique_ptr<Incoming>> incoming_; ///< from the island of lowest number first
+    std::vector<std::unique_ptr<Incoming>> incoming_; ///< in the order of island numbers
 };
 
 } // namespace placedpar

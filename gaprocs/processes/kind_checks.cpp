@@ -22,7 +22,7 @@ namespace placedpar {
 
 namespace {
 
-/// Collects what is to be said about one process, and reads its parameters.
+/// Collects the complaints about one process, and reads its parameters.
 class Check {
 public:
     Check(const Network& network, std::size_t process, const ProblemRegistry& problems)
@@ -98,7 +98,7 @@ private:
     bool has_objective() const { return recorded_ && recorded_->problem()->objective(); }
     bool given(const std::string& parameter) const { return network_.processes[process_].given.contains(parameter); }
 
-    /// Whether a process before this one has the same problem, and so was told what is wrong with it.
+    /// Returns whether an earlier process has the same problem, so that an error in the problem was already reported.
     bool refused_before() const {
         auto first = network_.processes.begin(), self = first + static_cast<std::ptrdiff_t>(process_);
         return std::any_of(first, self, [&](const ProcessInstance& other) {
@@ -113,7 +113,7 @@ private:
         complaints_.push_back({process, std::move(about), std::move(message), std::move(hint)});
     }
 
-    /// Of a channel that cannot be an array.
+    /// Checks a port that must not be an array.
     void check_single(const char* port) {
         for (const PortBinding& binding : network_.processes[process_].ports)
             if (base_name(binding.port) == port && binding.port != port)
@@ -127,7 +127,7 @@ private:
         complaints_.push_back({process_, std::move(about), std::move(message), std::move(hint), true});
     }
 
-    /// Settings that run, but not as the record is meant. The first process of several with the same says it.
+    /// Warns of settings that do not suit the record. Of several processes with the same setting, only the first warns.
     void warn_of_advice() {
         const RecordAdvice& advice = recorded_->advice();
         if (advice.trials != 0 && std::cmp_not_equal(integer("trials"), advice.trials) && !is_as_before("trials"))
@@ -158,7 +158,7 @@ private:
                  "left out, it is what the problem's strings take");
     }
 
-    /// Whether a process before this one has the same problem and the same number.
+    /// Returns whether an earlier process has the same problem and the same value of the parameter.
     bool is_as_before(const char* parameter) const {
         auto first = network_.processes.begin(), self = first + static_cast<std::ptrdiff_t>(process_);
         return std::any_of(first, self, [&](const ProcessInstance& other) {
@@ -181,7 +181,7 @@ private:
                        hint);
     }
 
-    /// An estimate is of a sample, and its host knows when that was taken.
+    /// Checks that estimates go to the host of the samples, which knows when each sample was taken.
     void check_estimates() {
         for (const Peer& search : peers_at(network_, process_, "from_masters")) {
             auto host = search.process == nowhere ? std::nullopt : other_end(network_, search.process, "from_host");
@@ -328,7 +328,8 @@ private:
     std::size_t process_;
     const ProblemRegistry& problems_;
     const RecordedProblem* recorded_ = nullptr;
-    std::shared_ptr<const SearchProblem> coded_problem_; ///< as this process codes it; null where it cannot
+    std::shared_ptr<const SearchProblem>
+        coded_problem_; ///< the problem in this process's coding; null if it cannot be coded so
     std::vector<Complaint> complaints_;
 };
 

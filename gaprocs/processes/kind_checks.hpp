@@ -9,18 +9,19 @@
 
 namespace placedpar {
 
-// What the kinds refuse in a netlist before it runs, beyond ranges and single ports: settings that the processes could
-// not work with, and messages for which they would wait for ever.
+// Checks of the kinds on a netlist before it runs, beyond ranges and single ports: they refuse settings with which a
+// process could not work, and connections on which a process would wait for ever.
 
-/// The problem is known, and its record has the samples that are to be sent.
+/// Checks that the problem exists and that its record has the samples that are to be sent.
 std::vector<Complaint> check_host(const Network&, std::size_t process, const ProblemRegistry&);
-/// The problem is known; one process is before it, and not in a circle.
+/// Checks that the problem exists, and that the slave has one predecessor and is not part of a circle.
 std::vector<Complaint> check_slave(const Network&, std::size_t process, const ProblemRegistry&);
-/// The settings of the search agree with each other and with the problem's record. With slaves: they form a tree of as
-/// many as stated, there is work for each, they search the same problem, and their messages are not too long.
+/// Checks that the settings of the search agree with each other and with the problem's record. With slaves, checks also
+/// that they form a tree of the stated number of slaves, that each has work and the same problem, and that no message
+/// is too long.
 std::vector<Complaint> check_search(const Network&, std::size_t process, const ProblemRegistry&);
 
-/// The problem that a process names; null where there is none of this name, which the checks above say once.
+/// Returns the problem that a process names; null if it does not exist, which the checks above report once.
 const RecordedProblem* named_problem(const ProblemRegistry&, const ProcessInstance&);
 
 } // namespace placedpar

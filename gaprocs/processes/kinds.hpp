@@ -8,11 +8,11 @@ namespace placedpar {
 
 class Catalogue;
 
-/// Adds every kind below. The processes find their search problem by name in `problems`; those that search tell the
-/// observer, if there is one. Both must outlive every run.
+/// Adds every kind below. The processes find their search problem by name in `problems`; searches report to the
+/// observer if it is not null. Both must outlive every run.
 void add_genetic_algorithm_kinds(Catalogue&, const ProblemRegistry& problems, SearchObserver* observer = nullptr);
 
-// The kinds, each in a file of its own: what it is for, and its ports, parameters, measurements and body.
+// Each kind has a file of its own, which describes its purpose, ports, parameters and measurements, and has its body.
 
 ProcessKind host_kind(const ProblemRegistry& problems);                         ///< ga.host, in host.cpp
 ProcessKind slave_kind(const ProblemRegistry& problems);                        ///< ga.slave, in slave.cpp

@@ -11,13 +11,13 @@
 
 namespace placedpar {
 
-/// The netlist states how many bytes each message has on the wire (thesis, appendix E: 148 bytes of measurements, 240
-/// of strings, 240 of fitness), whatever this program's own data take. A word before the bytes says what they are and
-/// how many: occam's counted array, whose count is an INT.
+/// The netlist states the length of each message on the wire (thesis, appendix E: 148 bytes of measurements, 240 of
+/// strings, 240 of fitness), whatever the size of this program's own data. A word before the bytes holds the type and
+/// the count: occam's counted array, whose count is an INT.
 inline constexpr std::int64_t largest_message_bytes = 0x7fffffff;
 
-/// The length of a message of so many strings, or fitnesses, and `others` bytes more. Throws UserError above
-/// largest_message_bytes.
+/// Returns the length of a message: `individuals` strings or fitnesses of `bytes_each`, and `others` further bytes.
+/// Throws UserError above largest_message_bytes.
 std::uint32_t message_bytes(std::size_t individuals, std::uint32_t bytes_each, std::uint32_t others = 0);
 
 struct Parcel {
@@ -25,7 +25,7 @@ struct Parcel {
     WireForm wire_form() const { return WireForm(4u, bytes); }
 };
 
-/// From the host: a sample of the record, or the end of it.
+/// Carries a sample of the record from the host, or marks the end of the record.
 struct HostMessage : Parcel {
     bool end = false;
     Sample sample;
@@ -36,26 +36,28 @@ struct HostMessage : Parcel {
 
 using Window = std::shared_ptr<const std::vector<Sample>>;
 
-/// From a master to one of its slaves: evaluate these strings.
+/// Tells a slave to evaluate these strings; sent by its master.
 struct Task : Parcel {
     enum class Kind { evaluate, rehearse, end } kind = Kind::end;
-    std::size_t slave = 0;   ///< the addressee, counted from the master
-    std::size_t master = 0;  ///< whose it is, of those that share the slaves
-    std::size_t address = 0; ///< 0: the slave that receives it; else one beyond, in the order of SlaveRoutes
+    std::size_t slave = 0;  ///< the addressee, counted from the master
+    std::size_t master = 0; ///< number of the sending master among the masters that share the slaves
+    std::size_t address =
+        0; ///< 0: the receiving slave itself; otherwise a slave behind it, numbered from 1 as in SlaveRoutes
     Share share;
     std::vector<Genome> strings; ///< the individuals that the share touches
-    Window window;               ///< the measurements where they are new; null where the slave has them
+    Window window;               ///< the measurements if they are new; null if the slave has them
     double bias = 0;
-    Coding coding = Coding::natural; ///< how the strings are to be read
-    bool results_in_order = false;   ///< the farthest slave's first in each round; else as they become ready
-    std::size_t tasks_under_way = 1; ///< that the master may have sent the addressee before the first is answered
+    Coding coding = Coding::natural; ///< coding of the strings
+    bool results_in_order =
+        false; ///< return the farthest slave's result first in each round; otherwise as results become ready
+    std::size_t tasks_under_way = 1; ///< tasks that the addressee may have unanswered at once
 };
 
-/// From a slave to its master: what the share adds to the fitness of each individual that it touches.
+/// Answers a task: what the share contributes to the fitness of each individual of which it has a part.
 struct Fitnesses : Parcel {
     bool end = false;                  ///< the answer to Task::Kind::end
-    std::size_t slave = 0, master = 0; ///< of the task
-    std::size_t hops = 0;              ///< slaves that have passed it on
+    std::size_t slave = 0, master = 0; ///< copied from the task
+    std::size_t hops = 0;              ///< number of slaves that have passed the message on
     Share share;
     std::vector<double> terms;
 };
@@ -67,25 +69,25 @@ struct InPlace {
     WireForm wire_form() const { return WireForm(4u); }
 };
 
-/// From an island to a neighbour.
+/// Carries emigrants from an island to a neighbour.
 struct Emigrants : Parcel {
-    bool end = false; ///< the island has ended; only where it does not exchange in step
+    bool end = false; ///< the island has ended; only used in asynchronous exchange
     std::uint64_t generation = 0;
     std::vector<Individual> individuals;
 };
 
-/// From a search to its host, after the generations of each sample, and from an island to the analyst of all, each time
-/// that it exchanges.
+/// Reports the best individual: from a search to its host after the generations of each sample, and from an island to
+/// the analyst at each exchange.
 struct EstimateMessage : Parcel {
     bool end = false; ///< the search has ended
     std::uint64_t generation = 0;
-    std::size_t samples = 0; ///< that it has been sent until then
+    std::size_t samples = 0; ///< samples that the search has received so far
     Individual best;
 };
 
-/// From a coarse search to a fine one: where it is to search.
+/// Tells the fine search around which point to search; sent by the coarse search.
 struct BiasPoint : Parcel {
-    Genome string; ///< of the problem
+    Genome string; ///< a string of the problem, in natural binary
 };
 
 } // namespace placedpar

@@ -16,7 +16,7 @@ namespace placedpar {
 
 namespace {
 
-/// Collects what is to be said about one of a pair.
+/// Collects the complaints about a process of a pair.
 class PairCheck {
 public:
     PairCheck(const Network& network, std::size_t process, const ProblemRegistry& problems)

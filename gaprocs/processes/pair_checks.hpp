@@ -9,9 +9,9 @@
 
 namespace placedpar {
 
-/// What ga.coarse and ga.fine refuse in a netlist before it runs, beside what every search does: fields that are not
-/// the problem's, or cannot be bred with these bits; of a fine search also samples from another host than those of its
-/// coarse one, another problem, other fields, windows, trials or coding.
+/// Returns what is wrong with a ga.coarse or ga.fine in a netlist that has not run yet, beyond the checks of every
+/// search: fields that differ from the problem's, or that cannot be bred with the stated bits. A fine search must also
+/// have the host, problem, fields, windows, trials and coding of its coarse search.
 std::vector<Complaint> check_pair(const Network&, std::size_t process, const ProblemRegistry&);
 
 } // namespace placedpar

@@ -36,7 +36,7 @@ void set_policy(Step& usual, const std::string& text) {
         usual = Step::named(text);
 }
 
-/// None where all are drawn by the search.
+/// Returns the initial individuals; none if the search draws all of them.
 std::vector<Genome> read_initial_population(const ProcessEnvironment& environment, const SearchProblem& problem) {
     const std::string& initial = environment.text("initial");
     std::string name = initial.substr(0, initial.find('('));

@@ -10,20 +10,21 @@
 
 namespace placedpar {
 
-// Whom a process is connected to, as its netlist says: what its checks ask, and the process itself where it must know.
+// Functions that find the processes to which a process is connected in its netlist, for checks and for the process
+// itself.
 
-/// The connected ends of a port, in the order of their subscripts; the port is named without one.
+/// Returns the connected ends of a port, in the order of their subscripts. `port` has no subscript.
 std::vector<PortBinding> ends_of(const Network&, std::size_t process, std::string_view port);
-/// The other end of that one's channel.
+/// Returns the other end of the channel at this port.
 const ChannelEnd& end_beyond(const Network&, const PortBinding&);
-/// The other end of the first channel at a port; none where it is not connected.
+/// Returns the other end of the first channel at a port; nothing if the port is not connected.
 std::optional<ChannelEnd> other_end(const Network&, std::size_t process, std::string_view port);
 
 struct Peer {
-    std::string port;    ///< of the process that was asked about, with its subscript
-    std::size_t process; ///< at the other end; nowhere: an edge
+    std::string port;    ///< port of the process asked about, with its subscript
+    std::size_t process; ///< process at the other end; `nowhere` if that is an edge
 };
-/// Of each end of a port, in the order of their subscripts.
+/// Returns the peer at each end of a port, in the order of the subscripts.
 std::vector<Peer> peers_at(const Network&, std::size_t process, std::string_view port);
 
 } // namespace placedpar

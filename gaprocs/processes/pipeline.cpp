@@ -18,8 +18,8 @@ namespace placedpar {
 
 namespace {
 
-/// Two processes of high priority: one passes the masters' tasks on to the slaves, one the slaves' results to whom they
-/// are for. Each slave keeps the tasks that come to it and answers them in turn.
+/// Runs two processes of high priority: one passes the masters' tasks on to the slaves, the other passes the slaves'
+/// results on to the masters. Each slave queues its tasks and answers them in turn.
 class Pipeline {
 public:
     explicit Pipeline(const ProcessEnvironment& environment)
@@ -46,7 +46,8 @@ private:
             to.output(Task{});
     }
 
-    /// A task for each slave; those of other masters wait until the last of them is sent. False at the master's end.
+    /// Passes on a master's tasks of one generation, one for each slave; other masters wait until the last is sent.
+    /// Returns false when the master has ended.
     bool pass_generation_on(std::size_t master) {
         for (std::size_t sent = 0; sent < slaves_; ++sent) {
             Task task = from_masters_[master].input();

@@ -8,8 +8,8 @@
 
 namespace placedpar {
 
-/// The slaves form trees; each master has its results back where its tasks come from, has no other slaves, and sends
-/// each slave one task a generation.
+/// Checks that the slaves behind a pipeline form trees, and that each master receives its results from the pipeline to
+/// which it sends its tasks, has no other slaves, and sends each slave one task a generation.
 std::vector<Complaint> check_pipeline(const Network&, std::size_t process);
 
 } // namespace placedpar

@@ -35,7 +35,7 @@ Parameters population_parameters() {
     };
 }
 
-/// A file that is there, or one of the policies. "" is the first of them.
+/// Checks that the text names an existing file or a policy; "" stands for the first policy.
 void check_initial(const std::string& text) {
     if (text.empty() || std::filesystem::exists(text))
         return;

@@ -10,15 +10,15 @@
 #include <utility>
 #include <vector>
 
-/// What the descriptions of several kinds of this room have in common.
+/// Ports, parameters and measurements that several genetic-algorithm kinds share.
 namespace placedpar::search_description {
 
 using Parameters = std::vector<ParameterDescription>;
 
-/// Every one of `first`, then every one of `second`.
+/// Returns the parameters of `first`, followed by those of `second`.
 Parameters operator+(Parameters first, const Parameters& second);
 
-/// Which of its policies a step takes.
+/// Describes a parameter that chooses the policy of a step.
 template <class Step>
 ParameterDescription policy(std::string name, std::string by_default, std::string about) {
     std::vector<std::string> examples;
@@ -32,10 +32,10 @@ ParameterDescription policy(std::string name, std::string by_default, std::strin
                                                    std::move(about)));
 }
 
-/// What a netlist says of a step that is to take the policy that suits the problem: usual_settings().
+/// The value in a netlist that chooses the policy that suits the problem: that of usual_settings().
 inline constexpr std::string_view usual = "usual";
 
-/// The same, by default the one that suits the problem.
+/// Describes a parameter that chooses the policy of a step, with the default "usual".
 template <class Step>
 ParameterDescription usual_policy(std::string name, std::string about) {
     ParameterDescription description = policy<Step>(std::move(name), std::string(usual), std::move(about));
@@ -50,20 +50,20 @@ ParameterDescription usual_policy(std::string name, std::string about) {
 ParameterDescription problem();
 ParameterDescription cycles_per_error();
 ParameterDescription fitness_bytes();
-/// How many bytes something takes in a message.
+/// Describes a parameter that gives a length in a message, in bytes.
 ParameterDescription bytes_in_message(std::string name, std::int64_t by_default, std::string about);
 
-/// Of every process that holds a population, with the problem.
+/// Returns the parameters of every process that holds a population, including `problem`.
 Parameters search_parameters();
 std::vector<MeasurementDescription> search_measurements();
-/// What measure_individual() says of an individual.
+/// Describes the measurements that measure_individual() reports. `whose`: the individual, as the descriptions name it.
 std::vector<MeasurementDescription> individual_measurements(const std::string& whose);
 PortDescription from_host();
 PortDescription to_host();
 
-/// Of every master.
+/// Returns the parameters of every master.
 Parameters farm_parameters();
-/// Of every process that may have slaves behind it.
+/// The ports of every process that may have slaves behind it.
 PortDescription to_slaves();
 PortDescription from_slaves();
 

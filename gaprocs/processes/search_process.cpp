@@ -31,7 +31,7 @@ Farm make_farm(const ProcessEnvironment& environment, const SearchProblem& probl
 
 class SearchProcess {
 public:
-    /// `recoded`: the same problem for one of a pair, else null.
+    /// `recoded`: the same problem, if the process is one of a pair; otherwise null.
     SearchProcess(ProcessEnvironment& environment, const SearchProblem& problem, RecodedProblem* recoded,
                   SearchObserver* observer)
         : environment_(environment), problem_(problem), observer_(observer),
@@ -119,7 +119,7 @@ private:
             tell_migrations();
     }
 
-    /// With what it stands for now: a fine search reads it around another point later.
+    /// Notes the best individual with its decoded parameters: a fine search will decode it around another point later.
     void note_best() {
         if (best_ && search_.best().fitness <= best_->fitness)
             return;
@@ -148,8 +148,8 @@ private:
                                 each.individual.fitness, each.place.has_value()});
     }
 
-    /// What is no work, and comes when all of the machine has done its own, so that it disturbs none of the work's
-    /// figures: measuring C_time2, and ending the slaves, which the thesis's never did.
+    /// Measures C_time2 and ends the slaves (the thesis's slaves never ended). This is done after all work of the
+    /// machine, so that it does not affect the figures of the work.
     void leave_slaves() {
         wait_until_work_is_over();
         if (timing_ && rehearsals_ > 0)
@@ -175,7 +175,7 @@ private:
             report_best_known();
     }
 
-    /// Of the generations with a full window.
+    /// Reports the mean times of the generations with a full window.
     void report_times() {
         environment_.measure("T_exe", execution_.mean_milliseconds(), "ms");
         environment_.measure("T_sr", farm_.send_to_receive.mean_milliseconds(), "ms");
@@ -194,7 +194,8 @@ private:
             environment_.measure("generations_per_second", timed / milliseconds * 1000, "1/s");
     }
 
-    /// With measurements the last generation knows most; an objective stays, and so does the best that was ever found.
+    /// Returns the best individual of the last generation, which used the newest measurements; for an objective, the
+    /// best of all generations.
     const Individual& best_known() const { return problem_.objective() ? *best_ : search_.best(); }
 
     void report_best_known() {
@@ -204,24 +205,25 @@ private:
 
     ProcessEnvironment& environment_;
     const SearchProblem& problem_;
-    SearchObserver* observer_; ///< null: nobody
+    SearchObserver* observer_; ///< null: no observer
     SearchSettings settings_;
     Workload workload_;
     Input<HostMessage> from_host_;
-    Output<EstimateMessage> to_host_, to_analyst_; ///< of no channel where nobody waits for any
+    Output<EstimateMessage> to_host_, to_analyst_; ///< not connected if no process receives estimates
     Farm farm_;
     bool has_slaves_;
     std::int64_t rehearsals_;
     std::optional<IslandExchange> exchange_;
-    std::optional<BiasPointEnd> bias_point_; ///< of one of a pair
+    std::optional<BiasPointEnd> bias_point_; ///< only for a process of a pair
 
-    std::size_t samples_ = 0; ///< that have come in
+    std::size_t samples_ = 0; ///< number of samples received
     SlidingWindow window_;
     Search search_;
-    std::optional<Individual> best_; ///< of all generations; of no use where the window moves
+    std::optional<Individual> best_; ///< best of all generations; only for objectives
     std::vector<double> values_of_best_;
     Fingerprint populations_;
-    std::vector<Migration> migrations_; ///< of this generation: who came from where, and from the breeding on his place
+    std::vector<Migration>
+        migrations_; ///< immigrants of this generation, with source island and, after breeding, the index replaced
 
     bool timing_ = false;
     std::uint64_t generations_before_timing_ = 0;

@@ -6,7 +6,7 @@ namespace placedpar {
 
 namespace {
 
-/// Of so many units of work.
+/// Returns the master's part of `units` units of work.
 std::size_t master_units(std::size_t units, std::size_t slaves, double own_share) {
     if (slaves == 0)
         return units;

@@ -24,9 +24,9 @@ namespace {
 
 struct NextTask {};
 
-/// A slave of algorithm A: three processes on one processor. Two of high priority pass messages on, tasks
-/// away from the master and results towards it; one of low priority evaluates. Where several tasks may be under way to
-/// it, a fourth keeps those that wait for the evaluator, so that what is for the slaves beyond never waits for it.
+/// A slave of algorithm A: three processes on one processor. Two of high priority pass messages on, tasks away from the
+/// master and results towards it; one of low priority evaluates. If the slave may have several unanswered tasks, a
+/// fourth process queues them, so that tasks for slaves behind this one never wait for the evaluator.
 class Slave {
 public:
     Slave(const ProcessEnvironment& environment, std::shared_ptr<const SearchProblem> problem)
@@ -59,7 +59,8 @@ private:
             task = from_master_.input();
     }
 
-    /// To a slave beyond, to this slave's evaluator, or at the end to all of them. False at the end.
+    /// Passes a task to a slave behind this one or to this slave's evaluator; at the end, to all of them. Returns false
+    /// at the end.
     bool pass_task_on(Task task) {
         bool ended = task.kind == Task::Kind::end;
         if (ended)
@@ -75,7 +76,7 @@ private:
         return !ended;
     }
 
-    /// First come, first evaluated.
+    /// Queues tasks for the evaluator, in the order of their arrival.
     void keep_tasks() {
         std::deque<Task> kept;
         bool ended = false;
@@ -100,8 +101,8 @@ private:
         to_master_.output(end_of_results());
     }
 
-    /// The results of all slaves beyond, channel by channel and the farthest first, and then this slave's. False at the
-    /// end.
+    /// Passes on the results of all slaves behind this one, channel by channel and the farthest first, then this
+    /// slave's. Returns false at the end.
     bool pass_round_on() {
         for (const Input<Fitnesses>& from : from_slaves_)
             for (bool last = false; !last;) {
@@ -127,7 +128,7 @@ private:
         }
     }
 
-    /// False when all results of its channel have been passed on.
+    /// Returns false when all results of the channel have been passed on.
     bool pass_on(Fitnesses result) {
         ++result.hops;
         return send(std::move(result));

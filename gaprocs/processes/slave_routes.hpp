@@ -8,31 +8,31 @@ namespace placedpar {
 
 class ProcessEnvironment;
 
-/// Which of its channels a process takes to a slave beyond. Slaves are numbered depth first: all that are behind a
-/// channel have numbers in one interval, as INMOS's C104 routes by intervals, so that a process must know only how many
-/// there are behind each channel.
+/// Tells on which of its channels a process reaches each slave behind it. Slaves are numbered depth first, so that the
+/// slaves behind a channel form one interval, as in the interval routing of INMOS's C104. A process only needs the
+/// number of slaves behind each channel.
 class SlaveRoutes {
 public:
     SlaveRoutes() = default;
-    /// How many slaves are behind each channel but the last, which leads to all others.
+    /// `behind`: the number of slaves behind each channel except the last, which leads to all other slaves.
     explicit SlaveRoutes(std::vector<std::size_t> behind) : behind_(std::move(behind)) {}
 
     struct Way {
-        std::size_t channel; ///< to take
-        std::size_t address; ///< for the slave at its other end: 0 is that slave itself
+        std::size_t channel; ///< channel towards the slave
+        std::size_t address; ///< number of the slave as seen from the other end of the channel: 0 is the slave there
     };
-    /// To slave number 0, 1 ... of those beyond.
+    /// Returns the way to a slave; numbers begin at 0.
     Way to(std::size_t slave) const;
-    /// So many slaves in the order in which they are sent tasks: the first behind each channel, the second behind each
-    /// ..., so that all links have something to carry.
+    /// Returns the slaves 0 ... slaves - 1 in the order in which tasks are sent: first the nearest behind each channel,
+    /// then the second behind each, and so on, so that all links are busy.
     std::vector<std::size_t> in_turn(std::size_t slaves) const;
 
 private:
     std::vector<std::size_t> behind_;
 };
 
-/// Of a master or a slave, which cannot see from where it is how many slaves are behind its channels: the netlist says
-/// it, as a configurer would tell the program.
+/// Returns the routes of a master or a slave. They are taken from the netlist, as a configurer would pass them to the
+/// program: the process itself cannot see how many slaves are behind its channels.
 SlaveRoutes read_routes(const ProcessEnvironment&);
 
 } // namespace placedpar

@@ -25,7 +25,7 @@ bool is_of_kind(const Network& network, const ChannelEnd& end, std::string_view 
 
 bool is_slave(const Network& network, const ChannelEnd& end) { return is_of_kind(network, end, "ga.slave"); }
 
-/// Follows tasks from one process on.
+/// Follows the tasks from one process.
 class Follower {
 public:
     explicit Follower(const Network& network) : n_(network) {}
@@ -79,7 +79,7 @@ private:
         return n_.processes[process].name + "." + port;
     }
 
-    /// "from_slaves[2]" for "to_slaves[2]".
+    /// Returns the opposite port: "from_slaves[2]" for "to_slaves[2]".
     static std::string counterpart(const std::string& port, const std::string& base) {
         return base + port.substr(base_name(port).size());
     }
@@ -88,7 +88,7 @@ private:
         tree.complaints.push_back({process, port.port, std::move(message), std::move(hint)});
     }
 
-    /// One without a subscript, or 0, 1, 2 ...
+    /// Returns whether the ends are a single one without a subscript, or have the subscripts 0, 1, 2 ...
     bool are_numbered(std::size_t process, const std::vector<PortBinding>& ends) {
         if (ends.size() == 1 && subscripts_of(ends[0].port).empty())
             return true;

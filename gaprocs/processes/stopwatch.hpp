@@ -6,18 +6,18 @@
 
 namespace placedpar {
 
-/// Measures a stretch of a process's program again and again with the transputer's timer, as the thesis did,
-/// and gives the mean. A low-priority process reads a clock of 64 us, so a single reading is that coarse.
+/// Measures a section of a process's program repeatedly with the transputer's timer, as the thesis did, and gives the
+/// mean. At low priority the clock ticks every 64 us, which limits the resolution of a single reading.
 class Stopwatch {
 public:
     void start() { started_ = timer_.read(); }
-    /// REQUIRES: the priority of start(), whose clock it was, and less than half of the clock's round since then: on a
-    /// T2 at low priority 2.1 s.
+    /// REQUIRES: the same priority as at start(), since each priority has its own clock, and less than half of the
+    /// clock's period since then: on a T2 at low priority, 2.1 s.
     void stop() {
         measured_ += timer_.minus(timer_.read(), started_) * timer_.tick();
         ++times_;
     }
-    /// 0 if it was never stopped. May be asked at either priority.
+    /// Returns the mean; 0 if stop() was never called. May be called at either priority.
     double mean_milliseconds() const { return times_ ? in_milliseconds(measured_) / static_cast<double>(times_) : 0; }
 
 private:

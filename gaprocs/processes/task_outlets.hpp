@@ -12,10 +12,10 @@
 
 namespace placedpar {
 
-/// How a master sends over several channels to slaves.
+/// Order in which a master sends over its channels to slaves.
 enum class Sending {
-    in_turn, ///< one message after the other: the master waits until each is gone
-    at_once  ///< a process of high priority for each channel sends, while the master makes the next message ready
+    in_turn, ///< one message after the other: the master waits until each has been sent
+    at_once  ///< a process of high priority sends on each channel, while the master prepares the next message
 };
 
 /// A master's channels to its slaves.
@@ -25,18 +25,18 @@ public:
         : channels_(std::move(channels)), sending_(sending) {}
 
     std::size_t count() const { return channels_.size(); }
-    /// Runs the body, in which send() may be called, and waits until all is gone.
+    /// Runs the body, which may call send(), and waits until all tasks have been sent.
     void during(const std::function<void()>& body, const SourceLocation& = SourceLocation::current());
     void send(std::size_t channel, Task);
 
 private:
-    using Handed = InPlace<std::optional<Task>>; ///< empty: the last
+    using Handed = InPlace<std::optional<Task>>; ///< empty: no more tasks
 
     void send_all_handed(std::size_t channel);
 
     std::vector<Output<Task>> channels_;
     Sending sending_;
-    std::vector<Channel<Handed>*> handed_; ///< to the process that sends, by channel
+    std::vector<Channel<Handed>*> handed_; ///< channels to the sending processes, by channel to slaves
 };
 
 } // namespace placedpar

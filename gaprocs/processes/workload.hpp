@@ -12,16 +12,16 @@ class ProcessEnvironment;
 
 /// The cost of the program on the machine, as the netlist states it.
 struct Workload {
-    Cycles error_evaluation{};       ///< one individual at one sample
-    Cycles genetic_operators{};      ///< reproduction, crossover and mutation of one individual
-    Cycles measurement_conversion{}; ///< one word of the measurements, made ready for a slave
+    Cycles error_evaluation{};       ///< for one individual and one sample
+    Cycles genetic_operators{};      ///< for reproduction, crossover and mutation of one individual
+    Cycles measurement_conversion{}; ///< for preparing one word of the measurements for a slave
     std::uint32_t string_bytes = 0;
     std::uint32_t fitness_bytes = 0;
     std::uint32_t measurement_bytes = 0;
 };
 
-/// Copying between two blocks of external memory: each word is read and written, 13.3 Mbyte/s at 20 MHz (T800
-/// databook).
+/// Returns the cycles of a copy between two blocks of external memory: each word is read and written, 13.3 Mbyte/s at
+/// 20 MHz (T800 databook).
 constexpr Cycles block_move(std::uint32_t bytes) {
     const std::int64_t words = (std::int64_t{bytes} + 3) / 4;
     return hardware::instructions::block_move_start + 2 * words * hardware::Memory::outside;

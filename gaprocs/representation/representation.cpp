@@ -33,7 +33,7 @@ Genome random_string(const RealVector& reals, RandomStream& random) {
     return genome;
 }
 
-/// By Fisher and Yates.
+/// Draws a permutation (Fisher and Yates).
 Genome random_string(const Permutation& permutation, RandomStream& random) {
     std::vector<std::size_t> order(permutation.places());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -53,7 +53,7 @@ double distance_of(const RealVector& reals, const Genome& a, const Genome& b) {
     return std::sqrt(squares);
 }
 
-/// Who comes before and behind each in a closed tour.
+/// Returns the places before and after each place in a closed tour.
 std::vector<std::array<std::size_t, 2>> neighbours_of(const std::vector<std::size_t>& tour) {
     std::vector<std::array<std::size_t, 2>> neighbours(tour.size());
     for (std::size_t i = 0; i < tour.size(); ++i)

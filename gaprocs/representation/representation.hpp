@@ -13,15 +13,14 @@ namespace placedpar {
 
 class RandomStream;
 
-/// What a string is made of, which decides how it can be crossed and mutated.
+/// The kind of elements of a string, which determines how it can be crossed and mutated.
 enum class StringKind : unsigned char { binary, real, permutation };
 
 /// "binary strings", "real vectors", "permutations".
 std::string_view name_of(StringKind);
 
-// The representations that there are, each with bits(), the length of the string, and decode(), what the string stands
-// for. Real numbers and the places of a permutation take 64 bits each, so that whoever only passes strings on need not
-// know what they are.
+// The representations. Each has bits(), the length of the string, and decode(), its meaning. Real numbers and the
+// places of a permutation take 64 bits each, so that code that only passes strings on need not know their kind.
 
 /// A binary string that a problem reads itself.
 class BitString {
@@ -36,7 +35,7 @@ private:
     std::size_t bits_;
 };
 
-/// Both ends belong to it.
+/// A closed range, including both ends.
 struct RealRange {
     double low = 0, high = 1;
 };
@@ -55,7 +54,7 @@ public:
 
     // REQUIRES, everywhere: a string of bits().
     double value(const Genome& genome, std::size_t number) const;
-    /// Outside of the range, the nearest of its ends.
+    /// Sets a number; a value outside the range becomes its nearest end.
     void set(Genome& genome, std::size_t number, double value) const;
     std::vector<double> decode(const Genome& genome) const;
 
@@ -101,7 +100,8 @@ public:
     Genome random(RandomStream& random) const;
     std::vector<Genome> random_population(std::size_t count, RandomStream& random) const;
 
-    /// Whether all are strings of this representation: of its length, each number in its range, each place once.
+    /// Returns whether all are strings of this representation: of its length, each number in its range, each place
+    /// once.
     bool holds(std::span<const Genome> strings) const;
 
     /// How far apart two strings are: the bits in which they differ; the Euclidean distance of numbers that are

@@ -9,7 +9,7 @@ namespace placedpar {
 
 namespace {
 
-/// Each way to go on from a beginning that leaves `order` positions to be fixed.
+/// Adds all schemata that begin with `begun` and have `order` further fixed positions.
 void add_schemata(std::string& begun, std::size_t first, std::size_t order, std::vector<Schema>& all) {
     if (begun.size() - first < order)
         return;

@@ -36,7 +36,7 @@ private:
 /// How many of the strings have it: m(h, t) of eq. 6.2.
 std::size_t count_matches(const Schema&, std::span<const Genome> population);
 
-/// All schemata of `size` positions with so many that are fixed, in alphabetical order ('*' first).
+/// Returns all schemata of `size` positions with the given number of fixed ones, in alphabetical order ('*' first).
 std::vector<Schema> schemata_of_order(std::size_t size, std::size_t order);
 
 } // namespace placedpar

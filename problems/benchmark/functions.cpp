@@ -13,7 +13,7 @@ namespace placedpar {
 
 namespace {
 
-/// The sum of term(x_i).
+/// Returns the sum of term(x_i).
 template <class Term>
 double sum_of(std::span<const double> x, Term term) {
     double sum = 0;
@@ -24,7 +24,7 @@ double sum_of(std::span<const double> x, Term term) {
 
 double square(double x) { return x * x; }
 
-/// A stream for these numbers and no others, as far as 64 bits tell them apart.
+/// Returns a stream that depends on these numbers, and differs for others as far as 64 bits can tell them apart.
 RandomStream stream_of(std::span<const double> x, std::uint64_t seed) {
     for (double each : x)
         seed = (seed ^ std::bit_cast<std::uint64_t>(each)) * 0x9e3779b97f4a7c15u + (seed >> 29);

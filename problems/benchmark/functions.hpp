@@ -16,7 +16,7 @@ namespace placedpar {
 // two codes, no string reaches it. F1 to F5 are those of K. De Jong, "An analysis of the behavior of a class of genetic
 // adaptive systems", 1975, by default with his dimensions and bits.
 
-/// The numbers of a function all of whose parameters have one range, low ... high.
+/// The numbers of a function whose parameters all have the same range, low ... high.
 template <class Function>
 struct OverBox {
     std::size_t dimensions = Function::usual_dimensions;
@@ -58,7 +58,7 @@ struct StepFunction : OverBox<StepFunction> {
 };
 
 /// The sum of i x_i^4 and a normal deviate. De Jong draws it at each evaluation; here it is drawn from the seed and the
-/// numbers themselves, so that an individual has the same noise whoever evaluates it. Nothing is known of the optimum.
+/// numbers themselves, so that an individual has the same noise in every evaluation. The optimum is unknown.
 struct Quartic : OverBox<Quartic> {
     static constexpr std::string_view name = "quartic",
                                       about = "the sum of i x_i^4 with noise (De Jong's F4), the same for equals";

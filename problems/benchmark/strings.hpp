@@ -26,8 +26,8 @@ struct OneMax {
 };
 
 /// Deceptive traps (D. Goldberg, "Simple genetic algorithms and the minimal, deceptive problem", 1987; K. Deb and D.
-/// Goldberg, "Analyzing deception in trap functions", 1993): a block of all ones counts its size, any other one less
-/// than the number of its zeros. Each bit by itself leads away from the optimum.
+/// Goldberg, "Analyzing deception in trap functions", 1993): a block of all ones counts its size, any other block the
+/// number of its zeros minus 1. Each bit by itself leads away from the optimum.
 struct Trap {
     static constexpr std::string_view name = "trap",
                                       about = "deceptive traps: blocks where each bit by itself leads away";
@@ -50,7 +50,7 @@ public:
 
     BitString representation() const { return BitString(bits_); }
     double objective(const Genome& genome) const;
-    /// Exact, by dynamic programming around the ring; nothing where that would take long.
+    /// Returns the exact optimum, by dynamic programming around the ring; nothing if that would take long.
     std::optional<double> optimum() const;
 
 private:

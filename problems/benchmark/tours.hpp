@@ -19,7 +19,7 @@ struct City {
 /// The travelling salesman: the shortest closed tour through all cities.
 class Tour {
 public:
-    /// `shortest` where it is known.
+    /// `shortest`: the length of the shortest tour, if known.
     explicit Tour(std::vector<City> cities, std::optional<double> shortest = std::nullopt);
 
     Permutation representation() const { return Permutation(cities_.size()); }
@@ -32,7 +32,7 @@ private:
     std::optional<double> shortest_;
 };
 
-/// On a circle of radius 1; the shortest tour goes around it.
+/// Cities on a circle of radius 1; the shortest tour goes around it.
 struct CircleTour {
     static constexpr std::string_view name = "tour-circle",
                                       about = "the travelling salesman, cities on a circle of radius 1";
@@ -43,7 +43,7 @@ struct CircleTour {
     Tour problem() const;
 };
 
-/// On the crossings of a lattice of width 1. The shortest tour has only steps of 1, but for one diagonal where the
+/// Cities on the crossings of a lattice of width 1. The shortest tour has only steps of 1, and one diagonal if the
 /// number of cities is odd.
 struct LatticeTour {
     static constexpr std::string_view name = "tour-lattice",
@@ -56,7 +56,7 @@ struct LatticeTour {
     Tour problem() const;
 };
 
-/// Uniform in a square of width 1. The shortest tour is not known.
+/// Cities uniformly distributed in a square of width 1. The shortest tour is unknown.
 struct RandomTour {
     static constexpr std::string_view name = "tour-random",
                                       about = "the travelling salesman, cities at random in a square, from a seed";

@@ -17,7 +17,7 @@ namespace placedpar {
 
 /// A plant in pole-zero form (thesis eq. 5.9): poles alpha +- j beta, zeros gamma +- j delta, gain b0, delay d.
 ///
-/// The plant of 5.8 has the zeros 0 and -.5, which are no conjugate pair: here a negative delta stands for the real
+/// The plant of 5.8 has the zeros 0 and -.5, which are not a conjugate pair: here a negative delta stands for the real
 /// pair gamma +- |delta|, so that gamma = delta = -.25 is exactly that plant.
 template <typename T>
 struct PoleZeroPlantOf {
@@ -25,7 +25,8 @@ struct PoleZeroPlantOf {
 
     using Weights = std::array<T, plant_channels - 1>;
 
-    /// What y-hat(k) is made of: of y(k-1), y(k-2), u(k-1), ..., u(k-6). REQUIRES: 1 <= d < 5, whole where T is Lanes.
+    /// Returns the weights of y(k-1), y(k-2), u(k-1), ..., u(k-6) in y-hat(k). REQUIRES: 1 <= d < 5; if T is Lanes, d
+    /// is whole.
     Weights weights() const {
         using std::abs;
         Weights weights;
@@ -42,7 +43,8 @@ private:
     void behind_the_delay(const Numerator& numerator, Weights& weights) const requires std::same_as<T, double> {
         std::copy(numerator.begin(), numerator.end(), weights.begin() + 1 + static_cast<int>(d));
     }
-    /// Of several plants, each with its own delay: added where it is, 0 elsewhere.
+    /// Sets the weights of several plants, each with its own delay: adds the numerator for each possible delay,
+    /// multiplied by 1 if it is the plant's and by 0 otherwise.
     void behind_the_delay(const Numerator& numerator, Weights& weights) const {
         for (std::size_t delay = 1; delay + 3 < weights.size(); ++delay) {
             T here = max(T(0.0), 1 - abs(d - static_cast<double>(delay)));
@@ -53,7 +55,8 @@ private:
 };
 using PoleZeroPlant = PoleZeroPlantOf<double>;
 
-/// d, alpha, beta, gamma, delta, b0 of a plant: the zeros 0 and -b1 are a real pair. REQUIRES: complex poles.
+/// Returns d, alpha, beta, gamma, delta and b0 of a plant, whose zeros 0 and -b1 are a real pair. REQUIRES: complex
+/// poles.
 std::vector<double> parameters_of(const Plant& plant);
 
 /// Identification of that plant as a search problem: the string d | alpha | beta | gamma | delta | b0 of 37 bits
@@ -80,7 +83,8 @@ public:
         return error_of<double>(weights, sample);
     }
 
-    /// What a population is evaluated by: the weights, so that the delay is no index.
+    /// Returns the weights. A population is evaluated by its weights, so that error_of() does not use the delay as an
+    /// index.
     template <BinaryString G>
     std::array<double, plant_channels - 1> parameters_of(const G& genome) const {
         return plant(genome).weights();
@@ -97,7 +101,7 @@ public:
     std::vector<std::string> parameter_names() const { return {"d", "alpha", "beta", "gamma", "delta", "b0"}; }
     std::vector<std::string> parameter_units() const { return {"samples", "", "", "", "", ""}; }
 
-    /// y-hat(k) from two outputs before it, measured or simulated, and the inputs of sample k.
+    /// Returns y-hat(k) from the two outputs before it, measured or simulated, and the inputs of sample k.
     template <typename T, typename Output>
     static T predicted(std::span<const T> weights, const Output& last, const Output& before,
                        std::span<const double> sample) {
@@ -116,8 +120,8 @@ private:
     ParameterCoding coding_;
 };
 
-/// The same with the error of a simulation: the two outputs before the first sample of a window are measured, those
-/// that come after are the plant's own y-hat.
+/// PlantProblem with the error of a simulation: the two outputs before the first sample of a window are measured; later
+/// ones are the simulated plant's own y-hat.
 class SimulatedPlantProblem : public PlantProblem {
 public:
     template <typename T>

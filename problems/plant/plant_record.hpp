@@ -48,7 +48,7 @@ struct PlantExperiment {
     std::size_t generations = 601;  ///< in Table 5.4, 0 to 600
     std::size_t per_sample = 3;     ///< generations between two samples; chapter 5 is silent
     std::size_t window = 30;        ///< samples that are there at generation 0
-    std::size_t settling = 80;      ///< samples before these, which nobody sees
+    std::size_t settling = 80;      ///< samples simulated first and left out of the record
 
     /// Samples that arrive from generation 0 on. REQUIRES: per_sample > 0.
     std::size_t samples() const { return (generations + per_sample - 1) / per_sample; }

@@ -34,7 +34,7 @@ private:
         std::filesystem::temp_directory_path() / fmt::format("placedpar-load-{}.txt", ::getpid());
 };
 
-/// What reading the text throws, from its first line's place on; "" where it throws nothing.
+/// Returns the message that reading the text throws, from the position of its first line on; "" if nothing is thrown.
 template <class Read>
 std::string refusal_from(const std::string& text, Read read) {
     const WrittenFile file(text);

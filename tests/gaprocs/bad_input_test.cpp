@@ -1,4 +1,4 @@
-// What nobody should ask for, and what comes of it.
+// Invalid requests are refused.
 
 #include "gaprocs/islands.hpp"
 #include "gaprocs/objective_problem.hpp"
@@ -28,7 +28,7 @@ struct Reversed {
     double objective(std::span<const double> x) const { return x[0]; }
 };
 
-/// What is said of a search of the sphere with these settings.
+/// Returns the refusal of a search of the sphere with these settings.
 std::string refusal_of_settings(void (*change)(SearchSettings&)) {
     auto sphere = minimise(PlainSphere{});
     SearchSettings settings = usual_settings(*sphere);
@@ -41,7 +41,7 @@ std::string refusal_of_settings(void (*change)(SearchSettings&)) {
     return "";
 }
 
-/// What is said of a netlist whose master has these parameters.
+/// Returns the refusal of a netlist whose master has these parameters.
 std::string refusal_of_master(const std::string& parameters) {
     Cluster cluster{.slaves = 0, .population = 30, .master_parameters = "rehearsals = 0, " + parameters};
     try {

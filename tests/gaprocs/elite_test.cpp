@@ -49,7 +49,7 @@ TEST_CASE("the best in order, the first among equals") {
 
 TEST_CASE("the elite stands first in the next population, unchanged, the best at its head") {
     SearchSettings settings = with_elite(2, 6);
-    settings.mutation_probability = 1; // nobody else stays what it was
+    settings.mutation_probability = 1; // no individual outside of the elite stays as it was
     settings.crossover_probability = 0;
     auto population = strings({"0000", "0001", "0010", "0011", "0100", "0101"});
     Search search(population, settings, RandomStream(1, "elite"));

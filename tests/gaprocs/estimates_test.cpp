@@ -24,7 +24,7 @@ IslandNetlist four_islands() {
     return netlist;
 }
 
-/// Of the islands from `first` on, estimates go back.
+/// Returns connections that send the estimates of the islands from `first` on back to the host.
 std::string returning(const IslandNetlist& netlist, std::size_t first = 0) {
     std::string text = netlist.text();
     for (std::size_t i = first; i < islands; ++i)

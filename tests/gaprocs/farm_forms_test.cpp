@@ -33,7 +33,7 @@ std::string populations_of(const FarmOfForm& farm) {
     return report.measured_text("master", "populations");
 }
 
-/// Of the same search without slaves, where whole generations are evaluated by one process.
+/// Returns the populations of the same search without slaves, in which one process evaluates whole generations.
 std::string populations_without_slaves(const FarmOfForm& farm) {
     auto text = fmt::format(
         "workstation sun; T800 t; process host, master; use \"ga.host\" for host; use \"ga.traditional\" for master;\n"

@@ -61,7 +61,7 @@ std::vector<Way> ring(int islands) {
     return ways;
 }
 
-/// Of island 0 with all others.
+/// Returns the connections of island 0 with all others.
 std::vector<Way> star(int islands) {
     std::vector<Way> ways;
     for (int i = 1; i < islands; ++i) {

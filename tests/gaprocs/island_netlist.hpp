@@ -114,7 +114,7 @@ private:
     }
 };
 
-/// What the library makes of the same islands: of each a hash of every population, as processes measure it.
+/// The run of the same islands in the library: for each island a hash of every population, as the processes measure it.
 struct LibraryRun {
     std::vector<std::string> populations;
 

@@ -207,7 +207,7 @@ TEST_CASE("asynchronous exchange ends on every topology and placement, the same 
             CHECK(report.result.ending == Ending::completed);
             CHECK(report.result.fingerprint == again.result.fingerprint);
             CHECK(report.measured("island[0]", "generations") == 16); // two for each sample from the fifth on
-            CHECK(report.measured("island[3]", "generations") == 20); // it waits for nobody
+            CHECK(report.measured("island[3]", "generations") == 20); // it waits for no island
             CHECK(report.measured_text("island[0]", "populations") == again.measured_text("island[0]", "populations"));
             CHECK((report.measured_text("island[0]", "populations") != alone) == topology.exchanges());
             runs.insert(report.measured_text("island[0]", "populations"));

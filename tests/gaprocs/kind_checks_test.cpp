@@ -59,7 +59,7 @@ struct Kinds {
     }
 };
 
-/// All that is said about the netlist with one of its statements replaced.
+/// Returns all complaints about the netlist with one of its statements replaced.
 std::string refusal(const std::string& name, const std::string& statement) {
     Kinds kinds;
     auto lines = statements();
@@ -318,7 +318,7 @@ TEST_CASE("a problem that does not exist is refused once, by the first that asks
 
 namespace {
 
-/// All that is said where all work on the sphere.
+/// Returns all complaints about the netlist if all its processes work on the sphere.
 std::string refusal_of_sphere(const std::string& host, const std::string& master) {
     auto lines = statements();
     lines.at("host") = fmt::format("host (problem = \"sphere\"{});", host);

@@ -1,4 +1,4 @@
-// Objective problems on the simulated machine: the generations of the library, whoever evaluates them.
+// Objective problems on the simulated machine: the generations equal the library's, on any evaluators.
 
 #include "gaprocs/islands.hpp"
 #include "gaprocs/traditional.hpp"

@@ -48,7 +48,7 @@ struct PairNetlist {
     }
 };
 
-/// As the netlist's.
+/// Returns the same settings as in the netlist.
 CoarseFineSettings pair_on_line(Coding coding) {
     SearchSettings coarse;
     coarse.population = 20;
@@ -59,7 +59,7 @@ CoarseFineSettings pair_on_line(Coding coding) {
     return {coarse, fine, {.problem_bits = {8}, .bits = {4}, .coding = coding}, {5}};
 }
 
-/// What the pair made: a hash of every population of each, and both bests of each generation.
+/// The results of a pair: a hash of every population of both searches, and both bests of each generation.
 struct PairHistory {
     std::string coarse_populations, fine_populations;
     std::vector<double> coarse_bests, fine_bests;

@@ -30,7 +30,7 @@ inline SlaveForm tree_of(std::size_t slaves, std::size_t branches) {
     return form;
 }
 
-/// So many chains side by side.
+/// Returns a form with `chains` chains side by side.
 inline SlaveForm chains_of(std::size_t slaves, std::size_t chains) {
     SlaveForm form;
     for (std::size_t i = 0; i < slaves; ++i)

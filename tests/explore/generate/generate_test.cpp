@@ -22,7 +22,7 @@ using generate::Wish;
 
 namespace {
 
-/// What textbooks say of a topology.
+/// The known properties of a topology, from textbooks.
 struct KnownMachine {
     Wish wish;
     std::size_t processors, links, degree, diameter;
@@ -48,7 +48,7 @@ std::vector<KnownMachine> lines_and_rings() {
     return known;
 }
 
-/// The wires of a line of so many that is closed into a ring, where there are more than two.
+/// Returns the wires of a line of processors that is closed into a ring, where there are more than two.
 std::size_t closed(std::size_t length) { return length > 2 ? length : length - 1; }
 std::size_t links_across(std::size_t length) { return length > 2 ? 2 : length - 1; }
 

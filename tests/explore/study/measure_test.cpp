@@ -39,7 +39,7 @@ std::vector<std::string> names_in(const StudyFigures& figures) {
     return names;
 }
 
-/// What runs of a farm can measure.
+/// Returns the measures that runs of a farm may have.
 PossibleMeasures of_a_farm() {
     const ProblemRegistry problems = known_problems(0);
     const Catalogue kinds = known_kinds(problems);

@@ -39,7 +39,7 @@ public:
         box.pop_front();
         return first;
     }
-    /// All that has come for this rank.
+    /// Returns all messages that have arrived for this rank.
     std::vector<RankMessage> collect(int own) {
         std::vector<RankMessage> messages;
         while (auto message = receive(own))
@@ -113,7 +113,7 @@ struct LeavesAtTheEnd {
     ~LeavesAtTheEnd() { played.leave(); }
 };
 
-/// What a helper with one job says to these messages of rank 0.
+/// Returns the answers of a helper with one job to these messages of rank 0.
 std::vector<RankMessage> answers_to(const std::vector<RankMessage>& messages, const Interruption& interruption = {}) {
     PostOffice post(2);
     for (const RankMessage& each : messages)

@@ -25,7 +25,7 @@ struct CountedValley : Valley {
     }
 };
 
-/// All strings of its eight bits.
+/// Returns all strings of eight bits.
 std::vector<Genome> strings_of_a_valley() {
     std::vector<Genome> all(256, Genome(8));
     for (std::size_t i = 0; i < all.size(); ++i)

@@ -73,7 +73,7 @@ void make_results(const ResultsFile& file) {
     store::Database(file.path()).run("PRAGMA page_size = 512; VACUUM");
 }
 
-/// All that is known of them.
+/// Returns the whole content of the results as text.
 std::string table_of(StudyResults& results) {
     std::string text = fmt::format("{} {} {}\n", results.netlist(), results.version(), results.count());
     for (const std::string& measure : results.measures())
@@ -110,7 +110,7 @@ struct Counted {
     int refused = 0, same = 0, others = 0;
 };
 
-/// What becomes of the table of a damaged file.
+/// Counts how reading the table of a damaged file ends.
 void count(Counted& counted, const std::string& whole, const std::function<std::string()>& table) {
     try {
         ++(table() == whole ? counted.same : counted.others);
@@ -128,7 +128,7 @@ std::string refusal_of(const ResultsFile& file) {
     }
 }
 
-/// What `sql` makes of a good file is refused, by those who read it and by those who add to it.
+/// Checks that a good file changed by `sql` is refused, both for reading and for adding runs.
 void check_refused(const std::string& sql, const std::string& why) {
     CAPTURE(sql);
     ResultsFile file;
@@ -141,7 +141,7 @@ void check_refused(const std::string& sql, const std::string& why) {
     CHECK_THROWS_AS(StudyResults(file.path(), source_of_test), UserError);
 }
 
-/// Of every so many bits one is flipped, and runs are added to fewer files.
+/// One bit in a given number is flipped, and runs are added to fewer files.
 void flip_bits(std::size_t one_in, std::size_t one_written_in) {
     ResultsFile file;
     make_results(file);

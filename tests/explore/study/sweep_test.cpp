@@ -1,4 +1,4 @@
-// What a worker makes of a study's runs, one after the other, is what each comes to by itself.
+// A worker that makes a study's runs one after the other gets the results of separate runs.
 
 #include "explore/study/sweep.hpp"
 #include "tests/sanitized.hpp"

@@ -63,7 +63,7 @@ TEST_CASE("by tournament of k: rank r of n with probability ((n - r + 1)/n)^k - 
 }
 
 TEST_CASE("the second of two tournaments is held among the others") {
-    // The better of two drawn from {1, 2}, then whoever is left.
+    // The better of two drawn from {1, 2}, then the one that is left.
     const std::vector<double> two{1, 2};
     RandomStream random(3, "two");
     int better_first = 0;

@@ -84,7 +84,7 @@ TEST_CASE("as printed, the shortest window is never preferred to the longest") {
         ++chosen[PrintedChoice{}(bests, random)];
     }
     CHECK(chosen[3] == 0);
-    // It is no theorem that it always takes the longest.
+    // It does not follow that it always takes the longest.
     CHECK(chosen[0] > 0);
     CHECK(chosen[1] + chosen[2] > 0);
 }

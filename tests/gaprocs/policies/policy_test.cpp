@@ -10,7 +10,7 @@ using namespace placedpar;
 
 namespace {
 
-/// What is said of a text that names no way of reproduction.
+/// Returns the refusal of a text that does not name a policy of reproduction.
 std::string refusal(const std::string& text) {
     try {
         Reproduction::named(text);
