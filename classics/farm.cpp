@@ -36,7 +36,7 @@ public:
     }
 
 private:
-    /// A task, if there is somebody to give it to; then each worker's result.
+    /// Returns the guards: a task, if a worker is idle, then the result of each worker.
     std::vector<Guard> guards() const {
         std::vector<Guard> guards{
             {left_to_deal_ > 0 && idle_[next_worker()] ? Guard::input : Guard::never, &in_.channel()}};
@@ -82,7 +82,7 @@ private:
 
 void balance(ProcessEnvironment& environment) { Balancer(environment).run(); }
 
-/// How long a task takes is its own: the same whoever does it.
+/// Returns how long a task takes. The number depends on the task only, not on its worker.
 std::int64_t cycles_of(const Packet& task, const ProcessEnvironment& environment) {
     RandomStream random = environment.random_stream("task " + std::to_string(task.number));
     double spread = environment.real("spread");

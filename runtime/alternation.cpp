@@ -137,7 +137,7 @@ void sleep(Process& self, std::span<const Guard> guards, const SourceLocation& w
     self.wait_for(Activity::alternating, {channels.data(), channels.size()}, where, timeout.has_value());
 }
 
-/// The same as select(), which notes it.
+/// Does the work of select(), which records the choice.
 std::size_t choose(Process& self, std::span<const Guard> guards, const SourceLocation& where) {
     AtGuards at_guards(self, guards);
     charge_enabling(self, guards);

@@ -39,7 +39,7 @@ public:
     /// at the same time, or channels whose message has not been taken.
     virtual std::vector<const AnyChannel*> held_up_by(const AnyChannel&) const { return {}; }
 
-    // Of carriers whose messages can be given up (runtime/recovery.hpp).
+    // For carriers whose messages can be given up (runtime/recovery.hpp):
     /// Returns why messages cannot be given up, worded to follow the channel's name: "travels in packets". Returns ""
     /// if they can be given up.
     virtual std::string why_not_given_up() const { return "is on a carrier that takes messages as a whole"; }

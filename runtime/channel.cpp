@@ -34,7 +34,7 @@ void require_nobody_in(const void* end, const AnyChannel& channel) {
 
 } // namespace
 
-/// Of the process that makes it; outside of a run by its name.
+/// Derives the identity from the process that makes the channel; outside of a run, from the channel's name.
 std::uint64_t AnyChannel::new_identity(const std::string& name) {
     const Kernel* kernel = Kernel::current();
     if (!kernel || !kernel->keeps_histories())

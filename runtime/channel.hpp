@@ -81,7 +81,7 @@ public:
     /// The process that used this end last, null if none did. It may only be looked at while it is in the channel.
     const Process* outputter() const { return outputter_.process; }
     const Process* inputter() const { return inputter_.process; }
-    /// The same, for when it may have ended.
+    /// Return the last user of each end, which may have ended.
     const User& last_outputter() const { return outputter_; }
     const User& last_inputter() const { return inputter_; }
     /// Says beforehand which process will use an end, so that a deadlock before its first communication can name it.
@@ -98,7 +98,7 @@ public:
         if (input_out_of_order_)
             refuse_unreset(process, "inputs from");
     }
-    /// It has one from now on, or not any more: as long as it has, nobody else may use the end.
+    /// Marks the input end as guarded, or not. No other process may use a guarded end.
     void note_guard(bool there) { inputter_inside_ = there; }
     /// From now on a message is announced.
     void enable(Listener& listener) { listener_ = &listener; }
@@ -150,7 +150,7 @@ public:
     std::optional<bool> has_message_of(const AnyChannel& other) const {
         return protocol() == other.protocol() ? are_same(message_, other.message_) : false;
     }
-    /// A message waits for which no process has asked: tells who listens, if anybody does.
+    /// Tells the listener, if there is one, that a message waits for which no process has asked.
     void announce() {
         if (listener_)
             listener_->message_announced();
@@ -175,7 +175,7 @@ protected:
             begin(self, costs->soft_communication);
         own(inputter_, self, "inputs from");
     }
-    /// Of the inputter (outputter) that waits in a soft channel, so that they meet; null if none does.
+    /// Returns the message slot of the inputter (outputter) that waits in a soft channel; null if none waits.
     void* soft_slot(const Process& self) const {
         if (is_particular_) [[unlikely]]
             return soft_partner(self, slot_, output_out_of_order_, output_attempt_, "outputs to");
@@ -342,7 +342,7 @@ public:
     void output(T message, const SourceLocation& where = SourceLocation::current()) const {
         own().output(std::move(message), where);
     }
-    /// A REAL is no message of a CHAN OF INT.
+    /// A REAL is not a message of a CHAN OF INT.
     template <detail::Loses<T> Other>
     void output(Other, const SourceLocation& = SourceLocation::current()) const = delete;
     AnyChannel& channel() const { return own(); }

@@ -122,7 +122,7 @@ private:
     Processes cycle_;
 };
 
-/// Of one that could go on, if its executive had not halted, none.
+/// Returns no channels for a process that could go on if its executive had not halted.
 std::span<const AnyChannel* const> channels_of_wait(const Process& process) {
     return process.activity() == Activity::ready ? std::span<const AnyChannel* const>{} : process.awaited_channels();
 }
@@ -155,7 +155,7 @@ std::string names_of(const std::vector<const AnyChannel*>& channels) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Those that the same channels hold up are said together.
+/// Lists processes together that the same channels hold up.
 std::vector<std::string> describe_held_up(const Processes& stuck) {
     using Channels = std::vector<const AnyChannel*>;
     std::vector<std::pair<Channels, Channels>> held_up; // by the second
@@ -221,7 +221,7 @@ const char* name_of(Activity activity) {
 
 namespace {
 
-/// Of some processes that are left; `living` are all.
+/// Describes the deadlock of the stuck processes; `living` are all processes that are left.
 Deadlock deadlock_of(const Processes& stuck, const Processes& living) {
     Deadlock deadlock;
     for (const Process* process : CycleSearch(stuck, living).find())

@@ -5,8 +5,7 @@
 
 namespace placedpar {
 
-/// Of a node. With four the heap is half as deep as with two, and a step down looks at lines of the cache that stand
-/// together.
+/// A node has four children: the heap is half as deep as with two, and a step down reads adjacent lines of the cache.
 constexpr std::size_t children = 4;
 
 /// A rough figure of ours: more than these do not fit a second-level cache of one Mbyte.
@@ -97,7 +96,8 @@ void EventQueue::sift_up(Entry entry, std::size_t position) {
     put(entry, position);
 }
 
-/// Of siblings. Of four, in pairs and without a branch, since the processor cannot foresee the outcome.
+/// Returns the earliest of some siblings. Four are compared in pairs and without a branch, since the host processor
+/// cannot predict the outcome.
 inline std::size_t EventQueue::earliest(const Entry* heap, std::size_t first, std::size_t end) {
     static_assert(children == 4);
     if (end - first == children) {

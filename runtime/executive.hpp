@@ -100,7 +100,7 @@ protected:
     /// How much longer the process must compute before its program goes on: a note kept with the process, which only
     /// its executive reads and writes.
     static Time& work_left(Process& p) { return p.work_left_; }
-    /// Of that work: another note.
+    /// The shape of the code of that work, kept in the same way.
     static Grain& grain(Process& p) { return p.grain_; }
 
 private:
@@ -125,7 +125,7 @@ void charge(Process& self, Cost cost) {
         self.compute(std::invoke(cost, executive->costs()), {});
 }
 
-/// The same, and then the process communicates.
+/// Charges the cost, and then lets the process communicate.
 template <class Cost>
 void charge_and_communicate(Process& self, Cost cost, Communication& communication) {
     Executive* executive = self.executive();

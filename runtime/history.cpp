@@ -4,7 +4,7 @@ namespace placedpar {
 
 namespace {
 
-/// Of what somebody makes, the first, the second and so on.
+/// Returns the identity of the number-th object that a process or a channel makes.
 std::uint64_t name_of(std::uint64_t maker, std::uint64_t number) {
     Fingerprint both;
     both.mix(maker);
@@ -62,7 +62,7 @@ void History::end() {
         depart();
 }
 
-/// Where there is no room left, nothing is kept any more.
+/// Makes room for readings. If there is no room left, the run cannot be repeated, and nothing is recorded any more.
 void History::take_room(std::size_t readings) {
     if (course_.room < readings)
         course_.can_be_repeated = false;

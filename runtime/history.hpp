@@ -28,14 +28,14 @@ struct RunHistory {
 /// What a process did in a run, and what it saw there that no message told it: which guards its alternations chose, and
 /// what clocks showed.
 ///
-/// By it the process can do the same once more with other messages, on no machine: its alternations choose, and its
-/// clocks show, what they did. If all processes of a program do just what their histories say, a run on the machine
-/// with these messages would have taken the same course, event for event, since of a program the machine and the kernel
-/// know only what stands here: by induction over the events, each process would have seen what it saw then. If a
-/// process does something else, the course has departed. (T. LeBlanc and J. Mellor-Crummey, Debugging parallel programs
-/// with Instant Replay, IEEE Transactions on Computers C-36(4), 1987; that messages come in the same order on each
-/// channel however processes take turns is G. Kahn's, The semantics of a simple language for parallel programming,
-/// 1974.)
+/// A process can repeat its history with other messages and without a machine: its alternations choose, and its clocks
+/// show, what they did in the original run. If all processes do exactly what their histories say, a run on the machine
+/// with these messages would have taken the same course, event for event. The reason is that the machine and the kernel
+/// know nothing else of a program: by induction over the events, each process would have seen what it saw in the
+/// original run. If a process does something else, the run has departed from its history. (T. LeBlanc and J.
+/// Mellor-Crummey, Debugging parallel programs with Instant Replay, IEEE Transactions on Computers C-36(4), 1987; that
+/// messages come in the same order on each channel however processes take turns is G. Kahn's, The semantics of a simple
+/// language for parallel programming, 1974.)
 ///
 /// REQUIRES of the program: what a process does, and what it sends, follows from its messages and from what is noted
 /// here. No two processes share what one of them changes, not even components of one PAR.

@@ -296,7 +296,7 @@ std::optional<StackUser> Kernel::who_overflowed(const void* address) {
     return stack_user(*running);
 }
 
-/// Ends the program when the process has written beyond its stack, where nobody watches that at once.
+/// Ends the program if the process has written beyond its stack. Used where no guard zone catches that at once.
 [[gnu::cold, gnu::noinline]] void Kernel::require_own_stack(const Process& process) {
     const Stack& stack = process.worker_->memory;
     if (stack.guarded || !stack.has_overflowed())

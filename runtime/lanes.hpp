@@ -14,16 +14,17 @@
 
 namespace placedpar {
 
-/// The same number of eight individuals, side by side in registers of `width` doubles. What is written for double
-/// works for it too, and gives each lane the bits that it has alone: every operation rounds once. Comparisons are those
-/// of std::max and std::min. Made and used in the Work of in_vectors(), so that it is compiled for that width.
+/// One number for each of eight individuals, side by side in registers of `width` doubles. Code that is written for
+/// double works for it too, and gives each lane the bits that the lane would have alone: every operation rounds once.
+/// Comparisons are those of std::max and std::min. Made and used in the Work of in_vectors(), so that it is compiled
+/// for that width.
 template <std::size_t width>
 class Lanes {
 public:
     static constexpr std::size_t count = 8;
 
     Lanes() = default;
-    /// The same in all lanes.
+    /// Puts one number into all lanes.
     [[gnu::always_inline]] Lanes(double all) { // NOLINT: as a double is
         each([&](std::size_t i) { put_into_all(all, registers_[i]); });
     }

@@ -13,7 +13,7 @@ Priority own_priority() { return Kernel::here().running().priority(); }
 
 namespace {
 
-/// Of all but the last, which their process runs itself.
+/// Returns the cost of starting all components but the last, which the process runs itself.
 Cycles cost_of_starting(const std::vector<Component>& components, Priority own, const OperationCosts& cost) {
     Cycles all{};
     for (std::size_t i = 0; i + 1 < components.size(); ++i)

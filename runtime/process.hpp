@@ -25,10 +25,10 @@ struct Grain {
     /// From one descheduling point (`j`, `lend`) to the next: at the end of its timeslice a low-priority process gives
     /// way there.
     Cycles between_points{1};
-    /// Of an instruction: an interrupt waits for its end. A division of integers takes 39 (databook).
+    /// Cycles of an instruction, whose end an interrupt waits for. A division of integers takes 39 (databook).
     Cycles instruction{1};
-    /// Of code fetched, and of data read or written, outside of the chip. The cycles of the computation count each as
-    /// one, as on the chip; its executive adds what an access outside takes longer.
+    /// Words of code fetched, and of data read or written, outside of the chip. The cycles of the computation count
+    /// each such access as on the chip; the executive adds the difference.
     std::int64_t words_outside = 0;
 };
 
@@ -188,7 +188,7 @@ private:
     // In the order of use, in few lines of the cache: what each of its turns and waits needs, ...
     Kernel& kernel_;
     Worker* worker_ = nullptr;              ///< the fiber that runs its body; null before its first turn
-    const std::byte* stack_ends_ = nullptr; ///< where its stack was left; null where nobody has noted that
+    const std::byte* stack_ends_ = nullptr; ///< where its stack was left; null if that was not noted
     Executive* executive_;                  ///< null if it is not placed
     Process* next_ = nullptr;               ///< the next in the queue in which it stands
     Priority priority_;
@@ -202,7 +202,7 @@ private:
     const AnyChannel* awaited_channel_ = nullptr; ///< of its last wait, if that was for one
     SourceLocation where_;                        ///< where in its program it last waited
     Process* outermost_ = this;                   ///< see outermost()
-    // Of a process at the outermost level, for itself and its components.
+    // For a process at the outermost level, which counts for itself and its components:
     std::size_t going_on_ = 1; ///< how many of them neither wait nor have ended
     Time still_since_{};       ///< when the last of them began to wait, or ended
     Time waited_{};

@@ -12,8 +12,8 @@
 namespace placedpar {
 
 /// Whether two messages of a protocol are the same. A carrier that sends one message to several channels at once asks.
-/// Returns nothing if that is not known: the type has no ==, and may contain padding. An == of its base class counts as
-/// its own.
+/// Returns nothing if that is not known: the type has no ==, and its bytes do not determine its value. An == of its
+/// base class counts as its own.
 template <class T>
 struct SameMessage {
     static constexpr bool by_equality = requires(const T& a, const T& b) {

@@ -17,8 +17,8 @@ std::size_t piece_bytes() { return stacks_in_a_piece * slice_bytes(); }
 
 /// Stacks that mprotect guards: with more a program would exceed the 65,530 mappings that Linux allows it.
 constexpr std::size_t most_protected = 16'000;
-/// MADV_GUARD_INSTALL of Linux 6.13, which Debian 12's headers do not have: whoever touches these pages gets SIGSEGV,
-/// as by mprotect, but their mapping stays one.
+/// MADV_GUARD_INSTALL of Linux 6.13, which Debian 12's headers do not have. A process that touches these pages gets
+/// SIGSEGV, as with mprotect, but the mapping is not split.
 constexpr int guard_install = 102;
 
 /// Returns whether it could. `number`: of zones before this one.

@@ -43,7 +43,7 @@ class Timer {
 public:
     /// The period of the running process's clock. That of a process that is not placed is a microsecond.
     Time tick() const;
-    /// Of a reading: 32 for a process that is not placed.
+    /// Returns the bits of a clock reading: 32 for a process that is not placed.
     int bits() const;
     /// `timer ? t`: whole ticks since the start of the run, of which the clock has the lowest bits.
     std::int32_t read() const;

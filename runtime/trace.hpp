@@ -25,8 +25,8 @@ struct PlaceLeft {
     Time since{};                       ///< when `moves_for` got the bus to itself
 };
 
-/// The log of a run: each process and each place does one thing from one notice on until the next. A sink is told
-/// while the run goes on; it must change nothing.
+/// The log of a run: each process and each place does one thing from one notice on until the next. The calls come while
+/// the run goes on; a sink must change nothing.
 ///
 /// 1. Notices come in the order of their times. The beginning and the end of an operation that takes no time are two
 ///    notices of the same time.

@@ -10,7 +10,7 @@ namespace placedpar {
 // processor has is taken while it runs. INVARIANT: all widths give the same bits. No width may therefore contract a
 // multiplication and an addition into one rounding: compile it with -ffp-contract=off.
 // Rejected: Google Highway and the like, whose functions can only be called from code that is marked for their target,
-// so that nobody's plain struct could be evaluated in wide registers.
+// so that a user's plain struct could not be evaluated in wide registers.
 
 /// Doubles that a register holds: with SSE2 or another processor's own, AVX2 and AVX-512.
 inline constexpr std::array<std::size_t, 3> vector_widths{2, 4, 8};

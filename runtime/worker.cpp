@@ -14,7 +14,7 @@ namespace placedpar {
 
 namespace {
 
-/// Of a stack, in whole lines of the cache.
+/// Bytes at the top of a stack, in whole lines of the cache.
 constexpr std::size_t bytes_of_worker = (sizeof(Worker) + 63) / 64 * 64;
 
 /// The memory of a stack below its worker, in the form in which Boost asks for it.

@@ -112,7 +112,7 @@ LoadedSource read_source(std::istream& in, const std::string& shown_path) {
     return check_source(shown_path, std::move(text));
 }
 
-/// Nothing there is no empty text but a mistake: a command before a pipe that failed, or no pipe at all.
+/// An empty standard input is a mistake, not an empty text: the command before a pipe has failed, or there is no pipe.
 LoadedSource read_standard_input(const std::string& shown_path) {
     LoadedSource read = read_source(std::cin, shown_path);
     bool nothing = read.problems.empty() && read.file->text().empty();

@@ -19,11 +19,11 @@ struct LoadedSource {
     std::vector<Diagnostic> problems;       ///< errors, without hints; empty: the text is good
 };
 
-/// Reads a whole file. A missing file, a directory, a device, one that is too large or is no text is a
+/// Reads a whole file. A missing file, a directory, a device, a file that is too large or not text is a
 /// problem. A Ctrl-Z ends the text, as it does in DOS.
 LoadedSource load_source(const std::filesystem::path& path);
-/// The same, but "-" is standard input (text/standard_streams.hpp), which is read once; later calls return the
-/// same text.
+/// Does what load_source() does, but "-" is standard input (text/standard_streams.hpp), which is read once; later calls
+/// return the same text.
 LoadedSource load_input(const std::filesystem::path& path);
 /// Makes the same checks of a text in memory, or of a piece of a text.
 LoadedSource check_source(std::string shown_path, std::string text, std::size_t first_line = 1);

@@ -14,8 +14,8 @@ std::string shown_input(const std::filesystem::path&);
 /// What messages call a file that is written: its path, or "<standard output>".
 std::string shown_output(const std::filesystem::path&);
 
-/// From now on print_out() writes to standard error, because a file is written to standard output, and whoever reads
-/// that wants nothing else in it.
+/// From now on print_out() writes to standard error, because a file is written to standard output,
+/// which must hold nothing else.
 void give_standard_output_to_a_file();
 bool standard_output_takes_a_file();
 

@@ -110,7 +110,7 @@ void add_line(TextTable& table, std::string_view line, std::size_t number, std::
     table.header = std::move(row);
 }
 
-/// Of a number beyond the range of a double: too near to 0 rather than too large.
+/// Whether a number beyond the range of a double is too near to 0, rather than too large.
 bool is_tiny(std::string_view number) {
     return number.find("e-") != std::string_view::npos || number.find("E-") != std::string_view::npos;
 }

@@ -33,8 +33,8 @@ struct TextTable {
 /// header no row is read. Appends to the faults; they must hold no error yet.
 TextTable split_table(std::string_view text, std::vector<Diagnostic>& faults);
 
-/// The same, text by text, each of whole lines: appends the lines of the next one, which begins with line `number`, to
-/// the table, whose header may be above it, and gives the number of the line that would follow.
+/// Appends the lines of a text to a table. The text consists of whole lines, and begins with line `number`; the header
+/// may stand in an earlier text. Returns the number of the line that would follow.
 std::size_t append_lines(TextTable& table, std::string_view text, std::size_t number, std::vector<Diagnostic>& faults);
 
 /// The cell as a finite number; a fault, and 0, when it is none.

@@ -71,7 +71,7 @@ void MemoryLane::copy_in_memory(std::int64_t bytes) {
     });
 }
 
-/// Of two processes that use the buffer, one can wait for it at a time.
+/// Only one of the two processes that use the buffer can wait for it at a time.
 void MemoryLane::wait_until(bool full, Activity activity, AnyChannel& channel, const SourceLocation& where,
                             bool master) {
     if (full_ == full)

@@ -7,7 +7,7 @@ namespace placedpar::hardware {
 
 /// Where a constant comes from.
 enum class Mark {
-    published,  ///< a databook, or a measurement that somebody else published
+    published,  ///< a databook, or a measurement that others have published
     workload,   ///< what a program itself costs; the netlist states it
     calibrated, ///< set so that one figure that was measured comes out
     ours,       ///< nothing was to be had: a choice that seems right

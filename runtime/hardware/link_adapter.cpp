@@ -173,7 +173,7 @@ bool AdapterBroadcast::Lane::output_is_lost(const AnyChannel&) const {
 
 bool AdapterBroadcast::Lane::input_is_lost(const AnyChannel& to) const { return link().input_is_lost(to); }
 
-/// Of a message that is being written, its inputter has not taken it; of one that is not, nobody has output it.
+/// A message that is being written waits for this lane's inputter; one that is not, for this lane's outputter.
 bool AdapterBroadcast::Lane::holds_others_up() const {
     if (!broadcast.is_written())
         return outputter == nullptr;

@@ -115,13 +115,13 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// The same message to the transputers at several adapters at once: one write to the bus reaches the output registers
-/// of them all. A program outputs it in a PAR, on a channel for each adapter; the component that comes last writes the
-/// bytes, when the status of each adapter in turn has shown that its register is free.
+/// Sends one message to the transputers at several adapters at once: one write to the bus reaches the output registers
+/// of all adapters. A program outputs it in a PAR, on a channel for each adapter; the component that comes last writes
+/// the bytes, when the status of each adapter in turn has shown that its register is free.
 ///
 /// 1. Each of its lanes has a channel before the run.
-/// 2. What is output on them at one time is the same message, of the same form; else the process that outputs the other
-///    one gets a BroadcastError, and so where the messages of the protocol cannot be compared (SameMessage).
+/// 2. Outputs on the lanes at one time must be equal messages of one form. The process that outputs a different message
+///    gets a BroadcastError. So does every process if messages of the protocol cannot be compared (SameMessage).
 class AdapterBroadcast {
 public:
     /// REQUIRES: at least one program, all of one master. Throws std::logic_error otherwise.

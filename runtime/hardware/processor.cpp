@@ -165,7 +165,7 @@ bool Processor::begin_computing(Process& self, Cycles cycles, const Grain& how_f
     return false;
 }
 
-/// Of the first timeslice period that ends with the current process having run for a whole one.
+/// Returns the end of the first timeslice period at which the current process has run for a whole period.
 Time Processor::end_of_slice() const {
     Time rounded_up = later(later(dispatched_at_, timeslice), timeslice - Time{1});
     return rounded_up == Time::max() ? rounded_up : rounded_up / timeslice * timeslice;

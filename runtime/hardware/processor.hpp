@@ -52,7 +52,7 @@ public:
     /// 17.5 to 30 MHz were sold.
     static constexpr std::int64_t usual_clock = 20'000'000;
 
-    /// Of a switch to the next process, beyond the instruction that gives the processor up. Ours: no table has it.
+    /// Cycles of a switch to the next process, beyond the instruction that gives the processor up. No table has it.
     /// Genuine code for COMMSTIME takes 282 cycles a loop by the instruction table, and was published as 301.
     static constexpr Cycles usual_switching{0};
 

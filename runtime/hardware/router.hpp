@@ -38,8 +38,9 @@ struct Packet {
 
 /// What a router asks of the processor that it is at.
 struct RouterCosts {
-    /// Of the two processes at each link. High ones pre-empt a process of low priority that computes; low ones wait for
-    /// their turn behind it, up to two timeslice periods for each packet that they send or receive.
+    /// The priority of the two processes at each link. At high priority they pre-empt a computing process of low
+    /// priority. At low priority they wait behind it, up to two timeslice periods for each packet that they send or
+    /// receive.
     Priority priority = Priority::high;
     /// A packet sent, or received, besides the instructions. Ours: queueing, looking up the route, rescheduling.
     Cycles handling{200};
@@ -182,7 +183,7 @@ private:
     std::vector<Router::Port*> forth_, back_; ///< that packets and acknowledges leave by, hop by hop
     AnyChannel* channel_ = nullptr;
 
-    // Of the message under way.
+    // The message under way:
     Process* outputter_ = nullptr;
     std::int64_t bytes_left_ = 0; ///< not yet sent
     bool all_sent_ = false;

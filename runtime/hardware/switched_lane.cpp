@@ -11,7 +11,7 @@ namespace placedpar::hardware {
 
 namespace {
 
-/// Of an engine, by a channel.
+/// Lets a channel use an engine while it lives.
 class EngineInUse {
 public:
     EngineInUse(SharedEngine& engine, const AnyChannel& channel) : engine_(engine) {

@@ -55,7 +55,7 @@ void VmeBus::asked_by(VmeMaster& master) {
     end_block_after(std::min(words_moved() + 1, holder_->blocks_.front()->words));
 }
 
-/// Of the block under way.
+/// Returns how many words of the block under way have been moved.
 std::uint64_t VmeBus::words_moved() const {
     return static_cast<std::uint64_t>((kernel_.now() - block_began_) / holder_->blocks_.front()->each);
 }

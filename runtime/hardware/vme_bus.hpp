@@ -69,7 +69,8 @@ public:
 /// 2. A word that is being moved is moved to its end. After it a master that releases on request gives the bus up if
 ///    another asks for it; one that releases when done does so if a higher level asks for it and the arbitration is PRI
 ///    (BCLR). The rest of its block waits for its next turn.
-/// 3. A master that releases on request keeps a bus that nobody asks for, and then needs no arbitration.
+/// 3. A master that releases on request keeps the bus until another master asks for it, and needs no arbitration
+/// meanwhile.
 /// 4. The words of a block follow each other without a break; one event covers the block until a request
 ///    arrives that the holder must yield to. A request at the end of a word waits for the next word.
 class VmeBus {
@@ -165,7 +166,7 @@ public:
     void access_byte(BusSlave&);
     /// It holds the bus for so long in one cycle that cannot be left, as a device that does not let go.
     void hold(Time);
-    /// The same until a moment, whenever the bus is granted; if that is later, for no time worth speaking of.
+    /// Holds the bus until a time. If the bus is granted later than that, it is given up at once.
     void hold_until(Time);
 
     std::uint64_t words_moved() const { return words_moved_; }
