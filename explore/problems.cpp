@@ -32,7 +32,7 @@ struct SimulatedCircuit : CircuitProblem {
     std::vector<double> true_parameters() const { return compliance_in3_per_psi; }
 };
 
-/// The same for all seeds, which decide the noise alone: simulated once.
+/// Returns the motion, which is simulated once, since a seed decides the noise only.
 const ExcavatorMotion& motion_of_boom() {
     static const ExcavatorMotion motion = simulate_excavator(single_boom_scenario());
     return motion;

@@ -23,7 +23,7 @@ struct Chase {
 
     static constexpr std::size_t population = 100, window = 30, trials = 3;
     static constexpr double bias = 10, crossover = 0.8, mutation = 0.01;
-    /// Of Table 5.1's parameters, for those who search numbers; the delay is rounded down.
+    /// Ranges of Table 5.1's parameters, for the rivals that search numbers; the delay is rounded down.
     static constexpr std::array<double, 6> low{1, -1, -1, -1, -1, 0}, high{4.999, 1, 1, 1, 1, 2};
 
     /// Windows that get generations.

@@ -23,15 +23,16 @@ using namespace placedpar;
 
 namespace {
 
-/// Of the processor, not of the wall, so that other programs on the machine do not count. Nobody here uses threads.
+/// Returns the time of the processor, not of the wall clock, so that other programs on the machine do not count. No
+/// rival uses threads.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 constexpr PlantExperiment experiment{}; // the ramp of Table 5.4, without noise
 
 Chase chase_of(std::uint64_t seed) { return {plant_record(experiment, RandomStream(seed, "plant")), seed}; }
 
-/// Root of the mean square distance from the true pole, from generation 100 on: before, everybody searches. Of a pair
-/// of conjugate poles either is right.
+/// Returns the root of the mean square distance from the true pole, from generation 100 on, since every rival still
+/// searches before. Either pole of a conjugate pair is right.
 double pole_error(const Chase& chase, const Answer& answer) {
     double sum = 0;
     std::size_t count = 0;
@@ -113,7 +114,7 @@ std::vector<Result> contest(std::span<const Chase> chases, int rounds) {
     for (const auto& group : {ours(), galib(), pagmo()})
         for (const Contestant& contestant : group)
             results.push_back({contestant, std::numeric_limits<double>::infinity(), {}});
-    for (int round = 0; round < rounds; ++round) // in turn, so that a busy moment of the machine meets everybody
+    for (int round = 0; round < rounds; ++round) // in turn, so that a busy moment of the machine meets every rival
         for (Result& result : results)
             result.run(chases);
     return results;

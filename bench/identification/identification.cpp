@@ -26,7 +26,8 @@ using namespace placedpar;
 using namespace placedpar::hydraulics;
 namespace {
 
-/// Of the processor, not of the wall, so that other programs on the machine do not count. Nobody here uses threads.
+/// Returns the time of the processor, not of the wall clock, so that other programs on the machine do not count. No
+/// rival uses threads.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 Transient transient_of(std::uint64_t seed) {
@@ -143,7 +144,7 @@ std::vector<Result> contest(std::span<const Transient> transients, int rounds) {
     for (const auto& group : {ours(), galib(), pagmo()})
         for (const Contestant& contestant : group)
             results.push_back({contestant, std::numeric_limits<double>::infinity(), 0, {}});
-    for (int round = 0; round < rounds; ++round) // in turn, so that a busy moment of the machine meets everybody
+    for (int round = 0; round < rounds; ++round) // in turn, so that a busy moment of the machine meets every rival
         for (Result& result : results)
             result.run(transients);
     return results;
@@ -161,7 +162,7 @@ bool agree(std::span<const Result> ours) {
         ours, [&](const Result& each) { return each.compliances == first_of_way(ours, each).compliances; });
 }
 
-/// Of each of our ways once: how many vector widths there are is the processor's.
+/// Covers each of our variants once, since the number of vector widths depends on the processor.
 std::uint64_t fingerprint(std::span<const Result> ours) {
     Fingerprint all;
     for (const Result& result : ours)

@@ -25,7 +25,7 @@ std::uint64_t all_evaluations(const Transient& transient) {
     return samples * Transient::trials * Transient::population;
 }
 
-/// The same algorithm as somebody would write it for this problem alone: whole numbers, loops, nothing else.
+/// The algorithm as an engineer would write it for this problem alone: whole numbers, loops, nothing else.
 class PlainLoop {
 public:
     explicit PlainLoop(const Transient& transient) : transient_(transient), random_(transient.seed, stream) {}

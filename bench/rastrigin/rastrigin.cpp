@@ -17,7 +17,8 @@ using namespace placedpar;
 
 namespace {
 
-/// Of the processor, not of the wall, so that other programs on the machine do not count. Nobody here uses threads.
+/// Returns the time of the processor, not of the wall clock, so that other programs on the machine do not count. No
+/// rival uses threads.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 struct Result {
@@ -44,7 +45,7 @@ struct Result {
     }
 };
 
-/// Of all runs, where those that did not reach the target took longer than any other.
+/// Returns a quantile over all runs; a run that did not reach the target counts as longer than any other.
 template <class Number>
 std::string quantile(std::vector<Number> reached, std::size_t runs, double share, const char* format) {
     std::sort(reached.begin(), reached.end());
@@ -65,7 +66,7 @@ std::vector<Result> contest(std::uint64_t seeds, std::uint64_t most_evaluations)
     for (const auto& group : {ours(), pagmo()})
         for (const Contestant& contestant : group)
             results.push_back({.contestant = contestant, .needed = {}, .seconds = {}});
-    // In turn, so that a busy moment of the machine meets everybody; a dot for each seed, since all take minutes.
+    // In turn, so that a busy moment of the machine meets every rival; a dot for each seed, since all take minutes.
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         for (Result& result : results)
             result.run(seed, most_evaluations);
@@ -75,7 +76,7 @@ std::vector<Result> contest(std::uint64_t seeds, std::uint64_t most_evaluations)
     return results;
 }
 
-/// Of our own runs.
+/// Returns the fingerprint of our own runs.
 std::uint64_t fingerprint_of(const std::vector<Result>& results) {
     Fingerprint all;
     for (std::size_t i = 0; i < ours().size(); ++i)

@@ -1,5 +1,5 @@
-// The same on stackless coroutines of C++20, which need no switch: who waits returns to nobody, but resumes the next.
-// Each function between a process and its channel would have to be one; here there is none between.
+// COMMSTIME on stackless coroutines of C++20, which need no switch: a process that waits resumes the next one. Every
+// function between a process and its channel would have to be a coroutine; here there is no such function.
 
 #include "least_queue.hpp"
 

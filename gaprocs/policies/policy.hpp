@@ -213,7 +213,8 @@ public:
         return all;
     }
 
-    /// Of steps whose policies say what they can work on: whether this one can, and the names of those that can.
+    /// For steps whose policies say what they can work on: whether this policy can, and the names of the policies that
+    /// can.
     template <class Kind>
     bool fits(Kind kind) const {
         return std::visit([&](const auto& policy) { return policy.fits(kind); }, policy_);

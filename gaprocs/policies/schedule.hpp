@@ -92,7 +92,7 @@ public:
         return std::visit([](const auto& way) { return way.every; }, policy());
     }
 
-    /// Of an island's neighbours, those to whom its emigrants go when the given generation, counted from 1, has been
+    /// Returns the neighbours to which an island's emigrants go after the given generation, counted from 1, has been
     /// evaluated.
     std::span<const std::size_t> destinations(std::uint64_t generation, std::span<const std::size_t> neighbours) const;
 };

@@ -17,10 +17,10 @@ struct SlaveTree {
     std::vector<Complaint> complaints;
 };
 
-/// Follows the tasks from the master, also through a ga.pipeline to the slaves that the master shares. Complains of
-/// channels that are not numbered from 0 on, of a slave that is reached twice, of one whose results do not return to
-/// the process that sends its tasks, and of results from a process to which no tasks go. Does not follow the tasks
-/// beyond such an error.
+/// Follows the tasks from the master, also through a ga.pipeline to the slaves that the master shares. Reports
+/// channels that are not numbered from 0 on, and a slave that is reached twice. Reports a slave whose results do not
+/// return to the process that sends its tasks, and results from a process to which no tasks go. Does not follow the
+/// tasks beyond such an error.
 SlaveTree follow_slaves(const Network&, std::size_t master);
 
 /// Returns how many slaves a master or a slave has behind each of its channels to slaves except the last. A process

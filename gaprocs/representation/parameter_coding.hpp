@@ -48,7 +48,7 @@ public:
     /// Throws std::invalid_argument: no field, bits outside 1 ... most_bits, low and high not finite numbers, or low
     /// not below high.
     explicit ParameterCoding(std::vector<ParameterField> fields);
-    /// The same field for each of several parameters.
+    /// Codes several parameters with one kind of field.
     ParameterCoding(std::size_t parameters, const ParameterField& each)
         : ParameterCoding(std::vector<ParameterField>(parameters, each)) {}
 
@@ -69,7 +69,7 @@ public:
         double value = place.low + place.resolution * static_cast<double>(code);
         return place.whole ? std::floor(value) : value;
     }
-    /// Of several individuals.
+    /// Returns the values of a parameter for several individuals.
     template <std::size_t width, bool gray>
     [[gnu::always_inline]] Lanes<width> value(const StringsInLanes<width, gray>& strings, std::size_t parameter) const {
         const Place& place = places_[parameter];

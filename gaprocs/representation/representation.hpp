@@ -45,7 +45,7 @@ class RealVector {
 public:
     /// Throws std::invalid_argument: no range, ends that are not finite numbers, or low not below high.
     explicit RealVector(std::vector<RealRange> ranges);
-    /// The same range for each of several numbers.
+    /// Makes a vector of several numbers with one range.
     RealVector(std::size_t numbers, RealRange each) : RealVector(std::vector<RealRange>(numbers, each)) {}
 
     std::size_t parameters() const { return ranges_.size(); }

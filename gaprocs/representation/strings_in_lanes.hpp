@@ -17,7 +17,7 @@ template <std::size_t width, bool gray = false>
 class StringsInLanes {
 public:
     static constexpr std::size_t count = Lanes<width>::count;
-    /// Of 64 bits: longer strings are read one by one.
+    /// Most 64-bit words of a string; longer strings are read one by one.
     static constexpr std::size_t most_words = 4;
 
     /// The strings from `first` on; lanes past the end repeat the last.

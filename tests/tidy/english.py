@@ -27,7 +27,7 @@ def comments(text):
         whole = COMMENT.match(line)
         if whole:
             first = first or number
-            lines.append(whole[1])
+            lines.append("." if whole[1].startswith("    ") else whole[1])  # a table or a formula
             continue
         if lines:
             yield first, " ".join(lines)

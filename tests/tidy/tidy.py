@@ -4,8 +4,8 @@
 usage: tidy.py TREE
 
 Sources have at most 500 lines, functions at most 50 in rooms and 70 elsewhere; nothing is left unfinished or names a
-path of somebody's machine. What includes what: walls.py. What is defined twice: definitions.py. Rooms as a whole:
-house.py.
+path of one machine. What includes what: walls.py. What is defined twice: definitions.py. Plain English: english.py.
+Rooms as a whole: house.py.
 """
 
 import pathlib
@@ -13,6 +13,7 @@ import re
 import sys
 
 import definitions
+import english
 import functions
 import house
 import tree
@@ -93,7 +94,7 @@ def main(top):
     texts = dict(read(top, names))
     rooms = house.read(texts)
     found = [fault for name, text in texts.items() for fault in faults(name, text)]
-    found += [*definitions.faults(texts), *rooms.faults(names)]
+    found += [*definitions.faults(texts), *english.house_faults(texts), *rooms.faults(names)]
     print("\n".join([rooms.line_of(room) for room in sorted(rooms.lines)] + found))
     print(f"{len(names)} files, {len(found)} faults")
     return 1 if found or not names else 0
