@@ -132,12 +132,12 @@ TEST_CASE("a message leaves with the output and arrives where the other process 
     traced.simulation.process("q", input, &t);
     traced.simulation.process("p", output, &t);
     const Notes& notes = traced.run();
-    // q is first, and waits; the message leaves where p begins to copy it.
+    // q is first, and waits; the message leaves when p has paid for its output, the copy included.
     CHECK(notes.about("q:") ==
-          Lines{"q: computes 0 to 19", "q: inputs 19 to 2040, c with p", "q: computes 2040 to 2540"});
-    CHECK(notes.about("p:") == Lines{"p: ready 0 to 19", "p: computes 19 to 1038", "p: computes 1038 to 2040"});
-    CHECK(notes.about("t:") == Lines{"t: executes 0 to 19", "t: executes 19 to 2040", "t: executes 2040 to 2540"});
-    CHECK(notes.about("c:") == Lines{"c: p at 1038 to q at 2040"});
+          Lines{"q: computes 0 to 19", "q: inputs 19 to 2042, c with p", "q: computes 2042 to 2542"});
+    CHECK(notes.about("p:") == Lines{"p: ready 0 to 19", "p: computes 19 to 1042", "p: computes 1042 to 2042"});
+    CHECK(notes.about("t:") == Lines{"t: executes 0 to 19", "t: executes 19 to 2042", "t: executes 2042 to 2542"});
+    CHECK(notes.about("c:") == Lines{"c: p at 1042 to q at 2042"});
 }
 
 TEST_CASE("a process that loses its processor is ready until it computes again") {
