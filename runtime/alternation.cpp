@@ -51,7 +51,7 @@ Cycles enabling(const Guard& guard, const OperationCosts& cost) {
     return is_ready(guard) ? cost.enable_guard : cost.enable_guard_not_ready;
 }
 
-/// The process begins the alternation and enables each guard, as ready as it is at the beginning.
+/// Charges the process for beginning the alternation and enabling each guard.
 void charge_enabling(Process& self, std::span<const Guard> guards) {
     charge(self, [guards](const OperationCosts& cost) {
         Cycles sum = cost.alternation_start;
@@ -61,7 +61,7 @@ void charge_enabling(Process& self, std::span<const Guard> guards) {
     });
 }
 
-/// A guard is ready: the process disables each guard and ends the alternation.
+/// Charges the process for disabling each guard and ending the alternation, once a guard is ready.
 void charge_disabling(Process& self, std::span<const Guard> guards) {
     charge(self, [guards](const OperationCosts& cost) {
         Cycles sum = cost.alternation_end;
@@ -103,8 +103,8 @@ private:
     bool woken_ = false;
 };
 
-/// The process is at the ends of its guards' channels, for as long as this exists. Throws std::logic_error when it does
-/// not own one.
+/// Marks the process as the user of the ends of its guards' channels while this exists. Throws std::logic_error if it
+/// does not own such an end.
 class AtGuards {
 public:
     AtGuards(Process& self, std::span<const Guard> guards) : guards_(guards) {
@@ -147,7 +147,7 @@ std::size_t choose(Process& self, std::span<const Guard> guards, const SourceLoc
         sleep(self, guards, where);
     std::size_t chosen = *first_ready(guards);
     charge_disabling(self, guards);
-    // A process that polls and is not placed takes no time: without this no other would ever run.
+    // A process that polls and is not placed takes no time. Without this, no other process would ever run.
     if (!has_to_sleep && !self.executive() && guards[chosen].kind != Guard::input)
         wait_until(now(), where);
     return chosen;

@@ -66,7 +66,7 @@ void AnyChannel::expect_inputter(const Process& process) { own_input(process); }
     end = user(process);
 }
 
-/// The link was left in the middle of a message.
+/// Throws, since the end was left in the middle of a message and not reset.
 void AnyChannel::refuse_unreset(const Process& self, const char* verb) const {
     throw std::logic_error(fmt::format("process {} {} channel {}, on which it gave up a message: reset it first",
                                        self.path(), verb, name_));
@@ -132,7 +132,7 @@ std::uint64_t AnyChannel::reset_input() {
 
 namespace {
 
-/// The lengths of two parts of a message.
+/// Returns the lengths of two parts of a message in one word.
 std::uint64_t two_parts(const WireForm& form, std::size_t first) {
     return std::uint64_t{form[first]} << 32 | form[first + 1];
 }

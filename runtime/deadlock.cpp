@@ -19,8 +19,8 @@ namespace {
 
 using Processes = std::vector<const Process*>; ///< in order of creation
 
-/// The process that would have to come: the user of a channel's end or, if that was a component that has ended, its
-/// ancestor at the outermost level.
+/// Returns the process that would have to act at a channel's end: its user, or the outermost ancestor of a component
+/// that has ended.
 const Process* who_is(const AnyChannel::User& user, const Processes& living) {
     auto found = std::ranges::lower_bound(living, user.ordinal, {}, &Process::ordinal);
     // The address does not suffice: a later component may stand where an earlier one was.
@@ -37,8 +37,8 @@ std::string path_of(const AnyChannel::User& user, const Processes& living) {
 
 bool halted(const Process& process) { return process.executive() && process.executive()->halted(); }
 
-/// Returns the processes that would have to act so that the outputting process continues: the inputter, or those that
-/// hold up the message.
+/// Adds the processes that would have to act so that the outputting process continues: the inputter, or the processes
+/// that hold up the message.
 void add_awaited_by_output(const AnyChannel& channel, const Processes& living, Processes& partners) {
     auto held_up_by = channel.held_up_by();
     if (held_up_by.empty() || (channel.output_waits() && !channel.input_waits()))
@@ -47,7 +47,7 @@ void add_awaited_by_output(const AnyChannel& channel, const Processes& living, P
         partners.push_back(who_is(other->output_waits() ? other->last_inputter() : other->last_outputter(), living));
 }
 
-/// The processes that this one waits for: one of them would have to act.
+/// Returns the processes that this one waits for. It continues when one of them acts.
 Processes awaited_by(const Process& process, const Processes& living) {
     Processes partners;
     if (halted(process))
@@ -65,7 +65,7 @@ Processes awaited_by(const Process& process, const Processes& living) {
     return partners;
 }
 
-/// Follows the waits from process to process, depth first, until it comes back to one on its way.
+/// Follows the waits from process to process, depth first, until it comes back to a process on the path.
 class CycleSearch {
 public:
     /// Starts from each of `stuck`.
@@ -79,8 +79,8 @@ public:
     }
 
 private:
-    /// Whether a cycle can be reached from here. Not recursive: a way can be as long as there are processes, and the
-    /// stack of a fiber is short.
+    /// Whether a cycle can be reached from here. Not recursive, since a path can hold all processes, and the stack of a
+    /// fiber is short.
     bool visit(const Process* start) {
         step_to(start);
         while (!way_.empty()) {
@@ -135,7 +135,7 @@ StuckProcess describe(const Process& process) {
     return stuck;
 }
 
-/// In the order of the processes that wait on them.
+/// Describes the channels in the order of the processes that wait on them.
 std::vector<StuckChannel> describe_channels(const Processes& stuck, const Processes& living) {
     std::vector<StuckChannel> result;
     std::unordered_set<std::string_view> known;
@@ -177,7 +177,7 @@ std::vector<std::string> describe_held_up(const Processes& stuck) {
     return texts;
 }
 
-/// One end has given up a message in the middle, and the other is still in it.
+/// Describes channels where one end has given up a message in the middle, and the other end is still in it.
 std::vector<std::string> describe_unreset(const Processes& stuck, const Processes& living) {
     std::vector<std::string> texts;
     std::unordered_set<const AnyChannel*> known;
@@ -234,9 +234,8 @@ Deadlock deadlock_of(const Processes& stuck, const Processes& living) {
     return deadlock;
 }
 
-/// Whether a partner has yet to come to the channel, and it is known who that is. Not so when both are in it: then
-/// nothing but time is needed, unless a link has lost the message; nor when a link has brought the message, and only
-/// its acknowledge is still to come.
+/// Whether a known partner has yet to come to the channel. It has not if both are in the channel: then only time is
+/// needed, unless a link has lost the message. Nor if a link has brought the message, and only its acknowledge is due.
 bool lacks_partner(const Process& process, const AnyChannel& channel) {
     bool known = channel.last_outputter().process && channel.last_inputter().process;
     switch (process.activity()) {
@@ -261,7 +260,7 @@ bool is_lost(const Process& process) {
            (!process.awaits_timer() && std::ranges::any_of(process.awaited_channels(), lost));
 }
 
-/// Whether only another process can make it go on, and which is known, or none can.
+/// Whether only known processes can make this one continue, or no process can.
 bool needs_partner(const Process* process) {
     if (is_lost(*process))
         return true;
@@ -284,7 +283,7 @@ Deadlock find_deadlock(const Kernel& kernel) {
     return deadlock_of(living, living);
 }
 
-/// The largest set of waiting processes none of which waits for one outside of it that lives.
+/// Finds the largest set of waiting processes in which no process waits for a living process outside the set.
 std::optional<Deadlock> find_partial_deadlock(const Kernel& kernel) {
     auto living = kernel.living();
     Processes stuck;
@@ -307,7 +306,7 @@ std::optional<Deadlock> find_partial_deadlock(const Kernel& kernel) {
 
 namespace {
 
-/// What stands in the last column of a row, or above it: nothing without a netlist.
+/// Returns the last column of a row, or its heading; empty without a netlist.
 template <class Rows>
 std::string last_column(const Rows& rows, const typename Rows::value_type* row) {
     if (std::ranges::all_of(rows, [](const auto& each) { return each.netlist.empty(); }))
@@ -315,7 +314,7 @@ std::string last_column(const Rows& rows, const typename Rows::value_type* row) 
     return row ? row->netlist : "netlist";
 }
 
-/// A line of columns that end where the next begins; the last is not padded.
+/// Formats a line of columns with their widths. The last column is not padded.
 std::string line_of(std::initializer_list<std::pair<std::string_view, int>> columns) {
     std::string line;
     for (const auto& [text, width] : columns)

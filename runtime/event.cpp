@@ -8,7 +8,7 @@ namespace placedpar {
 /// A node has four children: the heap is half as deep as with two, and a step down reads adjacent lines of the cache.
 constexpr std::size_t children = 4;
 
-/// A rough figure of ours: more than these do not fit a second-level cache of one Mbyte.
+/// Our estimate of how many events fit a second-level cache of one Mbyte.
 constexpr std::size_t events_in_a_cache = 30'000;
 
 constexpr std::uint64_t order(EventQueue::Priority priority, std::uint64_t rank) {
@@ -67,7 +67,7 @@ void EventQueue::remove(std::size_t position) {
         place(last, position);
 }
 
-/// In the place of an entry that is there no more.
+/// Puts an entry into a place that is free.
 inline void EventQueue::place(Entry entry, std::size_t position) {
     if (position > 0 && entry.before(heap_[(position - 1) / children]))
         sift_up(entry, position);
@@ -80,8 +80,8 @@ void EventQueue::put(Entry entry, std::size_t position) {
     entry.event->position_ = position;
 }
 
-// The heap's place and size stand in variables of their own: the compiler cannot know that what is written to events
-// leaves them as they are.
+// The heap's address and size are kept in local variables, since the compiler cannot know that writing to events leaves
+// them unchanged.
 
 void EventQueue::sift_up(Entry entry, std::size_t position) {
     Entry* const heap = heap_.data();
@@ -111,8 +111,8 @@ inline std::size_t EventQueue::earliest(const Entry* heap, std::size_t first, st
     return found;
 }
 
-/// All children of some siblings, before it is known which of these is the earliest: else each step down would wait
-/// for memory anew.
+/// Prefetches the children of all siblings before it is known which sibling is the earliest. Otherwise each step down
+/// would wait for memory.
 inline void EventQueue::fetch_children(const Entry* heap, std::size_t first) {
     constexpr std::size_t line = 64, bytes = children * children * sizeof(Entry);
     const char* begin = reinterpret_cast<const char*>(heap + children * first + 1);

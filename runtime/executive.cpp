@@ -7,8 +7,8 @@ namespace placedpar {
 
 namespace {
 
-/// Tells the history, which may only repeat it. Not inlined: few processes keep histories, and the frames of those that
-/// compute are to be small.
+/// Records the computation, and returns whether the process only repeats a history. Not inlined, since few processes
+/// keep histories, and the frames of the others stay small.
 [[gnu::noinline]] bool only_repeats(History& history, Cycles cycles, const Grain& grain) {
     auto word = [](Cycles number) { return static_cast<std::uint64_t>(number); };
     if (cycles < Cycles{0} || grain.between_points < Cycles{1} || grain.instruction < Cycles{1} ||

@@ -21,8 +21,8 @@ namespace placedpar {
 
 namespace {
 
-/// Names the first process that computes or waits for its timer, as a hint: what comes too late is its own
-/// computation or delay, or follows from it.
+/// Returns an error that names the first process that computes or waits for its timer, as a hint: its computation or
+/// delay may be too long.
 [[gnu::cold, gnu::noinline]] std::exception_ptr beyond_the_end_of_time(const Kernel& kernel) {
     const std::vector<const Process*> living = kernel.living();
     auto late = std::ranges::find_if(living, [](const Process* p) {
@@ -35,7 +35,7 @@ namespace {
         late == living.end() ? "give the link more speed, or send less" : "shorten its computation or delay")));
 }
 
-/// Out of the way of those that are taken in order.
+/// Moves some ready processes to the end of the queue, at random. Not inlined, since few runs are shuffled.
 [[gnu::cold, gnu::noinline]] void put_off_some(ProcessQueue& ready, RandomStream& lots) {
     while (!ready.empty() && lots.chance(0.5))
         ready.push_back(*ready.pop_front());
@@ -69,14 +69,15 @@ void Kernel::refuse_outside_a_run() {
     throw Unwinding{};
 }
 
-/// Does what the gate seldom has to do, so that it is short for processes without histories.
+/// Does the rare work of begin_operation(), which stays short for processes without histories.
 [[gnu::cold, gnu::noinline]] History* Kernel::attend(const Process& running) {
     if (hot_.circumstances.any_of(Circumstances::unwinding | Circumstances::interrupted))
         give_way();
     return running.history();
 }
 
-/// The running process may have been doing such things for ever.
+/// Looks after a process that has done many operations without any time passing. Throws std::logic_error if there were
+/// too many; makes the process give way if the run is interrupted.
 void Kernel::heed_operations() {
     if (hot_.circumstances.any_of(Circumstances::unwinding))
         return;
@@ -98,7 +99,7 @@ void Kernel::add(Process& p) {
         hot_.circumstances.clear(Circumstances::nobody_left);
 }
 
-/// A process of the program has ended, or is none.
+/// Counts out a process that has ended, or that is not part of the program.
 void Kernel::count_out() {
     if (--population_.of_the_program == 0)
         hot_.circumstances.set(Circumstances::nobody_left);
@@ -141,8 +142,8 @@ inline bool Kernel::over() const {
     }
 }
 
-/// A rough figure of ours: a process that goes on looks at some ten lines of its stack, and a second-level cache of
-/// half a Mbyte has 8,000 for everything.
+/// Our estimate: a process that continues reads some ten lines of its stack, and a second-level cache of half a Mbyte
+/// has 8,000 lines for everything.
 constexpr std::size_t stacks_in_a_cache = 500;
 
 inline bool Kernel::begin_communication(Process& p) {
@@ -172,7 +173,7 @@ Process* Kernel::choose_next() {
     }
 }
 
-/// Ends the work and wakes those that wait for this; returns whether there are any.
+/// Ends the work and wakes the processes that wait for its end. Returns whether there are any.
 [[gnu::cold, gnu::noinline]] bool Kernel::go_on_after_work() {
     if (end_.after_work.empty())
         return false;
@@ -191,7 +192,7 @@ void Kernel::end_work() {
         tell([&] { trace->over(hot_.now); });
 }
 
-/// After a failure nothing is told.
+/// Calls the observer, unless the run has failed.
 void Kernel::tell(const std::function<void()>& observer) {
     try {
         if (!end_.failure)
@@ -206,7 +207,7 @@ void Kernel::tell(const std::function<void()>& observer) {
     hot_.circumstances.set(Circumstances::failed);
 }
 
-/// The process to run next, with a fiber to run on; null when the run is over.
+/// Returns the process to run next, with a fiber to run on; null when the run is over.
 Process* Kernel::next_with_worker() {
     Process* next = choose_next();
     if (!next || (!next->worker_ && !employ(*next)))
@@ -227,7 +228,7 @@ bool Kernel::pass_time(Time until) {
     return true;
 }
 
-/// Null means the fiber that called run.
+/// Switches to a process; null stands for the fiber that called run().
 void Kernel::switch_to(Process* p) {
     hot_.running = p;
     SwitchedStack& from = *hot_.stack_in_use;
@@ -305,7 +306,7 @@ std::optional<StackUser> Kernel::who_overflowed(const void* address) {
     std::abort();
 }
 
-/// The process that ran on the worker throws. Only the first failure counts.
+/// Records that the process has thrown. Only the first failure counts.
 void Kernel::fail(const Process& p) noexcept {
     if (hot_.circumstances.any_of(Circumstances::failed | Circumstances::unwinding))
         return;
@@ -313,7 +314,7 @@ void Kernel::fail(const Process& p) noexcept {
     end_.who_failed = {p.path(), hot_.now, text_of(p.place_in_program())};
 }
 
-/// The process that ran on the worker has ended. If it was the last component of a PAR, its parent can go on.
+/// Records that the process has ended. If it was the last component of a PAR, its parent can continue.
 void Kernel::finish(Process& p) noexcept {
     if (!fibers_.stacks.all_guarded())
         require_own_stack(p);
@@ -376,14 +377,14 @@ std::vector<Process*> Kernel::by_age() const {
     return result;
 }
 
-/// The processes that were made before the run.
+/// Tells the trace of the processes that were made before the run.
 void Kernel::introduce_to_trace() {
     if (hot_.trace)
         for (const Process* p : by_age())
             hot_.trace->turns(*p, Activity::starting, hot_.now);
 }
 
-/// The youngest process first, so that components go before the processes that wait for them.
+/// Unwinds the youngest process first, so that components go before the processes that wait for them.
 void Kernel::unwind_all() {
     hot_.circumstances.set(Circumstances::unwinding);
     std::vector<Process*> left = by_age();

@@ -26,7 +26,7 @@ void note_beginning(const std::vector<Component>& components, History& history) 
         history.does(History::Action::parallel, components.size(), {static_cast<std::uint64_t>(component.priority)});
 }
 
-/// The component pays for its end.
+/// Returns a body that also charges the component for its end.
 Process::Body with_end(const Process& parent, Process::Body body) {
     if (!parent.executive())
         return body;

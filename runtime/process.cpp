@@ -87,8 +87,8 @@ void Process::begin_wait(Activity activity, const AnyChannel* channel, const Sou
     note_wait(activity);
 }
 
-/// All that a wait passes through is to be one function: where another fiber was on the processor meanwhile, it does
-/// not foresee where a call returns to.
+/// Everything that a wait passes through is one function: the host processor mispredicts the return of a call when
+/// another fiber has run meanwhile.
 [[gnu::flatten]] void Process::wait_for(Activity activity, const AnyChannel* channel, const SourceLocation& where) {
     begin_wait(activity, channel, where);
     finish_wait();
@@ -108,7 +108,7 @@ void Process::wait_for(Activity activity, std::span<const AnyChannel* const> cha
     finish_wait();
 }
 
-/// Returns whether it has done so; else it has begun to. Where it is not placed there is nothing to do.
+/// Returns whether the computation is done; otherwise it has begun. A process that is not placed has nothing to do.
 inline bool Process::computes_at_once(Cycles cycles, const Grain& fineness) {
     kernel_.throw_if_unwinding();
     if (!executive_)
@@ -124,7 +124,7 @@ inline bool Process::computes_at_once(Cycles cycles, const Grain& fineness) {
         kernel_.give_way();
 }
 
-/// Off the executive, if the process waits.
+/// Begins the communication, and returns whether the process waits; then it leaves the executive.
 bool Process::begin_communication() {
     communicates_ = std::exchange(communication_, nullptr)->begin(*this);
     if (communicates_ && executive_)

@@ -15,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-/// FNV-1a, 64 bits: a published, stable hash, for std::hash may differ from one library to the next.
+/// FNV-1a, 64 bits: a published, stable hash. std::hash may differ from one library to the next.
 std::uint64_t path_hash(std::string_view path) {
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (char c : path)
@@ -29,9 +29,9 @@ void count_on(r123::Philox4x32::ctr_type& counter, std::uint32_t blocks) {
 }
 
 #ifdef __x86_64__
-/// Philox 4x32-10 of the blocks that follow one another: of each word two registers, so that one is at work while the
-/// other waits for its product, with as many blocks each as a register has places of 64 bits. A word of 32 bits has
-/// such a place for itself; what stands in the upper half is carried along and never used.
+/// Computes Philox 4x32-10 for consecutive blocks. Each word of a block has two registers, so that one works while the
+/// other waits for its product. A register holds one block for each 64 bits of its width. A word of 32 bits has a lane
+/// of 64 bits; the upper half is carried along and never used.
 template <std::size_t width>
 class Blocks {
 public:
@@ -58,7 +58,7 @@ public:
         }
     }
 
-    /// Block after block, of each its four words.
+    /// Stores the blocks in their order, four words each.
     [[gnu::always_inline]] void store(std::uint32_t* numbers) const {
         store_one(0, numbers);
         store_one(1, numbers + 4 * width);
@@ -96,7 +96,7 @@ private:
                                             Register& product) requires(width == 4) {
         product = reinterpret_cast<Register>(_mm256_mul_epu32(reinterpret_cast<__m256i>(a), _mm256_set1_epi64x(b)));
     }
-    // The form with a mask, since GCC 12 warns of the other, its bug 105593.
+    // The form with a mask, since GCC 12 warns of the plain one by mistake (bug 105593).
     [[PLACEDPAR_AVX512]] static void multiply(const Register& a, std::uint32_t b,
                                               Register& product) requires(width == 8) {
         product = reinterpret_cast<Register>(
@@ -107,7 +107,7 @@ private:
 };
 #endif
 
-/// `blocks` times the four numbers of a counter, which counts on.
+/// Computes the four numbers of `blocks` counters in a row.
 template <std::size_t width>
 void compute(r123::Philox4x32::ctr_type counter, r123::Philox4x32::key_type key, std::size_t blocks,
              std::uint32_t* numbers) {
@@ -126,7 +126,7 @@ void compute(r123::Philox4x32::ctr_type counter, r123::Philox4x32::key_type key,
 #endif
 }
 
-/// Counts the counter on. REQUIRES: as many blocks as fill registers of any width.
+/// Computes blocks, and advances the counter. REQUIRES: the blocks fill registers of any width.
 void compute_blocks(r123::Philox4x32::ctr_type& counter, const r123::Philox4x32::key_type& key, std::size_t blocks,
                     std::uint32_t* numbers) {
     in_vectors([&]<std::size_t width>() { compute<width>(counter, key, blocks, numbers); });
@@ -155,7 +155,7 @@ void RandomStream::fill(std::span<result_type> numbers) {
         numbers = numbers.subspan(count);
     };
     take();
-    // Where many are asked for, they are computed into their places, and wide registers are never short of work.
+    // Many numbers are computed directly into their places, which keeps wide registers busy.
     if (const std::size_t straight = numbers.size() / ahead * ahead; straight > 0) {
         compute_blocks(counter_, key_, straight / 4, numbers.data());
         numbers = numbers.subspan(straight);

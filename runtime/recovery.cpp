@@ -10,7 +10,7 @@ namespace placedpar {
 
 namespace {
 
-/// The process begins an operation of which no history knows how it ends: whether a message comes in time.
+/// Begins an operation that no history can repeat, since it depends on whether a message comes in time.
 Process& begin_attempt(Kernel& kernel) {
     Process& self = kernel.running();
     if (History* history = kernel.begin_operation(self))
@@ -38,7 +38,7 @@ void Attempt::until_told_by(AnyChannel& failure) {
     failure_ = &failure;
 }
 
-/// What else can happen at this moment happens first.
+/// Lets everything else that is due now happen first.
 void Attempt::entered() {
     EventQueue& future = process_.kernel().future();
     Time now = process_.kernel().now();

@@ -15,7 +15,7 @@ namespace {
 struct sigaction handled_before;
 thread_local StackOverflowWatch::WhoOverflowed who_overflowed = nullptr;
 
-/// Memory cannot be allocated here: the process may have been allocating some.
+/// Writes without allocating memory, since the fault may have happened during an allocation.
 void write_error(std::string_view text) noexcept {
     while (!text.empty()) {
         ssize_t written = write(STDERR_FILENO, text.data(), text.size());
@@ -32,7 +32,7 @@ void on_fault(int, siginfo_t* fault, void*) {
     sigaction(SIGSEGV, &handled_before, nullptr);
 }
 
-/// For the whole program.
+/// Installs the handler for the whole program.
 void handle_faults() {
     static std::mutex one_at_a_time;
     std::lock_guard lock(one_at_a_time);

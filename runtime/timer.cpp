@@ -10,21 +10,21 @@ namespace placedpar {
 
 namespace {
 
-/// Wakes a process.
+/// An event that wakes a process.
 struct Alarm final : Event {
     explicit Alarm(Process& p) : process(p) {}
     void happen() noexcept override { process.kernel().make_ready(process); }
     Process& process;
 };
 
-/// What the process is shown: what it saw then, if it does something once more.
+/// Returns the value that the process sees: the recorded one if it repeats a history.
 template <class Look>
 std::int64_t seen_by(const Process& self, History::Action what, Look look) {
     History* history = self.history();
     return history ? history->sees(what, look) : look();
 }
 
-// Not inlined: few processes keep histories, and the frames of those that wait are to be small.
+// Not inlined, since few processes keep histories, and the frames of the others stay small.
 
 [[gnu::noinline]] Time now_as_seen(Kernel& kernel) {
     return Time{seen_by(kernel.running(), History::Action::now, [&] {
@@ -33,7 +33,7 @@ std::int64_t seen_by(const Process& self, History::Action what, Look look) {
     })};
 }
 
-/// A delay.
+/// Records a delay, and returns whether the process only repeats a history.
 [[gnu::noinline]] bool only_repeats(History& history, Time due) {
     history.does(History::Action::delay, 0, {static_cast<std::uint64_t>(due.count())});
     return history.repeats();
@@ -43,7 +43,7 @@ Time tick_of(const Process& self) {
     return self.executive() ? self.executive()->tick(self.priority()) : std::chrono::microseconds{1};
 }
 
-/// The lowest bits of a number, the highest of them its sign.
+/// Returns the lowest bits of a number as a signed word.
 std::int32_t as_word(std::int64_t number, int bits) {
     int above = 64 - bits;
     return static_cast<std::int32_t>(static_cast<std::int64_t>(static_cast<std::uint64_t>(number) << above) >> above);

@@ -17,7 +17,7 @@ namespace {
 /// Bytes at the top of a stack, in whole lines of the cache.
 constexpr std::size_t bytes_of_worker = (sizeof(Worker) + 63) / 64 * 64;
 
-/// The memory of a stack below its worker, in the form in which Boost asks for it.
+/// Gives Boost the memory of a stack below its worker.
 struct InArena {
     std::byte* bottom;
 
@@ -49,8 +49,8 @@ Worker::Worker(Kernel& kernel, const Stack& stack_memory) : memory(stack_memory)
     context_ = kernel.fibers_.scheduler->newest_worker();
 }
 
-// What a process looks at first are its registers, at the end of its stack, and its youngest frames above them: it
-// would wait for them line by line.
+// A process first reads its registers, at the end of its stack, and its youngest frames above them. Without the
+// prefetch it would wait for each line.
 void Worker::fetch_stack(Process* leaves, const Process& next) {
     constexpr std::ptrdiff_t line = 64, lines_below = 2, lines_above = 8;
     if (leaves)

@@ -48,7 +48,7 @@ void MemoryLane::fill(std::int64_t bytes) {
         copy_in_memory(bytes);
 }
 
-/// A master says by one word more that it has read the buffer.
+/// Marks the buffer as read. A master needs one more word on the bus for that.
 void MemoryLane::empty(std::int64_t bytes) {
     if (from_ == From::master)
         return copy_in_memory(bytes);

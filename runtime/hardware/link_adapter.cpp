@@ -15,7 +15,7 @@ namespace placedpar::hardware {
 
 namespace {
 
-/// The last part of a message that is not empty: empty parts do not travel.
+/// Returns the index of the last part that is not empty. Empty parts do not travel.
 std::size_t last_part_on_wire(const WireForm& form, const AnyChannel& channel) {
     if (form.total() == 0)
         throw std::logic_error("a message without bytes cannot travel on channel " + channel.name());
@@ -62,7 +62,7 @@ void AdapterProgram::access() {
     master_.access_byte(adapter_);
 }
 
-/// Until the register is ready, or the message is given up. The status is that at the end of the access.
+/// Reads the status until the register is ready or the message is given up. An access sees the status of its end.
 template <class Over>
 void AdapterProgram::poll(LinkAdapter::Register& data, Activity activity, AnyChannel& channel,
                           const SourceLocation& where, Over over) {
@@ -164,7 +164,7 @@ void AdapterBroadcast::Lane::input(AnyChannel& to, const SourceLocation& where) 
 
 bool AdapterBroadcast::Lane::message_waits(const AnyChannel& to) const { return program.to_link().message_waits(to); }
 
-/// One of which something is lost keeps all of them.
+/// An output is lost on all lanes if it is lost on one.
 bool AdapterBroadcast::Lane::output_is_lost(const AnyChannel&) const {
     return broadcast.is_written() && std::ranges::any_of(broadcast.lanes_, [](const Lane& lane) {
                return lane.link().output_is_lost(*lane.channel);
@@ -173,7 +173,7 @@ bool AdapterBroadcast::Lane::output_is_lost(const AnyChannel&) const {
 
 bool AdapterBroadcast::Lane::input_is_lost(const AnyChannel& to) const { return link().input_is_lost(to); }
 
-/// A message that is being written waits for this lane's inputter; one that is not, for this lane's outputter.
+/// Whether the other lanes wait for this one: for its outputter before the message is written, for its inputter after.
 bool AdapterBroadcast::Lane::holds_others_up() const {
     if (!broadcast.is_written())
         return outputter == nullptr;

@@ -13,8 +13,8 @@ namespace placedpar::hardware {
 
 namespace {
 
-/// occam's costs, what the program's communication library adds, and what words cost in this memory: one that is copied
-/// is read and written.
+/// Returns occam's costs, plus the calls of the program's communication library, plus the cost of words in this memory.
+/// A word that is copied is read and written.
 OperationCosts costs_with(Cycles channel_call, const Memory& memory) {
     OperationCosts costs = instructions::t800;
     costs.copied_word = 2 * memory.access;
@@ -33,7 +33,7 @@ std::int64_t checked_clock(std::int64_t clock_hz, const std::string& processor) 
     return clock_hz;
 }
 
-/// Throws std::logic_error unless the numbers are positive; there may be no cycles.
+/// Throws std::logic_error for negative numbers, and for 0 except in `cycles` and `words_outside`.
 void require_sense(const Process& self, Cycles cycles, const Grain& grain) {
     if (cycles < Cycles{0})
         throw std::logic_error("process " + self.path() + " computes for a negative number of cycles");
@@ -110,7 +110,7 @@ void Processor::leave(Process& p, Process* successor) {
         make_ready(*successor);
 }
 
-/// In the place of the current process.
+/// Runs the successor in the place of the current process.
 void Processor::go_on(Process& successor) {
     current_ = &successor;
     if (successor.priority() == Priority::low && !high_.empty())
@@ -171,7 +171,8 @@ Time Processor::end_of_slice() const {
     return rounded_up == Time::max() ? rounded_up : rounded_up / timeslice * timeslice;
 }
 
-/// As far as links leave it the memory. Work is counted from its end, which is a descheduling point, too.
+/// Returns the next descheduling point after the end of the slice, as far as links leave the process the memory. Points
+/// are counted back from the end of the work, which is one, too.
 Time Processor::next_point_after_slice() const {
     Time over = std::max(end_of_slice(), kernel_.now());
     Time left = later(kernel_.now(), work_left(*current_)) - over;
@@ -194,7 +195,7 @@ void Processor::take_turn() {
     schedule_end();
 }
 
-/// Where links are busy the end is later: by the accesses of their engines, which settle() finds when it comes.
+/// Schedules the end of the work. Busy links make the end later; settle() finds by how much when the event comes.
 void Processor::schedule_end() {
     Time end = std::min(later(kernel_.now(), work_left(*current_)), halts_at_);
     if (has_low_rivals())
@@ -219,7 +220,7 @@ void Processor::stop_turn() {
 
 bool Processor::has_low_rivals() const { return current_->priority() == Priority::low && !low_.empty(); }
 
-/// The process of low priority, which has work left, to one of its rivals, now.
+/// Whether the process of low priority, which has work left, must give way to a rival now.
 bool Processor::gives_way() const { return has_low_rivals() && next_point_after_slice() == kernel_.now(); }
 
 void Processor::note_computing(const Process& process) const {
@@ -249,7 +250,7 @@ void Processor::end_turn() {
     }
 }
 
-/// A high-priority process waits in the queue and a low one has the processor.
+/// Interrupts a process of low priority for one of high priority that waits in the queue.
 void Processor::preempt() {
     if (turn_.scheduled())
         stop_turn();

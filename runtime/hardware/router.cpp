@@ -78,7 +78,7 @@ bool Router::Port::halted() const { return router_.executive_ && router_.executi
 
 bool Router::Port::stands_still() const { return out_.output_is_lost() || halted() || opposite_->halted(); }
 
-/// One of which only its end's acknowledge on the link is lost has got over.
+/// A packet has crossed the link even if only the acknowledge of its end was lost.
 bool Router::Port::holds_packet_of(const Route& route) const {
     bool has_got_over = on_link_ && !out_.output_waits();
     return (being_sent_ == &route && !has_got_over) ||
@@ -193,7 +193,7 @@ void Route::arrived(const Packet& packet) {
     }
 }
 
-/// By the inputting process, which has its message with the last of them.
+/// Takes a packet for the inputting process. The last packet completes its message.
 void Route::take(const Packet& packet) {
     if (packet.last) {
         channel_->hand_over();

@@ -98,7 +98,7 @@ bool VmeBus::is_nearer(const VmeMaster& master, const VmeMaster& than) const {
     return std::pair(turn_of(master), master.place().slot) < std::pair(turn_of(than), than.place().slot);
 }
 
-/// 0 goes first.
+/// Returns the master's place in the order of turns; 0 goes first.
 int VmeBus::turn_of(const VmeMaster& master) const {
     int first = arbitration_ == Arbitration::round_robin ? last_level_ - 1 : levels - 1;
     return (first - master.place().level + levels) % levels;
@@ -111,7 +111,7 @@ void VmeBus::grant(VmeMaster& master) {
     move_block();
 }
 
-/// The first of the holder's blocks, as far as it can.
+/// Moves the holder's first block, until another master must have the bus.
 void VmeBus::move_block() {
     VmeMaster::Block& block = *holder_->blocks_.front();
     block_began_ = kernel_.now();
