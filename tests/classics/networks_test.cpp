@@ -1,4 +1,4 @@
-// The classical networks of the examples, against what everybody knows of them.
+// The classical networks of the examples, against what is known of them.
 
 #include "classics/kinds.hpp"
 

@@ -1,9 +1,9 @@
-// What takes libFuzzer's place where Clang is not: seeds, changed by chance. It is told like libFuzzer:
+// What takes libFuzzer's place where Clang is not: seeds, changed by chance. It takes libFuzzer's options:
 //
 //   PLACEDPAR_READER=NAME fuzz_ROOMS FOLDER -max_total_time=SECONDS -max_len=BYTES -artifact_prefix=PATH
 //
 // The n-th input depends on the seeds, the largest size and n alone, so what is found is found again. The input that is
-// being read lies in PATH with "input", where it is left when the reader does not stand it. No input may take more than
+// being read lies in PATH with "input", where it stays if the reader fails on it. No input may take more than
 // a second of the processor, ten under sanitizers.
 
 #include "tests/sanitized.hpp"

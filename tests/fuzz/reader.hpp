@@ -13,7 +13,7 @@ struct Reader {
     std::function<void(const std::string&)> read;
 };
 
-/// Those of the program that this is linked into: lower_rooms.cpp or upper_rooms.cpp.
+/// Returns the readers of the program that this is linked into: lower_rooms.cpp or upper_rooms.cpp.
 std::span<const Reader> readers();
 
 /// Throws std::logic_error where a claim about what was read does not hold.

@@ -14,7 +14,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Of what shares and their squares are taken: the root only where the mean square is.
+/// Computes mean distances pair by pair. It takes a root only where the representation uses the mean square.
 struct Pairs {
     const Representation& representation;
     double greatest; ///< distance

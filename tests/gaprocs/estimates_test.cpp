@@ -32,7 +32,7 @@ std::string returning(const IslandNetlist& netlist, std::size_t first = 0) {
     return text;
 }
 
-/// Of an island: generations run from the sample on that fills the window.
+/// Returns the samples that an island searches: from the one that fills the window on.
 std::size_t samples_searched() { return line_samples - SearchSettings{}.window.length + 1; }
 
 double generations_ms(const RunReport& report, std::size_t island, double trials) {

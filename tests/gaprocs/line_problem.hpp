@@ -25,7 +25,7 @@ struct LineProblem {
     std::vector<std::string> parameter_units() const { return {"1"}; }
 };
 
-/// The same, with an error that adds up from the window's first sample on.
+/// The line problem with an error that adds up from the window's first sample on.
 struct LineAlongWindow : LineProblem {
     template <typename G>
     std::vector<double> parameters_of(const G& genome) const {

@@ -59,7 +59,7 @@ struct Nowhere {
     double objective(std::span<const double>) const { return std::numeric_limits<double>::quiet_NaN(); }
 };
 
-/// How far everybody sits from the place of the same number.
+/// How far each guest sits from the seat of the same number.
 struct Seats {
     placedpar::Permutation representation() const { return placedpar::Permutation(9); }
     double objective(std::span<const std::size_t> order) const {

@@ -28,7 +28,8 @@ constexpr const char* on_two_transputers =
 constexpr const char* fine_on_workstation =
     "T800 t; connect sun.link[0] to t.link[0]; place coarse on t; place fine on sun;";
 
-/// Of the line problem. The parameters of the coarse one are in line 4, those of the fine one in line 5.
+/// A netlist of a pair for the line problem. The parameters of the coarse one are in line 4, those of the fine one in
+/// line 5.
 struct PairNetlist {
     std::string placement = on_two_transputers;
     std::string bits_of_coarse = "4", bits_of_fine = "5";

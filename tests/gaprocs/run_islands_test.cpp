@@ -312,7 +312,7 @@ TEST_CASE("asynchronous without a machine: islands take turns, and nobody waits 
     IslandsResult result = run_on_line_record(settings);
     CHECK(result.islands[0].generations == 40);
     CHECK(result.islands[1].generations == 50); // from the third sample on
-    // At its first exchange nobody has written to island 0. What island 1 sends before the others begin is replaced.
+    // At its first exchange no island has written to island 0. What island 1 sends before the others begin is replaced.
     CHECK(result.migrations.size() == 19 + 20 + 20);
     CHECK(same(result, run_on_line_record(settings)));
 }

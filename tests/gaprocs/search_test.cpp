@@ -46,7 +46,7 @@ SearchSettings small(std::size_t population) {
     return settings;
 }
 
-/// The same algorithm on strings of text, written as simply as possible, with the same order of random numbers.
+/// The algorithm on strings of text, written as simply as possible, with the same order of random numbers.
 struct PlainSearch {
     RandomStream random;
     std::size_t bits;

@@ -15,8 +15,8 @@ namespace {
 
 const auto line = make_search_problem(LineProblem{});
 
-/// The fitness of everybody, the window's samples dealt at random to several evaluators and their parts added
-/// in any order: what slaves do.
+/// Returns the fitness of each individual. The window's samples are dealt at random to several evaluators, and their
+/// parts are added in any order, as slaves do.
 std::vector<double> evaluate_in_parts(std::span<const Genome> population, std::span<const Sample> window, double bias,
                                       RandomStream& deal) {
     std::vector<double> fitness(population.size(), 0);
@@ -42,7 +42,7 @@ TEST_CASE("a line is found with 99.9 % of the greatest fitness there is, from ev
         const Estimate& last = result.estimates.back();
         CHECK(last.parameters == line->decode(last.best.genome));
         CHECK(last.best.fitness == line->fitness(last.best.genome, std::span(record).last(10), 400));
-        CHECK(last.best.fitness >= 0.999 * 10 * 400); // nobody's error: B from each of 10 samples
+        CHECK(last.best.fitness >= 0.999 * 10 * 400); // an error of 0: B from each of 10 samples
     }
 }
 

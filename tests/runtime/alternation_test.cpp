@@ -118,7 +118,7 @@ TEST_CASE("SKIP is taken only when nothing before it is ready; a polling process
     CHECK(chosen == "10");
     CHECK(polls >= 2);
 
-    Simulation simulation; // the poller runs first, and nobody else could without its giving way
+    Simulation simulation; // the poller runs first, and no other process could run if it did not give way
     Channel<int> c("c");
     bool got = false;
     simulation.process("polls", [&] {

@@ -4,7 +4,7 @@
 
 namespace placedpar::test {
 
-/// Of a processor at 20 MHz, which is what a simulation gives when it is not told otherwise.
+/// The cycle of a processor at 20 MHz, the usual clock of a simulation.
 inline constexpr std::chrono::nanoseconds cycle{50};
 
 } // namespace placedpar::test

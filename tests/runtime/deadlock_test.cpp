@@ -274,7 +274,7 @@ TEST_CASE("a process that waits for one in a deadlock is in it too, one with a t
 }
 
 TEST_CASE("nothing that can go on is called a deadlock when the run is stopped") {
-    // A ring of processes over links, stopped at every microsecond: somebody always waits, but not for ever.
+    // A ring of processes over links, stopped at every microsecond: some process always waits, but not for ever.
     for (int stop = 1; stop < 60; ++stop) {
         Simulation simulation;
         std::list<Channel<std::array<char, 4>>> ring;

@@ -36,7 +36,7 @@ public:
     }
 
 private:
-    /// Of each pair of processes in the order in which they are first used.
+    /// Names the channels of each pair of processes in the order of their first use.
     void name_channels() {
         std::array<std::array<char, processes>, processes> next{};
         for (std::size_t process : order_)
@@ -84,7 +84,7 @@ bool is_first_of_its_kind(const SmallWorld& world) {
     return !any_description(world, [&](const std::string& other) { return other < as_it_is; });
 }
 
-/// Worlds grow by an action where a course comes to the end of a process; the first to use a channel lays it. What
+/// Worlds grow by an action where a course reaches the end of a process; the first to use a channel lays it. What
 /// grows next does not depend on the names of channels, so that each world comes up in one way.
 class Worlds {
 public:
@@ -184,7 +184,7 @@ private:
                 inputs |= std::uint32_t{1} << i;
         for_each_choice(inputs, [&](std::uint32_t chosen) { grow_by(process, {kind, 0, chosen}); });
     }
-    /// Of so many bits: all of them or, with any guards, every subset.
+    /// Calls `choice` with all bits set or, where any guards are allowed, with every subset of them.
     template <class Choice>
     void for_each_choice(std::uint32_t bits, Choice choice) {
         choice(bits);

@@ -16,14 +16,14 @@ struct Bounds {
 };
 
 /// Hands every world within the bounds to `check`, once: all networks, all programs. Worlds that differ only in the
-/// names of processes and channels are one, and so are those that differ only in what no process ever comes to do: a
-/// process has a further action where some course leads to it. Every channel is one that a process outputs to or
+/// names of processes and channels are one, and so are worlds that differ only in actions that no course reaches: a
+/// process has a further action only if some course leads to it. Every channel is one that a process outputs to or
 /// inputs from, and every alternation has a guard.
 ///
 /// REQUIRES: longest <= 15.
 void for_every_world(const Bounds&, const std::function<void(const SmallWorld&)>& check);
 
-/// The same for all worlds that differ only in the names of processes and channels.
+/// Returns a text that is equal for all worlds that differ only in the names of processes and channels.
 std::string text_of_its_kind(const SmallWorld&);
 
 } // namespace placedpar::test

@@ -1,4 +1,4 @@
-// Processes on an executive that is no transputer: the words work with any that keeps to executive.hpp.
+// Processes on an executive that is not a transputer. The runtime works with any class that keeps to executive.hpp.
 
 #include "runtime/executive.hpp"
 

@@ -144,7 +144,7 @@ private:
             node.processor, random_.chance(0.3) ? Priority::high : Priority::low));
     }
 
-    /// Of the process that runs: what it knows enters what it computes.
+    /// Mixes a number into what the running process knows, which decides what it computes.
     static void learn(std::uint64_t& knows, std::uint64_t what) { knows = mixed(knows, what); }
 
     void send(Channel<Saying>& to, std::size_t count, RandomStream& random) {

@@ -29,7 +29,7 @@ Eight some_numbers(RandomStream& random) {
     return numbers;
 }
 
-/// Any NaN is as good as another: which one an operation gives of two is nobody's promise.
+/// Any NaN is as good as another: no standard says which of two an operation returns.
 bool same(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
 }

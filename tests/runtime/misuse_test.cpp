@@ -110,7 +110,7 @@ struct LargeArray {
     const char* what;
     void (*write)();
 };
-/// Those beyond the zone end where the process of the stack below has its variables.
+/// Arrays beyond the zone end where the process of the stack below has its variables.
 constexpr LargeArray large_arrays[] = {
     {"the zone's", [] { write_local<Stack::usual_bytes + 1000>(); }},
     {"beyond the zone", [] { write_local<stack_and_zone + 12'000>(); }},

@@ -148,7 +148,7 @@ concept TimesOut = requires(Due due) {
     wait_for(due);
 };
 static_assert(TimesOut<Time> && TimesOut<std::chrono::microseconds>);
-static_assert(!TimesOut<int> && !TimesOut<Cycles>); // a number has no unit, and cycles are no time
+static_assert(!TimesOut<int> && !TimesOut<Cycles>); // a number has no unit, and cycles are not a time
 
 template <class Work>
 concept Computes = requires(Work work) {

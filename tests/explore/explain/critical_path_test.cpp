@@ -1,4 +1,4 @@
-// Of a run's history what the critical path can still lead over is kept, and no more than it may be.
+// The program keeps the part of a run's history that the critical path can still use, up to a limit.
 
 #include "explore/explain/explanation.hpp"
 

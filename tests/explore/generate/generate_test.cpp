@@ -97,8 +97,8 @@ std::vector<KnownMachine> cubes() {
     return known;
 }
 
-/// Of three links K3,3, the cube, and the graphs of Heawood, Franklin, Moebius and Kantor, and F26A; of four the
-/// densest of a diameter (Boesch, Wang, 1985).
+/// Returns known chordal rings. With three links: K3,3, the cube, the graphs of Heawood, Franklin, and Moebius and
+/// Kantor, and F26A. With four: the densest of each diameter (Boesch, Wang, 1985).
 std::vector<KnownMachine> chordal_rings() {
     std::vector<KnownMachine> known;
     struct Three {

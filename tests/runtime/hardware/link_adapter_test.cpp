@@ -29,7 +29,7 @@ using test::Octets;
 
 namespace {
 
-/// Of a register: the program, the arbitration, the cycle.
+/// The time of an access to a register: the program, the arbitration, the cycle.
 constexpr Time register_access = duration_of(30, 25'000'000) + nanoseconds{200} + nanoseconds{310};
 
 /// When `bytes` have been written and the last one is acknowledged, by the rules of polling alone.

@@ -41,7 +41,7 @@ struct TwoWays {
     Channel<TwoParts> there{"there", link.from_a_to_b()}, back{"back", link.from_b_to_a()};
 };
 
-/// When a run gets stuck in which nobody receives a message.
+/// Returns when a run gets stuck in which no process receives a message.
 Time end_without_receiver(bool overlapped, bool every_byte) {
     TwoWays ways({.overlapped_acknowledge = overlapped}, every_byte);
     ways.simulation.process("sender", [&] { ways.there.out().output({.bytes = 4}); });

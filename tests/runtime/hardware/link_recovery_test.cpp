@@ -1,4 +1,4 @@
-// Who is told what when a link loses something, and how it goes on.
+// What each end learns when a link loses a packet, and how the run continues.
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"

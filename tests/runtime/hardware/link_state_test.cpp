@@ -337,7 +337,7 @@ TEST_CASE(
     CHECK(!period.find(before_last, usual, {.last_bytes_stop = true}));
 }
 
-/// Of those that begin at `first` and at `second`, and again every 1780 ns.
+/// Returns how many bytes have begun, of two that begin at `first` and at `second` and again every 1780 ns.
 std::int64_t begun_by(Time moment, Time first, Time second) {
     auto of = [moment](Time start) { return moment < start ? 0 : 1 + (moment - start) / 1780ns; };
     return of(first) + of(second);
@@ -400,7 +400,7 @@ LinkPackets::Stream random_stream(RandomStream& random, const PacketTimes& times
     return stream;
 }
 
-/// The same packets one by one.
+/// Runs the packets one by one.
 LinkPackets run_each(LinkPackets packets, const PacketTimes& times, const LinkLimit& limit) {
     LinkPeriod unknown;
     unknown.replay(packets, times, limit);

@@ -49,7 +49,7 @@ struct Outcome {
     std::vector<FaultEffect> effects;
 };
 
-/// The same traffic over the runtime's link.
+/// Runs the traffic over the runtime's link.
 Outcome run_on_runtime(const LinkTiming& timing, const std::array<Traffic, 2>& traffic, bool every_byte,
                        const std::vector<LinkFault>& faults = {}) {
     Simulation simulation;

@@ -146,7 +146,7 @@ void RandomMachine::add_packets(RouterLink& shared, bool forth, Node& from, Node
         add_lane(from, to, false).channel.put_on(simulation_.add<Route>(std::vector<Hop>{Hop{shared, forth}}));
 }
 
-/// Of a Sun, or of a master whose programs take no time besides that of the bus.
+/// Adds the adapter of a Sun, or of a master whose programs take no time besides that of the bus.
 void RandomMachine::add_adapter(Link& link, Node& transputer, bool at_a) {
     has("adapter");
     std::string name = fmt::format("host{}", hosts_.size());
@@ -169,7 +169,7 @@ Lane& RandomMachine::add_lane(Node& from, Node& to, bool can_be_given_up) {
     Lane& lane = lanes_.emplace_back(fmt::format("c{}", lanes_.size()), can_be_given_up);
     if (also(0.4))
         to.inputs.push_back(&lane);
-    else if (random_.chance(0.9)) // else nobody ever receives
+    else if (random_.chance(0.9)) // else no process ever receives
         add_receiver(to, {&lane});
     start("sends on " + lane.channel.name(), from.executive, [&lane](RandomProgram& p) { p.send(lane); });
     if (can_be_given_up && also(0.5))

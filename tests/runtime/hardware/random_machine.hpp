@@ -20,11 +20,12 @@
 
 namespace placedpar::test {
 
-/// A machine of up to four transputers, and a program on it that does everything that meets on links: messages of all
-/// lengths both ways on each, alone or several channels in packets, or by a link adapter, with ALTs, time-outs,
-/// messages given up again and again, both priorities, and computing in memory that the engines of the links use as
-/// well; links of all speeds, with faults, and switches that are set in the middle of messages. Many a run gets stuck.
-/// All of it is drawn from the seed. Every other one is traced, which costs packets their closed form here and there.
+/// A machine of up to four transputers, and a program on it that does everything that meets on links. Messages of all
+/// lengths travel both ways on each link: of one channel, of several channels in packets, or by a link adapter. The
+/// program uses ALTs, time-outs, both priorities, and messages that are given up again and again, and computes in
+/// memory that the engines of the links use as well. Links have all speeds, faults, and switches that are set in the
+/// middle of messages. Many runs get stuck. All of this is drawn from the seed. Every other one is traced, which costs
+/// packets their closed form here and there.
 class RandomMachine {
 public:
     RandomMachine(std::uint64_t seed, bool every_byte);

@@ -82,7 +82,7 @@ void check_that_they_have_everything(Tally& tally, std::uint64_t machines) {
 } // namespace
 
 TEST_CASE("random machines and programs do the same, to the picosecond, with the closed form and with every byte") {
-    // Of all that each hundred of them log. A change that alters one says why.
+    // The fingerprints of everything that each hundred machines log. A change that alters one says why.
     constexpr std::array<std::string_view, 20> fingerprints{
         "ed6191c60fbbaffa", "832d23d43d03ff11", "60552bf693d994e3", "67c77b1e54180c3f", "fd816ce136f70da0",
         "8c6c4400d5e80612", "e6ee69470ad42205", "7ecf4c6ba6f9cfb2", "57158845b9d601ad", "728759a917c19ee3",
@@ -109,7 +109,7 @@ TEST_CASE("random machines by which a fault was found make no difference") {
 }
 
 TEST_CASE("a hundred thousand of them do" * doctest::skip()) {
-    // Of all that each thousand of them log.
+    // The fingerprints of everything that each thousand machines log.
     constexpr std::array<std::string_view, 100> fingerprints{
         "8f9024c448682551", "0a3598e8a763eeb9", "73ee11e2837ec86e", "bde6f06d81ddb840", "28193fd6d18896d2",
         "ea691fe65ad28598", "09bc021fb9fb0b19", "92daf183b71d606b", "6c2ca0b3c12c01b1", "6896e5f47085a9a1",

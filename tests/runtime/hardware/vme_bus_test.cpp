@@ -33,7 +33,7 @@ Arbitration arbitration_of(BusWorld::Rule rule) {
 
 constexpr Time unit = nanoseconds{1};
 
-/// The same as ends_of_blocks, by the bus.
+/// Returns what ends_of_blocks() returns, from the runtime's bus.
 std::vector<std::vector<int>> run(const BusWorld& world) {
     Simulation simulation;
     VmeTiming timing{.word = world.word * unit, .arbitration = world.arbitration * unit};
