@@ -192,7 +192,7 @@ std::string StudyMeasure::last_name() const {
 
 std::string there_is_no_measure(const StudyMeasure& measure, const StudyFigures& figures) {
     if (std::string about = not_come_to(measure, figures); !about.empty())
-        return fmt::format("no run has come to a figure for \"{}\": {}", measure.text(), about);
+        return fmt::format("no run has measured \"{}\": {}", measure.text(), about);
     std::set<std::string> names;
     for (const auto& each : figures)
         names.insert(name_of_array(each.first));

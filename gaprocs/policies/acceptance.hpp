@@ -104,7 +104,7 @@ class Acceptance
     : public OneOf<Acceptance, WorstAcceptance, RandomAcceptance, AlikeAcceptance, OffspringAcceptance, OwnAcceptance> {
 public:
     using OneOf::OneOf;
-    static constexpr std::string_view noun = "acceptance", about = "who is replaced by an immigrant";
+    static constexpr std::string_view noun = "acceptance", about = "which individual an immigrant replaces";
 
     /// Whether immigrants come into the population that has just been bred, instead of the one that breeds.
     bool among_offspring() const { return std::holds_alternative<OffspringAcceptance>(policy()); }

@@ -80,11 +80,10 @@ private:
 std::vector<MeasurementDescription> host_measurements() {
     std::vector<MeasurementDescription> all{
         {"estimates", "", "how many came back"},
-        {"response", "ms", "from when a master had taken a sample until its estimate of it had come: the mean"},
-        {"longest_response", "ms", "the longest of these"},
+        {"response", "ms", "mean time from when a master took a sample until its estimate arrived"},
+        {"longest_response", "ms", "the longest response"},
         {"accurate_after", "ms",
-         "from the beginning until the fittest estimate has come to be accurate for good; absent where it is not in "
-         "the end"},
+         "time after which the fittest estimate stays accurate; absent if the last estimate is not accurate"},
         {"best_of", "", "the master whose last estimate is the fittest"},
     };
     for (MeasurementDescription& each : search_description::individual_measurements("that estimate"))
@@ -112,8 +111,8 @@ ProcessKind host_kind(const ProblemRegistry& problems) {
                                "sample"),
                        bytes_in_message("sample_bytes", 16, "a sample in a message"),
                        real("accuracy", {.by_default = 0, .least = 0, .most = 1},
-                            "how far the fittest estimate may be from the true parameters of a simulated record, as "
-                            "a part of them, to be accurate; 0: not checked")},
+                            "greatest relative error of an accurate estimate, against the true parameters of a "
+                            "simulated record; 0: not checked")},
         .measurements = host_measurements(),
         .body = [&problems](ProcessEnvironment& environment) { Host(environment, problems).run(); },
         .check = [&problems](const Network& network,

@@ -28,8 +28,8 @@ Parameters exchange_parameters() {
                                 "how often the islands exchange individuals (thesis 4.3), where the schedule does not "
                                 "say")),
             policy<Schedule>("schedule", "broadcast", "when emigrants leave, and to which neighbours"),
-            policy<Emigration>("emigration", Emigration().text(), "of whom copies leave, and how many"),
-            policy<Acceptance>("acceptance", Acceptance().text(), "who is replaced by an immigrant"),
+            policy<Emigration>("emigration", Emigration().text(), "which individuals send copies, and how many"),
+            policy<Acceptance>("acceptance", Acceptance().text(), "which individual an immigrant replaces"),
             policy<Topology>("topology", "given",
                              "\"given\": as the ports are connected; else that topology of all islands in the order of "
                              "their declaration, which they must be connected as")};

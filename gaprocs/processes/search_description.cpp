@@ -156,9 +156,8 @@ std::vector<MeasurementDescription> search_measurements() {
 std::vector<MeasurementDescription> individual_measurements(const std::string& whose) {
     return {
         {"best_fitness", "(unit of the error)^2", "of " + whose},
-        {"best_objective", "the problem's",
-         "in place of it for a problem without a record: the best of all generations"},
-        {"known_optimum", "the problem's", "the best objective there is, where the problem knows it"},
+        {"best_objective", "the problem's", "for a problem without a record: the best objective of all generations"},
+        {"known_optimum", "the problem's", "the best possible objective, if the problem knows it"},
         {"the problem's parameters", "", "as decoded from that individual"},
     };
 }

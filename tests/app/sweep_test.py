@@ -179,14 +179,14 @@ class BadInput(InFolder):
         self.assertIn("host.best_fitness", names)
         self.sweep(*arguments, *(word for name in names for word in ("--measure", name)))
 
-    def test_what_no_run_has_come_to_is_no_misspelling(self):
+    def test_a_measure_that_no_run_has_is_not_a_misspelling(self):
         machine = EXAMPLES / "71-best-machine" / "machine.cfs"
         too_short = [machine, "samples=6", "accuracy=0.00001", "--results", "kept"]
         self.sweep(*too_short)
-        for measure, about in (("host.accurate_after", "from the beginning until the fittest estimate has come to be accurate for good; "
-                                                       "absent where it is not in the end"),
+        for measure, about in (("host.accurate_after", "time after which the fittest estimate stays accurate; absent if the last "
+                                                       "estimate is not accurate"),
                                ("max(master[0].T_exe)", "one generation: mean over the generations with a full window; absent if there were none")):
-            told = f'placedpar: no run has come to a figure for "{measure}": {about}'
+            told = f'placedpar: no run has measured "{measure}": {about}'
             self.assertTrue(self.sweep(*too_short, "--measure", measure, code=1).startswith(told))
             reported = placedpar("report", "kept", "--measure", measure, folder=self.folder)
             self.assertEqual((reported.returncode, reported.stdout), (1, ""))

@@ -112,7 +112,8 @@ TEST_CASE("a measure that a run does not have is refused with the nearest, or wi
 
 TEST_CASE("a measure that a run can have, but has not come to, is said to be that, with what it is") {
     const StudyFigures host{{"host.estimates", {20, ""}}, {"host.response", {3, "ms"}}};
-    CHECK(there_is_no_measure(StudyMeasure("host.accurate_after"), host) ==
-          "no run has come to a figure for \"host.accurate_after\": from the beginning until the fittest estimate has "
-          "come to be accurate for good; absent where it is not in the end");
+    CHECK(
+        there_is_no_measure(StudyMeasure("host.accurate_after"), host) ==
+        "no run has measured \"host.accurate_after\": time after which the fittest estimate stays accurate; absent if "
+        "the last estimate is not accurate");
 }
