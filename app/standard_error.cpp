@@ -8,16 +8,16 @@ namespace placedpar {
 
 void print_warnings(const std::string& warnings) { print_error(warnings); }
 
-Progress::Progress() : terminal_(::isatty(STDERR_FILENO)) {}
+ProgressLine::ProgressLine() : terminal_(::isatty(STDERR_FILENO)) {}
 
-void Progress::show(const std::string& what) {
+void ProgressLine::show(const std::string& what) {
     if (terminal_ && what != shown_) {
         shown_ = what;
         print_error(what + " ...", "\r\033[K");
     }
 }
 
-void Progress::clear() {
+void ProgressLine::clear() {
     if (terminal_)
         print_error("", "\r\033[K");
 }

@@ -10,10 +10,10 @@ namespace placedpar {
 void print_warnings(const std::string& warnings);
 
 /// One line that says what is going on; silent when standard error is not a terminal.
-class Progress {
+class ProgressLine {
 public:
-    Progress();
-    ~Progress() { clear(); }
+    ProgressLine();
+    ~ProgressLine() { clear(); }
     void show(const std::string& what);
     void clear();
 

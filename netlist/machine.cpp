@@ -103,12 +103,12 @@ hardware::RouterLink& Machine::make_router_link(std::size_t index) {
                                                  parts_.nodes[connection.b.node]->router());
 }
 
-hardware::Lane Machine::lane(std::size_t index, bool from_a_to_b) const {
+hardware::RouterLane Machine::lane(std::size_t index, bool from_a_to_b) const {
     const LinkConnection& connection = network_.connections[index];
     std::string a = link_name(network_.nodes, connection.a), b = link_name(network_.nodes, connection.b);
     const CarrierPair& both = connections_[index].carriers;
-    return from_a_to_b ? hardware::Lane{*both.from_a_to_b, a + " -> " + b}
-                       : hardware::Lane{*both.from_b_to_a, b + " -> " + a};
+    return from_a_to_b ? hardware::RouterLane{*both.from_a_to_b, a + " -> " + b}
+                       : hardware::RouterLane{*both.from_b_to_a, b + " -> " + a};
 }
 
 void Machine::place_channels() {

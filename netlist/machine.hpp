@@ -60,7 +60,7 @@ private:
     void make_link(const LinkConnection&);
     CarrierPair switched(std::size_t connection);
     void make_ways();
-    hardware::Lane lane(std::size_t connection, bool from_a_to_b) const;
+    hardware::RouterLane lane(std::size_t connection, bool from_a_to_b) const;
     void make_faults();
     void silence_links(const Fault&);
     void strike_links_at(const Fault&);

@@ -38,18 +38,18 @@ RepeatedRun::RepeatedRun(const Network& network, const Catalogue& catalogue, std
 
 std::optional<RunReport> RepeatedRun::run() {
     RunReport report;
-    course_.on_departure = [this] { simulation_.interrupt(); };
+    course_.on_divergence = [this] { simulation_.interrupt(); };
     try {
         report.result = simulation_.run();
     } catch (const std::bad_alloc&) {
-        if (!course_.departed)
+        if (!course_.has_diverged)
             throw;
         return std::nullopt;
     } catch (...) { // a departure from the record, or an exception that on the machine might come at another time or
                     // not at all
         return std::nullopt;
     }
-    if (course_.departed)
+    if (course_.has_diverged)
         return std::nullopt;
     if (report.result.ending == Ending::interrupted)
         return report;

@@ -4,7 +4,7 @@
 #include "netlist/network/network.hpp"
 #include "netlist/run_report.hpp"
 #include "netlist/software.hpp"
-#include "runtime/history.hpp"
+#include "runtime/replay_log.hpp"
 #include "runtime/simulation.hpp"
 
 #include <cstdint>
@@ -18,8 +18,8 @@ namespace placedpar {
 struct RecordedRun {
     std::optional<RunReport> report; ///< empty if the run did not end because it was refused
     std::uint64_t events = 0;        ///< fingerprint of the events
-    RunHistory course;
-    std::list<History> histories; ///< by process of the network
+    ReplaySession course;
+    std::list<ReplayLog> histories; ///< by process of the network
 
     /// Returns whether the run has completed and its processes did only what can be repeated.
     bool can_be_repeated() const;
@@ -48,8 +48,8 @@ private:
 
     const Network& network_;
     const RecordedRun& recorded_;
-    RunHistory course_;
-    std::list<History> histories_;
+    ReplaySession course_;
+    std::list<ReplayLog> histories_;
     Software software_;
     Simulation simulation_;
 };

@@ -98,7 +98,7 @@ std::string style_of(const Panel& panel, std::size_t place) {
     return "";
 }
 
-std::string style_of(const Mark& mark, std::size_t place) {
+std::string style_of(const GuideLine& mark, std::size_t place) {
     constexpr std::array<const char*, 3> dashes_of_marks{"(4,4)", "(14,5)", "(14,5,3,5)"};
     return fmt::format("with lines linewidth 1.3 dashtype {} linecolor rgb '{}'",
                        dashes_of_marks[place % dashes_of_marks.size()],

@@ -51,7 +51,7 @@ struct Band {
 };
 
 /// Describes a grey horizontal line over the whole width. Each mark of a panel has different dashes.
-struct Mark {
+struct GuideLine {
     std::string name;
     double y;
     std::optional<int> colour = std::nullopt; ///< one of the eight colours, if the mark belongs to a series
@@ -70,7 +70,7 @@ struct Panel {
     std::string title = {};
     Axis x = {}, y = {};
     std::vector<Series> series = {};
-    std::vector<Mark> marks = {};
+    std::vector<GuideLine> marks = {};
     std::vector<Band> bands = {};
 };
 

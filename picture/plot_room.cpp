@@ -47,7 +47,7 @@ public:
                      parts.letter == 'X' ? std::array{point.x, point.x} : std::array{point.low, point.high})
                     add(value);
         if (parts.letter == 'Y')
-            for (const Mark& mark : panel.marks)
+            for (const GuideLine& mark : panel.marks)
                 add(mark.y);
     }
 

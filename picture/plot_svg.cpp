@@ -49,7 +49,7 @@ int legend_width(const Plot& plot) {
     for (const Panel& panel : plot.panels) {
         for (const Series& series : panel.series)
             longest = std::max(longest, letters(legend_of(series, panel)));
-        for (const Mark& mark : panel.marks)
+        for (const GuideLine& mark : panel.marks)
             longest = std::max(longest, letters(mark.name));
         for (const Band& band : panel.bands)
             longest = std::max(longest, letters(band.name));

@@ -30,7 +30,7 @@ Raster::Raster(const Box& area, const std::vector<Box>& boxes)
     if (points <= most_points)
         marks_.resize(points);
     for (const Box& box : boxes)
-        mark(grown(box, pitch), [](Mark& each) { each.near = true; });
+        mark(grown(box, pitch), [](Cell& each) { each.near = true; });
     for (const Box& box : boxes)
         block(box);
 }
@@ -62,7 +62,7 @@ void Raster::mark(const Box& box, Change change) {
 }
 
 void Raster::block(const Box& box) {
-    mark(box, [](Mark& each) { each.blocked = true; });
+    mark(box, [](Cell& each) { each.blocked = true; });
 }
 
 void Raster::add(const Path& path) {
@@ -71,7 +71,7 @@ void Raster::add(const Path& path) {
         double steps = std::ceil(distance(path[i], path[i + 1]) / pitch);
         for (double step = 0; step <= steps; ++step) {
             Box here{path[i] + (step / steps) * way, pitch, pitch};
-            mark(way.x == 0 || way.y == 0 ? Box{here.centre, 1, 1} : here, [&](Mark& each) {
+            mark(way.x == 0 || way.y == 0 ? Box{here.centre, 1, 1} : here, [&](Cell& each) {
                 (way.y == 0 ? each.across : way.x == 0 ? each.down : each.slanting) = true;
             });
         }
@@ -158,7 +158,7 @@ private:
 
     /// A wire neither follows another nor enters a box but at its end.
     bool may_enter(State state) const {
-        const Mark& mark = r_.marks_[state / 4];
+        const Cell& mark = r_.marks_[state / 4];
         bool across = way_to(state) == left || way_to(state) == right;
         return (across ? !mark.across : !mark.down) && (!mark.blocked || is_entry(state));
     }
@@ -168,7 +168,7 @@ private:
         if (!next || !may_enter(*next * 4 + way))
             return;
         State state = *next * 4 + way;
-        const Mark& mark = r_.marks_[*next];
+        const Cell& mark = r_.marks_[*next];
         cost += step_cost + (mark.has_wire() ? crossing_cost : 0) + (mark.near ? near_cost : 0);
         if (cost >= costs_[state])
             return;

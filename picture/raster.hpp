@@ -34,7 +34,7 @@ public:
 private:
     class Search;
     /// Says what is at or close to a point: a box or label, or wires of each direction.
-    struct Mark {
+    struct Cell {
         bool blocked = false, near = false, across = false, down = false, slanting = false;
 
         bool has_wire() const { return across || down || slanting; }
@@ -48,7 +48,7 @@ private:
 
     Point origin_;
     std::ptrdiff_t columns_, lines_;
-    std::vector<Mark> marks_; ///< empty if there are too many points
+    std::vector<Cell> marks_; ///< empty if there are too many points
     std::size_t steps_left_;
     std::vector<unsigned> costs_;       ///< cost of each state of a search; reset between searches
     std::vector<unsigned char> before_; ///< for each state: direction in which the preceding point was reached

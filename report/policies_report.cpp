@@ -21,21 +21,23 @@ namespace placedpar {
 namespace {
 
 /// A parameter that decides something, and the kinds of processes that have it.
-struct Deciding {
+struct PolicyParameter {
     const ParameterDescription* parameter;
     std::vector<std::string> kinds;
 };
 
 /// What was asked for of a noun.
-struct Asked {
+struct PolicyQuery {
     Noun noun;                        ///< of its policies and forms, those asked for
     std::vector<std::string> written; ///< each of the policies as a netlist writes it, with the numbers asked for
-    std::vector<Deciding> parameters;
+    std::vector<PolicyParameter> parameters;
 };
 
 /// Kinds that have the same parameter to the letter share an entry.
-void add_parameter(std::vector<Deciding>& all, const ParameterDescription& parameter, const std::string& kind) {
-    auto is_it = [&](const Deciding& each) { return parameter_json(*each.parameter) == parameter_json(parameter); };
+void add_parameter(std::vector<PolicyParameter>& all, const ParameterDescription& parameter, const std::string& kind) {
+    auto is_it = [&](const PolicyParameter& each) {
+        return parameter_json(*each.parameter) == parameter_json(parameter);
+    };
     auto found = std::ranges::find_if(all, is_it);
     if (found == all.end())
         all.push_back({&parameter, {kind}});
@@ -43,8 +45,8 @@ void add_parameter(std::vector<Deciding>& all, const ParameterDescription& param
         found->kinds.push_back(kind);
 }
 
-std::vector<Deciding> parameters_deciding(const Catalogue& catalogue, const std::string& noun) {
-    std::vector<Deciding> all;
+std::vector<PolicyParameter> parameters_deciding(const Catalogue& catalogue, const std::string& noun) {
+    std::vector<PolicyParameter> all;
     for (const auto& [name, kind] : catalogue.kinds())
         for (const ParameterDescription& parameter : kind.parameters)
             if (parameter.noun == noun)
@@ -63,16 +65,16 @@ std::string name_alone(const std::string& name) {
 
 bool has_numbers(const std::string& name) { return name.find('(') != std::string::npos; }
 
-bool is_whole_noun(const Asked& asked, const std::string& name) {
-    auto has_name = [&](const Deciding& each) { return each.parameter->name == name; };
+bool is_whole_noun(const PolicyQuery& asked, const std::string& name) {
+    auto has_name = [&](const PolicyParameter& each) { return each.parameter->name == name; };
     return name == policies_group || name_alone(name) == asked.noun.name ||
            std::ranges::count(asked.noun.also_called, name_alone(name)) > 0 ||
            std::ranges::any_of(asked.parameters, has_name);
 }
 
 /// With its policies as a netlist writes them.
-Asked ask_all(const Catalogue& catalogue, Noun noun) {
-    Asked asked{.noun = std::move(noun), .written = {}, .parameters = {}};
+PolicyQuery ask_all(const Catalogue& catalogue, Noun noun) {
+    PolicyQuery asked{.noun = std::move(noun), .written = {}, .parameters = {}};
     asked.parameters = parameters_deciding(catalogue, asked.noun.name);
     for (const PolicyDescription& policy : asked.noun.policies)
         asked.written.push_back(asked.noun.printed(policy.text()));
@@ -80,7 +82,7 @@ Asked ask_all(const Catalogue& catalogue, Noun noun) {
 }
 
 /// Only the policy or form of that name, and what is written of it; nothing where there is none.
-std::optional<Asked> ask_one(Asked asked, const std::string& base) {
+std::optional<PolicyQuery> ask_one(PolicyQuery asked, const std::string& base) {
     std::vector<PolicyDescription>& policies = asked.noun.policies;
     std::erase_if(asked.noun.forms, [&](const Form& form) { return form.name != base; });
     std::erase_if(policies, [&](const PolicyDescription& policy) { return policy.name != base; });
@@ -93,10 +95,10 @@ std::optional<Asked> ask_one(Asked asked, const std::string& base) {
 }
 
 /// Whatever the name stands for, by its name_alone(): nouns as a whole, or else those that have a policy of it.
-std::vector<Asked> find_asked(const Catalogue& catalogue, const std::string& name) {
-    std::vector<Asked> whole, parts;
+std::vector<PolicyQuery> find_asked(const Catalogue& catalogue, const std::string& name) {
+    std::vector<PolicyQuery> whole, parts;
     for (Noun& noun : policy_nouns()) {
-        Asked asked = ask_all(catalogue, std::move(noun));
+        PolicyQuery asked = ask_all(catalogue, std::move(noun));
         auto part = ask_one(asked, name_alone(name));
         if (!has_numbers(name) && is_whole_noun(asked, lower_case(name)))
             whole.push_back(std::move(asked));
@@ -107,13 +109,13 @@ std::vector<Asked> find_asked(const Catalogue& catalogue, const std::string& nam
 }
 
 /// The same with the numbers that the name has: only those that take them. Throws UserError where none does.
-std::vector<Asked> with_numbers(std::vector<Asked> all, const std::string& name) {
-    std::erase_if(all, [](const Asked& asked) { return asked.noun.policies.empty(); });
+std::vector<PolicyQuery> with_numbers(std::vector<PolicyQuery> all, const std::string& name) {
+    std::erase_if(all, [](const PolicyQuery& asked) { return asked.noun.policies.empty(); });
     if (all.empty())
         throw UserError(fmt::format("{} takes no number", name_alone(name)));
-    std::vector<Asked> taking;
+    std::vector<PolicyQuery> taking;
     std::exception_ptr refusal;
-    for (Asked& asked : all)
+    for (PolicyQuery& asked : all)
         try {
             asked.noun.forms.clear();
             asked.written = {asked.noun.printed(lower_case(name))};
@@ -127,7 +129,7 @@ std::vector<Asked> with_numbers(std::vector<Asked> all, const std::string& name)
     return taking;
 }
 
-std::vector<Asked> ask(const Catalogue& catalogue, const std::string& name) {
+std::vector<PolicyQuery> ask(const Catalogue& catalogue, const std::string& name) {
     auto asked = find_asked(catalogue, name);
     return has_numbers(name) ? with_numbers(std::move(asked), name) : asked;
 }
@@ -139,19 +141,19 @@ std::string print_number(const PolicyNumberDescription& number) {
            about;
 }
 
-std::string print_deciding(const Deciding& deciding) {
+std::string print_deciding(const PolicyParameter& deciding) {
     return print_parameter(*deciding.parameter, deciding.parameter->default_value) +
            fmt::format("  {:<28} of {}\n", "", fmt::join(deciding.kinds, ", "));
 }
 
 /// How a netlist writes it: `reproduction = "roulette"`. "" where no parameter takes it.
-std::string assignment(const Asked& asked, const std::string& written) {
-    auto takes_policies = [](const Deciding& each) { return each.parameter->check != nullptr; };
+std::string assignment(const PolicyQuery& asked, const std::string& written) {
+    auto takes_policies = [](const PolicyParameter& each) { return each.parameter->check != nullptr; };
     auto found = std::ranges::find_if(asked.parameters, takes_policies);
     return found == asked.parameters.end() ? "" : fmt::format("{} = \"{}\"", found->parameter->name, written);
 }
 
-std::string print_one(const Asked& asked, const PolicyDescription& policy, const std::string& written) {
+std::string print_one(const PolicyQuery& asked, const PolicyDescription& policy, const std::string& written) {
     std::string in_netlist = assignment(asked, written);
     std::string out = fmt::format("\n{}\n  {}\n", painted(Paint::heading, written), policy.about);
     if (!policy.strings.empty())
@@ -169,14 +171,14 @@ std::string print_form(const Form& form) {
                        painted(Paint::heading, form.name), form.about, form.written, form.source, form.example);
 }
 
-std::string print_parameters_deciding(const std::vector<Deciding>& all) {
+std::string print_parameters_deciding(const std::vector<PolicyParameter>& all) {
     std::string out = all.empty() ? "" : painted(Paint::heading, "\nparameters\n");
-    for (const Deciding& deciding : all)
+    for (const PolicyParameter& deciding : all)
         out += print_deciding(deciding);
     return out;
 }
 
-std::string print_asked(const Asked& asked) {
+std::string print_asked(const PolicyQuery& asked) {
     std::string out = fmt::format("{}\n{}\n", painted(Paint::heading, asked.noun.name), asked.noun.about) +
                       print_parameters_deciding(asked.parameters);
     for (std::size_t i = 0; i < asked.written.size(); ++i)
@@ -198,10 +200,10 @@ boost::json::object form_json(const Form& form) {
             {"example", form.example}};
 }
 
-boost::json::object asked_json(const Asked& asked) {
+boost::json::object asked_json(const PolicyQuery& asked) {
     boost::json::array parameters, policies, forms;
     std::ranges::transform(asked.noun.forms, std::back_inserter(forms), form_json);
-    for (const Deciding& deciding : asked.parameters) {
+    for (const PolicyParameter& deciding : asked.parameters) {
         parameters.push_back(parameter_json(*deciding.parameter));
         parameters.back().as_object()["kinds"] = texts_json(deciding.kinds);
     }
@@ -277,14 +279,14 @@ std::string print_policies() {
 
 std::string print_policy(const Catalogue& catalogue, const std::string& name) {
     std::string out;
-    for (const Asked& asked : ask(catalogue, name))
+    for (const PolicyQuery& asked : ask(catalogue, name))
         out += (out.empty() ? "" : "\n\n") + print_asked(asked);
     return out;
 }
 
 boost::json::array policies_json(const Catalogue& catalogue, const std::string& name) {
     boost::json::array array;
-    for (const Asked& asked : ask(catalogue, name))
+    for (const PolicyQuery& asked : ask(catalogue, name))
         array.push_back(asked_json(asked));
     return array;
 }

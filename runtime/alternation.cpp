@@ -1,8 +1,8 @@
 #include "runtime/alternation.hpp"
 
 #include "runtime/executive.hpp"
-#include "runtime/history.hpp"
 #include "runtime/kernel.hpp"
+#include "runtime/replay_log.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -163,20 +163,20 @@ std::uint64_t what_guard_awaits(const Guard& guard) {
     return 0;
 }
 
-void note(std::span<const Guard> guards, History& history) {
+void note(std::span<const Guard> guards, ReplayLog& history) {
     for (const Guard& guard : guards)
-        history.does(History::Action::alternation, guards.size(),
-                     {std::uint64_t{guard.kind}, what_guard_awaits(guard)});
+        history.record(ReplayLog::Action::alternation, guards.size(),
+                       {std::uint64_t{guard.kind}, what_guard_awaits(guard)});
 }
 
 std::size_t select(std::span<const Guard> guards, const SourceLocation& where) {
     Process& self = Kernel::here().running();
-    History* history = self.kernel().begin_operation(self);
+    ReplayLog* history = self.kernel().begin_operation(self);
     if (!history)
         return choose(self, guards, where);
     note(guards, *history);
-    return static_cast<std::size_t>(history->sees(
-        History::Action::alternation, [&] { return static_cast<std::int64_t>(choose(self, guards, where)); }));
+    return static_cast<std::size_t>(history->observe(
+        ReplayLog::Action::alternation, [&] { return static_cast<std::int64_t>(choose(self, guards, where)); }));
 }
 
 } // namespace placedpar

@@ -1,6 +1,6 @@
 #include "runtime/channel.hpp"
 
-#include "runtime/history.hpp"
+#include "runtime/replay_log.hpp"
 #include "runtime/trace.hpp"
 
 #include <fmt/format.h>
@@ -40,7 +40,7 @@ std::uint64_t AnyChannel::new_identity(const std::string& name) {
     if (!kernel || !kernel->keeps_histories())
         return std::hash<std::string>()(name);
     const Process* maker = kernel->who_runs();
-    History* history = maker ? maker->history() : nullptr;
+    ReplayLog* history = maker ? maker->history() : nullptr;
     return history ? history->next_channel() : 0;
 }
 
@@ -61,7 +61,7 @@ void AnyChannel::expect_inputter(const Process& process) { own_input(process); }
     const bool inside = &end == &outputter_ ? outputter_inside_ : inputter_inside_;
     if (end.process && (inside || !may_follow(end, process)))
         throw std::logic_error(fmt::format(
-            "process {} {} channel {}, as {} does: a channel joins two processes only", process.path(), verb, name_,
+            "process {} {} channel {}, as {} record: a channel joins two processes only", process.path(), verb, name_,
             end.outermost == &process.outermost() ? "another component of a PAR" : "process " + end.outermost->path()));
     end = user(process);
 }
@@ -80,14 +80,14 @@ void AnyChannel::refuse_without_carrier(const Process& self, const Process& othe
 
 void AnyChannel::tell_trace(const Kernel& kernel) const { kernel.trace()->communicated(*this, kernel.now()); }
 
-void AnyChannel::attempt_output(Entrant* attempt) {
+void AnyChannel::attempt_output(AttemptObserver* attempt) {
     if (attempt)
         require_can_be_given_up(carrier_, *this);
     output_attempt_ = attempt;
     note_particulars();
 }
 
-void AnyChannel::attempt_input(Entrant* attempt) {
+void AnyChannel::attempt_input(AttemptObserver* attempt) {
     if (attempt)
         require_can_be_given_up(carrier_, *this);
     input_attempt_ = attempt;
@@ -139,13 +139,13 @@ std::uint64_t two_parts(const WireForm& form, std::size_t first) {
 
 } // namespace
 
-void AnyChannel::note_output(History& history, const WireForm& form) const {
+void AnyChannel::note_output(ReplayLog& history, const WireForm& form) const {
     if (form.total() == 0)
-        history.does_what_is_not_noted(); // a link refuses it
-    history.does(History::Action::output, identity() ^ form.parts(), {two_parts(form, 0), two_parts(form, 2)});
+        history.record_unrepeatable(); // a link refuses it
+    history.record(ReplayLog::Action::output, identity() ^ form.parts(), {two_parts(form, 0), two_parts(form, 2)});
 }
 
-void AnyChannel::note_input(History& history) const { history.does(History::Action::input, identity()); }
+void AnyChannel::note_input(ReplayLog& history) const { history.record(ReplayLog::Action::input, identity()); }
 
 void AnyChannel::hand_over() {
     note_communication(inputter_.process->kernel());

@@ -30,12 +30,12 @@ protected:
 };
 
 /// Is told when its process is in the channel: an attempt.
-class Entrant {
+class AttemptObserver {
 public:
     virtual void entered() = 0;
 
 protected:
-    ~Entrant() = default;
+    ~AttemptObserver() = default;
 };
 
 /// A channel of any protocol: synchronous, unbuffered, from one process to one other.
@@ -107,8 +107,8 @@ public:
     // For attempts (runtime/recovery.hpp).
     /// The next output (input) is this attempt's, until it is null. Throws std::logic_error when the channel cannot
     /// give up a message.
-    void attempt_output(Entrant*);
-    void attempt_input(Entrant*);
+    void attempt_output(AttemptObserver*);
+    void attempt_input(AttemptObserver*);
     /// The process that is in the channel to output (input) goes on without; false if the message has come over.
     bool give_up_output();
     bool give_up_input();
@@ -135,12 +135,12 @@ public:
 
     /// What the messages of a channel between routers are, which are packets: whose, and whether the one that is being
     /// output now is an acknowledge. No channel for one whose messages are its own.
-    struct Cargo {
+    struct PacketPayload {
         const AnyChannel* channel = nullptr;
         bool acknowledges = false;
     };
-    const Cargo& cargo() const { return cargo_; }
-    void carries(const Cargo& cargo) { cargo_ = cargo; }
+    const PacketPayload& payload() const { return payload_; }
+    void carries(const PacketPayload& payload) { payload_ = payload; }
 
     // For carriers.
     /// Hands the outputter's message to the inputter. REQUIRES: both are in the channel.
@@ -162,14 +162,14 @@ protected:
     // parts from it; or it waits, on a hard channel always, in whose carrier the partner may be there already.
 
     void begin_output(Process& self, const WireForm& form) {
-        if (History* history = self.kernel().begin_operation(self)) [[unlikely]]
+        if (ReplayLog* history = self.kernel().begin_operation(self)) [[unlikely]]
             note_output(*history, form);
         if (const OperationCosts* costs = soft_costs(self))
             begin(self, costs->is_one_word(form) ? costs->soft_word_output : costs->soft_communication);
         own(outputter_, self, "outputs to");
     }
     void begin_input(Process& self) {
-        if (History* history = self.kernel().begin_operation(self)) [[unlikely]]
+        if (ReplayLog* history = self.kernel().begin_operation(self)) [[unlikely]]
             note_input(*history);
         if (const OperationCosts* costs = soft_costs(self))
             begin(self, costs->soft_communication);
@@ -255,8 +255,8 @@ private:
     virtual void move_message(void* from, void* to) = 0;
     virtual std::optional<bool> are_same(const void* message, const void* other) const = 0;
 
-    void note_output(History&, const WireForm&) const;
-    void note_input(History&) const;
+    void note_output(ReplayLog&, const WireForm&) const;
+    void note_input(ReplayLog&) const;
     /// What the channel's operations cost the process here; null if they cost nothing, or the carrier charges them.
     const OperationCosts* soft_costs(const Process& self) const {
         const Executive* executive = self.executive();
@@ -268,7 +268,7 @@ private:
             change_owner(end, process, verb);
     }
     void change_owner(User& end, const Process&, const char* verb);
-    void* soft_partner(const Process& self, void* partner, bool out_of_order, Entrant* attempt,
+    void* soft_partner(const Process& self, void* partner, bool out_of_order, AttemptObserver* attempt,
                        const char* verb) const {
         if (out_of_order)
             refuse_unreset(self, verb);
@@ -313,9 +313,9 @@ private:
     User outputter_, inputter_;
 
     // ... and what few do.
-    Entrant* output_attempt_ = nullptr; ///< null if the outputter waits as long as it takes
-    Entrant* input_attempt_ = nullptr;
-    Cargo cargo_;
+    AttemptObserver* output_attempt_ = nullptr; ///< null if the outputter waits as long as it takes
+    AttemptObserver* input_attempt_ = nullptr;
+    PacketPayload payload_;
     std::string name_;
     std::uint64_t identity_;
 };
@@ -392,7 +392,7 @@ private:
 template <class T>
 class Channel final : public AnyChannel {
     static_assert(Protocol<T>,
-                  "a message has a fixed size, or says by wire_form() const what it is on a wire; moving it does not "
+                  "a message has a fixed size, or says by wire_form() const what it is on a wire; moving it record not "
                   "throw; it is no pointer, reference or view: processes share no memory");
 
 public:

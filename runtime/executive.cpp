@@ -1,7 +1,7 @@
 #include "runtime/executive.hpp"
 
-#include "runtime/history.hpp"
 #include "runtime/kernel.hpp"
+#include "runtime/replay_log.hpp"
 
 namespace placedpar {
 
@@ -9,23 +9,24 @@ namespace {
 
 /// Records the computation, and returns whether the process only repeats a history. Not inlined, since few processes
 /// keep histories, and the frames of the others stay small.
-[[gnu::noinline]] bool only_repeats(History& history, Cycles cycles, const Grain& grain) {
+[[gnu::noinline]] bool only_repeats(ReplayLog& history, Cycles cycles, const CodeShape& grain) {
     auto word = [](Cycles number) { return static_cast<std::uint64_t>(number); };
     if (cycles < Cycles{0} || grain.between_points < Cycles{1} || grain.instruction < Cycles{1} ||
         grain.words_outside < 0)
-        history.does_what_is_not_noted();
-    history.does(
-        History::Action::computation, word(cycles),
+        history.record_unrepeatable();
+    history.record(
+        ReplayLog::Action::computation, word(cycles),
         {word(grain.between_points) << 32 ^ word(grain.instruction), static_cast<std::uint64_t>(grain.words_outside)});
     return history.repeats();
 }
 
 } // namespace
 
-void compute(Cycles cycles, const Grain& grain) {
+void compute(Cycles cycles, const CodeShape& grain) {
     Kernel& kernel = Kernel::here();
     Process& self = kernel.running();
-    if (History* history = kernel.begin_operation(self); history && only_repeats(*history, cycles, grain)) [[unlikely]]
+    if (ReplayLog* history = kernel.begin_operation(self); history && only_repeats(*history, cycles, grain))
+        [[unlikely]]
         return;
     if (self.executive())
         self.compute(cycles, grain);

@@ -20,7 +20,7 @@ struct OperationCosts {
     Cycles soft_communication{}; ///< an input or output on a soft channel, before its message moves
     Cycles soft_word_output{};   ///< the same for an output of one byte or one word, its copy included
     Cycles hard_communication{}; ///< an input or output on a hard channel, for each part of the message
-    Cycles word_outside{};       ///< of what a process computes with (Grain), beyond the cycle that it counts
+    Cycles word_outside{};       ///< of what a process computes with (CodeShape), beyond the cycle that it counts
     Cycles copied_word{};        ///< on a soft channel, paid by the process that arrives second (see soft_word_output)
     std::int64_t bytes_in_a_word = 4;
 
@@ -83,7 +83,7 @@ public:
 
     /// The process, which is running, computes for so many cycles from now on; returns whether it has done so already.
     /// REQUIRES: it has this executive. Throws std::logic_error when cycles < 0 or one of the grain's < 1.
-    virtual bool begin_computing(Process&, Cycles, const Grain&) = 0;
+    virtual bool begin_computing(Process&, Cycles, const CodeShape&) = 0;
     /// Whether it has stopped for ever, by a fault, with all its processes.
     virtual bool halted() const { return false; }
 
@@ -101,7 +101,7 @@ protected:
     /// its executive reads and writes.
     static Time& work_left(Process& p) { return p.work_left_; }
     /// The shape of the code of that work, kept in the same way.
-    static Grain& grain(Process& p) { return p.grain_; }
+    static CodeShape& grain(Process& p) { return p.grain_; }
 
 private:
     std::string name_;
@@ -111,7 +111,7 @@ private:
 /// The running process computes for so many cycles of its executive; without one, for no time. The grain says where it
 /// can be left: counted from the end, at which it can. Throws std::logic_error when cycles < 0 or one of the grain's
 /// < 1.
-void compute(Cycles, const Grain& = {});
+void compute(Cycles, const CodeShape& = {});
 
 /// occam's STOP: the running process does nothing any more, while others go on. Who waits for it waits for ever, as the
 /// process of whose PAR it is a component. A run at whose end it is left ends as in a deadlock.

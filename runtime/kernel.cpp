@@ -70,8 +70,8 @@ void Kernel::refuse_outside_a_run() {
 }
 
 /// Does the rare work of begin_operation(), which stays short for processes without histories.
-[[gnu::cold, gnu::noinline]] History* Kernel::attend(const Process& running) {
-    if (hot_.circumstances.any_of(Circumstances::unwinding | Circumstances::interrupted))
+[[gnu::cold, gnu::noinline]] ReplayLog* Kernel::attend(const Process& running) {
+    if (hot_.rare_conditions.any_of(RareConditions::unwinding | RareConditions::interrupted))
         give_way();
     return running.history();
 }
@@ -79,16 +79,16 @@ void Kernel::refuse_outside_a_run() {
 /// Looks after a process that has done many operations without any time passing. Throws std::logic_error if there were
 /// too many; makes the process give way if the run is interrupted.
 void Kernel::heed_operations() {
-    if (hot_.circumstances.any_of(Circumstances::unwinding))
+    if (hot_.rare_conditions.any_of(RareConditions::unwinding))
         return;
-    if (hot_.circumstances.any_of(Circumstances::interrupted))
+    if (hot_.rare_conditions.any_of(RareConditions::interrupted))
         return give_way();
     if (hot_.operations_at_once > most_operations_at_once)
         throw std::logic_error(
             fmt::format("process {} computes for ever without any time passing", hot_.running->path()));
 }
 
-Kernel::Kernel() { hot_.circumstances.set(Circumstances::nobody_left); }
+Kernel::Kernel() { hot_.rare_conditions.set(RareConditions::nobody_left); }
 Kernel::~Kernel() = default;
 
 void Kernel::add(Process& p) {
@@ -96,13 +96,13 @@ void Kernel::add(Process& p) {
     p.slot_ = population_.all.size();
     population_.all.push_back(&p);
     if (population_.of_the_program++ == 0)
-        hot_.circumstances.clear(Circumstances::nobody_left);
+        hot_.rare_conditions.clear(RareConditions::nobody_left);
 }
 
 /// Counts out a process that has ended, or that is not part of the program.
 void Kernel::count_out() {
     if (--population_.of_the_program == 0)
-        hot_.circumstances.set(Circumstances::nobody_left);
+        hot_.rare_conditions.set(RareConditions::nobody_left);
 }
 
 void Kernel::remove(Process& p) {
@@ -123,15 +123,15 @@ void Kernel::tell_and_make_ready(Process& p) {
 }
 
 inline bool Kernel::over() const {
-    return hot_.circumstances.any_of(Circumstances::nobody_left | Circumstances::failed | Circumstances::at_the_limit |
-                                     Circumstances::interrupted);
+    return hot_.rare_conditions.any_of(RareConditions::nobody_left | RareConditions::failed |
+                                       RareConditions::at_the_limit | RareConditions::interrupted);
 }
 
 /// Lets the next event happen, unless the run ends before it.
 [[gnu::noinline]] void Kernel::pass_to(Time next) {
     if (next > hot_.limit) {
         hot_.now = hot_.limit;
-        hot_.circumstances.set(Circumstances::at_the_limit);
+        hot_.rare_conditions.set(RareConditions::at_the_limit);
     } else if (next == Time::max()) {
         fail_with(beyond_the_end_of_time(*this));
     } else {
@@ -155,7 +155,7 @@ inline bool Kernel::begin_communication(Process& p) {
 
 Process* Kernel::choose_next() {
     for (;;) {
-        if (hot_.circumstances.any()) [[unlikely]] {
+        if (hot_.rare_conditions.any()) [[unlikely]] {
             if (over())
                 return nullptr;
             if (shuffle_)
@@ -204,7 +204,7 @@ void Kernel::tell(const std::function<void()>& observer) {
 
 [[gnu::cold, gnu::noinline]] void Kernel::fail_with(std::exception_ptr what) {
     end_.failure = std::move(what);
-    hot_.circumstances.set(Circumstances::failed);
+    hot_.rare_conditions.set(RareConditions::failed);
 }
 
 /// Returns the process to run next, with a fiber to run on; null when the run is over.
@@ -220,7 +220,7 @@ Process* Kernel::next_with_worker() {
 bool Kernel::pass_time(Time until) {
     if (!hot_.ready.empty() || until > hot_.limit || until == Time::max())
         return false;
-    if (hot_.circumstances.any() && (hot_.circumstances.any_of(Circumstances::unwinding) || over())) [[unlikely]]
+    if (hot_.rare_conditions.any() && (hot_.rare_conditions.any_of(RareConditions::unwinding) || over())) [[unlikely]]
         return false;
     if (!hot_.future.empty() && hot_.future.next_time() <= until)
         return false;
@@ -251,7 +251,7 @@ void Kernel::switch_to(Process* p) {
             fibers_.workers.push_back(Worker::make(*this, fibers_.stacks.allocate()));
             fibers_.idle.push_back(fibers_.workers.back().get());
             if (!fibers_.stacks.all_guarded())
-                hot_.circumstances.set(Circumstances::unguarded);
+                hot_.rare_conditions.set(RareConditions::unguarded);
             hot_.stacks_exceed_cache = fibers_.workers.size() > stacks_in_a_cache;
         }
     } catch (...) {
@@ -266,16 +266,16 @@ void Kernel::switch_to(Process* p) {
 
 void Kernel::wait(Process* successor) {
     Process& self = *hot_.running;
-    if (self.executive_ && !hot_.circumstances.any_of(Circumstances::unwinding))
+    if (self.executive_ && !hot_.rare_conditions.any_of(RareConditions::unwinding))
         self.executive_->leave(self, successor);
     give_way();
 }
 
 void Kernel::give_way() {
     Process& self = *hot_.running;
-    if (hot_.circumstances.any()) [[unlikely]] {
+    if (hot_.rare_conditions.any()) [[unlikely]] {
         throw_if_unwinding();
-        if (hot_.circumstances.any_of(Circumstances::unguarded))
+        if (hot_.rare_conditions.any_of(RareConditions::unguarded))
             require_own_stack(self);
     }
     Process* next = next_with_worker();
@@ -308,7 +308,7 @@ std::optional<StackUser> Kernel::who_overflowed(const void* address) {
 
 /// Records that the process has thrown. Only the first failure counts.
 void Kernel::fail(const Process& p) noexcept {
-    if (hot_.circumstances.any_of(Circumstances::failed | Circumstances::unwinding))
+    if (hot_.rare_conditions.any_of(RareConditions::failed | RareConditions::unwinding))
         return;
     fail_with(std::current_exception());
     end_.who_failed = {p.path(), hot_.now, text_of(p.place_in_program())};
@@ -326,7 +326,7 @@ void Kernel::finish(Process& p) noexcept {
     hot_.fingerprint.mix(p.ordinal_);
     fibers_.idle.push_back(p.worker_);
     p.worker_ = nullptr;
-    if (hot_.circumstances.any_of(Circumstances::unwinding))
+    if (hot_.rare_conditions.any_of(RareConditions::unwinding))
         return;
     if (hot_.trace)
         hot_.trace->turns(p, Activity::ended, hot_.now);
@@ -340,7 +340,7 @@ void Kernel::finish(Process& p) noexcept {
 Ending Kernel::run(Time limit, Observer observer) {
     if (current_)
         throw std::logic_error("a simulation is already running on this thread");
-    if (hot_.circumstances.any_of(Circumstances::unwinding))
+    if (hot_.rare_conditions.any_of(RareConditions::unwinding))
         throw std::logic_error("a simulation runs only once");
     hot_.limit = limit;
     end_.observer = std::move(observer);
@@ -366,9 +366,9 @@ Ending Kernel::run(Time limit, Observer observer) {
 Ending Kernel::ending() const {
     if (living().empty())
         return Ending::completed;
-    if (hot_.circumstances.any_of(Circumstances::interrupted))
+    if (hot_.rare_conditions.any_of(RareConditions::interrupted))
         return Ending::interrupted;
-    return hot_.circumstances.any_of(Circumstances::at_the_limit) ? Ending::time_limit : Ending::stuck;
+    return hot_.rare_conditions.any_of(RareConditions::at_the_limit) ? Ending::time_limit : Ending::stuck;
 }
 
 std::vector<Process*> Kernel::by_age() const {
@@ -386,7 +386,7 @@ void Kernel::introduce_to_trace() {
 
 /// Unwinds the youngest process first, so that components go before the processes that wait for them.
 void Kernel::unwind_all() {
-    hot_.circumstances.set(Circumstances::unwinding);
+    hot_.rare_conditions.set(RareConditions::unwinding);
     std::vector<Process*> left = by_age();
     std::ranges::reverse(left);
     for (Process* p : left) {

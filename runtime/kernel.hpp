@@ -1,10 +1,10 @@
 #pragma once
 
-#include "runtime/circumstances.hpp"
 #include "runtime/event.hpp"
 #include "runtime/fingerprint.hpp"
 #include "runtime/process.hpp"
 #include "runtime/random.hpp"
+#include "runtime/rare_conditions.hpp"
 #include "runtime/stack_arena.hpp"
 #include "runtime/stack_overflow.hpp"
 #include "runtime/switched_stack.hpp"
@@ -22,7 +22,7 @@
 namespace placedpar {
 
 class FiberScheduler;
-class History;
+class ReplayLog;
 class TraceSink;
 
 /// Why a run ended. `stuck`: processes are left that nothing will ever wake.
@@ -116,13 +116,13 @@ public:
     /// over, and in a run with histories also when that was interrupted: a process that repeats its history never
     /// waits, and would not notice otherwise. Ends the program with a message when the process has caught Unwinding
     /// many times.
-    History* begin_operation(const Process& running) {
-        if (hot_.circumstances.any_of(Circumstances::unwinding | Circumstances::histories)) [[unlikely]]
+    ReplayLog* begin_operation(const Process& running) {
+        if (hot_.rare_conditions.any_of(RareConditions::unwinding | RareConditions::histories)) [[unlikely]]
             return attend(running);
         return nullptr;
     }
     /// Whether processes keep histories.
-    bool keeps_histories() const { return hot_.circumstances.any_of(Circumstances::histories); }
+    bool keeps_histories() const { return hot_.rare_conditions.any_of(RareConditions::histories); }
     /// Counts an operation that took no time. When more than `unheeded` were counted since time last passed, an
     /// interruption ends the process here. Throws std::logic_error after `most_operations_at_once` of them, since
     /// nothing else would ever happen. Does neither while processes are unwound.
@@ -160,10 +160,10 @@ public:
     /// the program's possible courses, to find what depends on order. Executives share themselves out as before.
     void shuffle(std::uint64_t seed) {
         shuffle_.emplace(seed, "ready queue");
-        hot_.circumstances.set(Circumstances::shuffled);
+        hot_.rare_conditions.set(RareConditions::shuffled);
     }
     /// Ends the run before the next process or event. May be called from a signal handler or another thread.
-    void interrupt() { hot_.circumstances.set(Circumstances::interrupted); }
+    void interrupt() { hot_.rare_conditions.set(RareConditions::interrupted); }
 
     /// The process that ended the run by throwing, if one did.
     const std::optional<Failure>& who_failed() const { return end_.who_failed; }
@@ -178,10 +178,10 @@ private:
     [[noreturn]] static void refuse_outside_a_run();
     [[noreturn]] void unwind_running();
     void throw_if_unwinding() {
-        if (hot_.circumstances.any_of(Circumstances::unwinding)) [[unlikely]]
+        if (hot_.rare_conditions.any_of(RareConditions::unwinding)) [[unlikely]]
             unwind_running();
     }
-    History* attend(const Process& running);
+    ReplayLog* attend(const Process& running);
     void heed_operations();
     void tell_and_make_ready(Process&);
 
@@ -213,7 +213,7 @@ private:
     /// What each step of a run needs, side by side in few lines of the cache.
     struct Hot {
         Time now{}, limit{Time::max()};
-        Circumstances circumstances;
+        RareConditions rare_conditions;
         ProcessQueue ready;
         EventQueue future;
         Fingerprint fingerprint;
@@ -229,7 +229,7 @@ private:
     struct Population {
         std::vector<Process*> all; ///< in no order
         std::size_t of_the_program =
-            0; ///< processes of the program that have not ended; if 0: Circumstances::nobody_left
+            0; ///< processes of the program that have not ended; if 0: RareConditions::nobody_left
         std::uint32_t next_ordinal = 0;
     };
     /// What processes run on.
@@ -246,7 +246,7 @@ private:
         ProcessQueue after_work; ///< processes that wait for the end of the work
         Observer observer;
         bool work_over = false;
-        std::exception_ptr failure; ///< what a process threw: Circumstances::failed
+        std::exception_ptr failure; ///< what a process threw: RareConditions::failed
         std::optional<Failure> who_failed;
     };
 
@@ -255,7 +255,7 @@ private:
     Fibers fibers_;
     End end_;
     std::uint64_t ranks_ = 0;             ///< number of ranks that were given out
-    std::optional<RandomStream> shuffle_; ///< Circumstances::shuffled
+    std::optional<RandomStream> shuffle_; ///< RareConditions::shuffled
 };
 
 } // namespace placedpar

@@ -1,8 +1,8 @@
 #include "runtime/parallel.hpp"
 
 #include "runtime/executive.hpp"
-#include "runtime/history.hpp"
 #include "runtime/kernel.hpp"
+#include "runtime/replay_log.hpp"
 
 #include <list>
 #include <utility>
@@ -21,9 +21,10 @@ Cycles cost_of_starting(const std::vector<Component>& components, Priority own, 
     return all;
 }
 
-void note_beginning(const std::vector<Component>& components, History& history) {
+void note_beginning(const std::vector<Component>& components, ReplayLog& history) {
     for (const Component& component : components)
-        history.does(History::Action::parallel, components.size(), {static_cast<std::uint64_t>(component.priority)});
+        history.record(ReplayLog::Action::parallel, components.size(),
+                       {static_cast<std::uint64_t>(component.priority)});
 }
 
 /// Returns a body that also charges the component for its end.
@@ -43,7 +44,7 @@ void run_in_parallel(std::vector<Component> components, const SourceLocation& wh
         return;
     Kernel& kernel = Kernel::here();
     Process& self = kernel.running();
-    History* history = kernel.begin_operation(self);
+    ReplayLog* history = kernel.begin_operation(self);
     if (history)
         note_beginning(components, *history);
     charge(self, [&](const OperationCosts& cost) { return cost_of_starting(components, self.priority(), cost); });

@@ -26,9 +26,9 @@ Process::Process(Process& parent, std::size_t index, Body body, Priority priorit
 
 Process::~Process() { kernel_.remove(*this); }
 
-void Process::keep(History& history) {
+void Process::keep(ReplayLog& history) {
     history_ = &history;
-    kernel_.hot_.circumstances.set(Circumstances::histories);
+    kernel_.hot_.rare_conditions.set(RareConditions::histories);
 }
 
 void Process::serve_machine() {
@@ -109,7 +109,7 @@ void Process::wait_for(Activity activity, std::span<const AnyChannel* const> cha
 }
 
 /// Returns whether the computation is done; otherwise it has begun. A process that is not placed has nothing to do.
-inline bool Process::computes_at_once(Cycles cycles, const Grain& fineness) {
+inline bool Process::computes_at_once(Cycles cycles, const CodeShape& fineness) {
     kernel_.throw_if_unwinding();
     if (!executive_)
         return true;
@@ -119,7 +119,7 @@ inline bool Process::computes_at_once(Cycles cycles, const Grain& fineness) {
     return at_once;
 }
 
-[[gnu::flatten]] void Process::compute(Cycles cycles, const Grain& fineness) {
+[[gnu::flatten]] void Process::compute(Cycles cycles, const CodeShape& fineness) {
     if (!computes_at_once(cycles, fineness))
         kernel_.give_way();
 }

@@ -14,14 +14,14 @@ namespace placedpar {
 
 class AnyChannel;
 class Executive;
-class History;
+class ReplayLog;
 class Kernel;
 class Process;
 class Worker;
 
 /// What a computation is made of: where its code can be left, in cycles of its executive, at least 1 each; and what of
 /// it lies outside of the chip.
-struct Grain {
+struct CodeShape {
     /// From one descheduling point (`j`, `lend`) to the next: at the end of its timeslice a low-priority process gives
     /// way there.
     Cycles between_points{1};
@@ -129,9 +129,9 @@ public:
     bool serves_machine() const { return machine_; }
     /// Makes the process record its actions in the history, or repeat those in it. REQUIRES: the process has not begun;
     /// the history outlives the run.
-    void keep(History&);
+    void keep(ReplayLog&);
     /// Returns the process's history; null if it keeps none, and while the process is unwound.
-    History* history() const { return history_; }
+    ReplayLog* history() const { return history_; }
 
     // For reports.
     Activity activity() const { return activity_; }
@@ -158,7 +158,7 @@ public:
     void wait_for(Activity, std::span<const AnyChannel* const>, const SourceLocation&, bool awaits_timer = false);
     /// Computes on its executive. REQUIRES: this process is running, and is placed. Throws what
     /// Executive::begin_computing does, and Unwinding when the simulation is over.
-    void compute(Cycles, const Grain&);
+    void compute(Cycles, const CodeShape&);
     /// Computes for the given cycles, if the process is placed, then begins the communication, and waits until it is
     /// over. Throws what compute() does. REQUIRES: this process is running.
     void compute_and_communicate(Communication&, Cycles);
@@ -180,7 +180,7 @@ private:
     void note_wait(Activity);
     void finish_wait(Process* successor = nullptr);
     void note_end_of_wait();
-    bool computes_at_once(Cycles, const Grain&);
+    bool computes_at_once(Cycles, const CodeShape&);
     bool begin_communication();
     void goes_on();
     void stands_still();
@@ -206,11 +206,11 @@ private:
     std::size_t going_on_ = 1; ///< how many of them neither wait nor have ended
     Time still_since_{};       ///< when the last of them began to wait, or ended
     Time waited_{};
-    Time work_left_{}; ///< see Executive::work_left
-    Grain grain_{};    ///< see Executive::grain
+    Time work_left_{};  ///< see Executive::work_left
+    CodeShape grain_{}; ///< see Executive::grain
 
     // ... and what few do.
-    History* history_ = nullptr;
+    ReplayLog* history_ = nullptr;
     std::span<const AnyChannel* const> alternatives_; ///< while it waits for several
     std::string name_;
     std::size_t index_ = 0;

@@ -1,8 +1,8 @@
 #include "runtime/recovery.hpp"
 
 #include "runtime/executive.hpp"
-#include "runtime/history.hpp"
 #include "runtime/kernel.hpp"
+#include "runtime/replay_log.hpp"
 
 #include <algorithm>
 
@@ -13,8 +13,8 @@ namespace {
 /// Begins an operation that no history can repeat, since it depends on whether a message comes in time.
 Process& begin_attempt(Kernel& kernel) {
     Process& self = kernel.running();
-    if (History* history = kernel.begin_operation(self))
-        history->does_what_is_not_noted();
+    if (ReplayLog* history = kernel.begin_operation(self))
+        history->record_unrepeatable();
     return self;
 }
 

@@ -26,7 +26,7 @@ namespace placedpar {
 // 5. They cost what the communication costs, and OperationCosts::attempt; a reset costs OperationCosts::reset_channel.
 
 /// One communication that may be given up, by the running process on its stack.
-class Attempt final : Event, Listener, Entrant {
+class Attempt final : Event, Listener, AttemptObserver {
 public:
     enum class End { output, input };
     /// Charges for the attempt. Throws std::logic_error when the channel cannot give up a message.

@@ -1,8 +1,8 @@
 #include "runtime/timer.hpp"
 
 #include "runtime/executive.hpp"
-#include "runtime/history.hpp"
 #include "runtime/kernel.hpp"
+#include "runtime/replay_log.hpp"
 
 #include <algorithm>
 
@@ -19,23 +19,23 @@ struct Alarm final : Event {
 
 /// Returns the value that the process sees: the recorded one if it repeats a history.
 template <class Look>
-std::int64_t seen_by(const Process& self, History::Action what, Look look) {
-    History* history = self.history();
-    return history ? history->sees(what, look) : look();
+std::int64_t seen_by(const Process& self, ReplayLog::Action what, Look look) {
+    ReplayLog* history = self.history();
+    return history ? history->observe(what, look) : look();
 }
 
 // Not inlined, since few processes keep histories, and the frames of the others stay small.
 
 [[gnu::noinline]] Time now_as_seen(Kernel& kernel) {
-    return Time{seen_by(kernel.running(), History::Action::now, [&] {
+    return Time{seen_by(kernel.running(), ReplayLog::Action::now, [&] {
         kernel.takes_no_time(Kernel::unheeded_readings);
         return kernel.now().count();
     })};
 }
 
 /// Records a delay, and returns whether the process only repeats a history.
-[[gnu::noinline]] bool only_repeats(History& history, Time due) {
-    history.does(History::Action::delay, 0, {static_cast<std::uint64_t>(due.count())});
+[[gnu::noinline]] bool only_repeats(ReplayLog& history, Time due) {
+    history.record(ReplayLog::Action::delay, 0, {static_cast<std::uint64_t>(due.count())});
     return history.repeats();
 }
 
@@ -62,7 +62,7 @@ inline Time now(Kernel& kernel) {
 
 inline void wait_until(Kernel& kernel, Time due, const SourceLocation& where) {
     Process& self = kernel.running();
-    if (History* history = kernel.begin_operation(self); history && only_repeats(*history, due)) [[unlikely]]
+    if (ReplayLog* history = kernel.begin_operation(self); history && only_repeats(*history, due)) [[unlikely]]
         return;
     if (self.executive() && due <= kernel.now())
         return charge(self, &OperationCosts::timer_wait_past);
@@ -88,8 +88,8 @@ void wait_for(Time how_long, const SourceLocation& where) {
 
 void wait_until_work_is_over(const SourceLocation& where) {
     Kernel& kernel = Kernel::here();
-    if (History* history = kernel.begin_operation(kernel.running())) {
-        history->does(History::Action::after_work, 0);
+    if (ReplayLog* history = kernel.begin_operation(kernel.running())) {
+        history->record(ReplayLog::Action::after_work, 0);
         if (history->repeats())
             return;
     }
@@ -99,19 +99,19 @@ void wait_until_work_is_over(const SourceLocation& where) {
 
 Time Timer::tick() const {
     const Process& self = Kernel::here().running();
-    return Time{seen_by(self, History::Action::tick, [&] { return tick_of(self).count(); })};
+    return Time{seen_by(self, ReplayLog::Action::tick, [&] { return tick_of(self).count(); })};
 }
 
 int Timer::bits() const {
     const Process& self = Kernel::here().running();
-    return static_cast<int>(seen_by(self, History::Action::bits, [&] {
+    return static_cast<int>(seen_by(self, ReplayLog::Action::bits, [&] {
         return self.executive() ? 8 * self.executive()->costs().bytes_in_a_word : 32;
     }));
 }
 
 std::int32_t Timer::read() const {
     Process& self = Kernel::here().running();
-    return static_cast<std::int32_t>(seen_by(self, History::Action::timer, [&] {
+    return static_cast<std::int32_t>(seen_by(self, ReplayLog::Action::timer, [&] {
         charge(self, &OperationCosts::timer_read);
         return as_word(now() / tick(), bits());
     }));
@@ -133,8 +133,8 @@ Time Timer::moment_after(std::int32_t ticks) const {
 
 void Timer::wait_after(std::int32_t ticks, const SourceLocation& where) const {
     Kernel& kernel = Kernel::here();
-    if (History* history = kernel.begin_operation(kernel.running()))
-        history->does(History::Action::timer_wait, static_cast<std::uint32_t>(ticks));
+    if (ReplayLog* history = kernel.begin_operation(kernel.running()))
+        history->record(ReplayLog::Action::timer_wait, static_cast<std::uint32_t>(ticks));
     Time moment = moment_after(ticks);
     bool has_to_wait = moment > now();
     if (has_to_wait)

@@ -1,7 +1,7 @@
 #include "runtime/user_code.hpp"
 
-#include "runtime/history.hpp"
 #include "runtime/kernel.hpp"
+#include "runtime/replay_log.hpp"
 
 #include <exception>
 
@@ -12,7 +12,7 @@ std::string what_was_thrown() {
         throw;
     } catch (const Unwinding&) {
         throw;
-    } catch (const Departure&) {
+    } catch (const ReplayDivergence&) {
         throw;
     } catch (const std::exception& thrown) {
         return thrown.what();

@@ -1,8 +1,8 @@
 #include "runtime/worker.hpp"
 
 #include "runtime/fiber_scheduler.hpp"
-#include "runtime/history.hpp"
 #include "runtime/kernel.hpp"
+#include "runtime/replay_log.hpp"
 
 #include <boost/fiber/fiber.hpp>
 
@@ -67,7 +67,7 @@ void Worker::work(Kernel& kernel) {
         Process& self = *process;
         try {
             self.body_();
-            if (History* history = self.history())
+            if (ReplayLog* history = self.history())
                 history->end();
         } catch (const Unwinding&) {
         } catch (...) {
@@ -76,7 +76,7 @@ void Worker::work(Kernel& kernel) {
         process = nullptr;
         kernel.finish(self);
         Process* next =
-            kernel.hot_.circumstances.any_of(Circumstances::unwinding) ? nullptr : kernel.next_with_worker();
+            kernel.hot_.rare_conditions.any_of(RareConditions::unwinding) ? nullptr : kernel.next_with_worker();
         if (next && next->worker_ == this)
             kernel.hot_.running = next;
         else

@@ -122,7 +122,7 @@ void add_answers(Explanation& explanation, const Network& network, const Explain
     explanation.not_tried = why_not_compared(explanation.report.result.ending);
     if (!explanation.not_tried.empty())
         return;
-    Progress line;
+    ProgressLine line;
     auto progress = [&](std::size_t done, std::size_t all) {
         line.show(fmt::format("what if: {} of {} runs", done, all));
     };

@@ -173,7 +173,7 @@ std::optional<Optimum> search_for(Session& session) {
     if (!start)
         return std::nullopt;
     optimum.start = *start;
-    Progress line;
+    ProgressLine line;
     MachineSearch search(session.study, session.space, session.trials,
                          [&](const CourseProgress& progress) { line.show(told(progress)); });
     return go_all_ways(session, search, optimum) ? std::optional(std::move(optimum)) : std::nullopt;
@@ -195,7 +195,7 @@ std::optional<std::vector<PathPart>> path_of(Session& session, const Overrides& 
 std::string reason_of(Session& session, const Optimum& optimum, const Overrides& best) {
     if (!optimum.start.merit.feasible)
         return "";
-    Progress line;
+    ProgressLine line;
     line.show("why it is: two runs for their critical paths");
     auto start = path_of(session, session.space.fixed()), end = path_of(session, best);
     if (start && end)

@@ -116,7 +116,7 @@ std::size_t number_of_seeds(const Experiment& experiment, const ReplayOptions& o
 
 /// Throws UnfinishedRun.
 Replay run_experiment(const Experiment& experiment, const ReplayOptions& options, Interruption& interruption) {
-    Progress progress;
+    ProgressLine progress;
     StudyResults results = results_of(options);
     auto show = [&](const std::string& what) {
         end_if_requested(interruption);

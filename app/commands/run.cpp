@@ -119,7 +119,7 @@ bool others_are_meant(const RunOptions& options, std::chrono::steady_clock::time
 /// Until one is interrupted; none where they are not meant.
 std::vector<FinishedRun> run_seeds(const Network& network, const RunOptions& options, TraceSink* trace) {
     InterruptedBySignals interruption;
-    std::optional<Progress> progress; // beside a watch it would write into what is drawn
+    std::optional<ProgressLine> progress; // beside a watch it would write into what is drawn
     if (options.seeds > 1 && !options.watch)
         progress.emplace();
     std::vector<FinishedRun> runs;

@@ -146,7 +146,7 @@ private:
     StudySweep::Missing missing_;
     std::uint64_t made_;
     Clock::time_point begun_ = Clock::now();
-    Progress progress_;
+    ProgressLine progress_;
 };
 
 void say_interrupted(const StudyResults& results) {

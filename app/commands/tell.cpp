@@ -1,6 +1,6 @@
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
-#include "monitor/service/errand.hpp"
+#include "monitor/service/send_command.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 

@@ -161,7 +161,7 @@ ExitCode identify_as_service(const IdentifyOptions& options, boost::json::object
                         needs_of(options, [&](const ChannelSet& there) { return wanted_links(options, there); }),
                         print_warnings, [&] { return interruption.requested(); });
     std::optional<Identifying> identifying;
-    Progress progress;
+    ProgressLine progress;
     while (auto piece = pieces.next()) {
         progress.clear();
         if (!identifying) {

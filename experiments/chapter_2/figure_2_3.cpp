@@ -30,14 +30,14 @@ constexpr ModulusRow known_moduli[]{
 };
 
 /// The same: below which absolute pressure the mixture is that much softer than oil.
-struct SofterRow {
+struct ComplianceRow {
     const char* name;
     double share; ///< of the oil's modulus
     std::array<double, 4> psia;
 };
 
 constexpr std::array air_fractions{.01, .02, .05, .10};
-constexpr SofterRow known_softer[]{
+constexpr ComplianceRow known_softer[]{
     {.name = "compliance 10 times that of oil below", .share = 0.1, .psia = {60, 85, 137, 199}},
     {.name = "twice that of oil below", .share = 0.5, .psia = {181, 257, 412, 598}},
 };
@@ -66,7 +66,7 @@ void add_compliances(Comparison& comparison) {
 }
 
 void add_softer(Comparison& comparison) {
-    for (const SofterRow& row : known_softer)
+    for (const ComplianceRow& row : known_softer)
         for (std::size_t i = 0; i < air_fractions.size(); ++i)
             comparison.add(judged_cell(row.name, percent(air_fractions[i]), "psia", row.psia[i],
                                        psia_at_modulus(air_oil_mixture(air_fractions[i]), row.share), 0.51, 1));

@@ -26,11 +26,11 @@ constexpr double by_spool_in3_per_psi = 0.005, by_voltage_in3_per_psi = 0.0086;
 constexpr double shown_s = 1.2; // of the plots
 
 /// One of the thesis's two experiments.
-struct Way {
+struct Experiment {
     const char* name;
     AreasFrom from;
 };
-constexpr Way ways[]{
+constexpr Experiment ways[]{
     {.name = "1: spool", .from = AreasFrom::spool},
     {.name = "2: voltage", .from = AreasFrom::servo},
 };
@@ -93,7 +93,7 @@ double within_percent_of(const std::vector<double>& found, double truth, double 
 }
 
 /// What the Error does while the search is active.
-void add_errors(Comparison& comparison, const Way& way, const BoomData& data, std::uint64_t seed) {
+void add_errors(Comparison& comparison, const Experiment& way, const BoomData& data, std::uint64_t seed) {
     BoomModel model = model_of(data, way.from);
     auto identified = identify_boom(data, model, rising_way(), seed);
     auto generations = watch_search(data, identified.samples, rising_way(), seed);
@@ -105,7 +105,7 @@ void add_errors(Comparison& comparison, const Way& way, const BoomData& data, st
 }
 
 /// The thesis's "decreasing monotonically", where noise does not hide it: of the best of all codes in every window.
-void add_clean_errors(Comparison& comparison, const Way& way, const BoomData& clean) {
+void add_clean_errors(Comparison& comparison, const Experiment& way, const BoomData& clean) {
     auto least = least_errors(clean, samples_while_rising(clean, model_of(clean, way.from)), rising_way());
     comparison.add(plain_cell("Error without noise, best code, first", way.name, "in^3/s", least.front(), 2));
     comparison.add(plain_cell("  last window", way.name, "in^3/s", least.back(), 2));
@@ -118,7 +118,7 @@ struct Allowed {
     double record, median;
 };
 
-void add_found(Comparison& comparison, const Way& way, const std::vector<BoomData>& motions, const Seeds& seeds,
+void add_found(Comparison& comparison, const Experiment& way, const std::vector<BoomData>& motions, const Seeds& seeds,
                const Allowed& allowed) {
     BoomModel model = model_of(motions.front(), way.from);
     double truth = motions.front().boom.inlet_compliance_in3_per_psi;
@@ -136,9 +136,9 @@ void add_found(Comparison& comparison, const Way& way, const std::vector<BoomDat
 Comparison simple_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
     Comparison comparison{.name = fmt::format("{}: what both experiments find", simple.name), .against = "true"};
     BoomData clean = measure(motion_of(simple_clean, by_voltage_in3_per_psi), seeds.front());
-    for (const Way& way : ways)
+    for (const Experiment& way : ways)
         add_found(comparison, way, motions, seeds, {0.12, 0.03});
-    for (const Way& way : ways) {
+    for (const Experiment& way : ways) {
         add_errors(comparison, way, motions.front(), seeds.front());
         add_clean_errors(comparison, way, clean);
     }
@@ -150,10 +150,10 @@ Comparison simple_comparison(const std::vector<BoomData>& motions, const Seeds& 
 Comparison measured_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
     Comparison comparison{
         .name = fmt::format("{}: what both experiments find", measured.name), .against = "true", .judged = true};
-    for (const Way& way : ways)
+    for (const Experiment& way : ways)
         add_found(comparison, way, motions, seeds,
                   way.from == AreasFrom::spool ? Allowed{0.12, 0.03} : Allowed{0.2, 0.1});
-    for (const Way& way : ways)
+    for (const Experiment& way : ways)
         add_errors(comparison, way, motions.front(), seeds.front());
     return comparison;
 }
@@ -188,7 +188,7 @@ Comparison lag_comparison(const std::vector<BoomData>& motions, const Seeds& see
 }
 
 /// A row of the comparison of .005 and .0086: what one experiment finds with a model, beside what the thesis's found.
-void add_explained(Comparison& comparison, const std::string& row, const Way& way, double found, Origin origin) {
+void add_explained(Comparison& comparison, const std::string& row, const Experiment& way, double found, Origin origin) {
     double figure = way.from == AreasFrom::spool ? by_spool_in3_per_psi : by_voltage_in3_per_psi;
     Cell cell = judged_cell(row, way.name, "in^3/psi", figure, found, 0.05 * figure, 5);
     cell.origin = origin;
@@ -237,7 +237,7 @@ std::vector<NamedPlot> plots_of(const BoomData& data, std::uint64_t seed) {
     std::vector<NamedPlot> plots{
         {"figure-3-3",
          plot_of_record(fmt::format("Figure 3.3: data record, 4 deg/s, of the {}", measured.name), data, shown_s)}};
-    for (const Way& way : ways) {
+    for (const Experiment& way : ways) {
         BoomModel model = model_of(data, way.from);
         auto identified = identify_boom(data, model, rising_way(), seed);
         auto generations = watch_search(data, identified.samples, rising_way(), seed);

@@ -187,28 +187,28 @@ std::vector<Claim> claims_of(const std::vector<PlantStudy>& exact, const std::ve
     return claims;
 }
 
-struct Weather {
+struct NoiseScenario {
     const char* name;
     PlantExperiment plant;
 };
 
 Replay replay_baselines(const ReplayContext& context) {
-    const std::vector<Weather> weathers{
+    const std::vector<NoiseScenario> scenarios{
         {"noiseless", {}},
         {"white noise, sigma = 0.3", {.noise = 0.3}},
         {"coloured noise, sigma = 0.3, c1 = .8", {.noise = 0.3, .colour = {colour, 0}}}};
     std::vector<Comparison> comparisons(1);
     Plot plot{"Followers of the pole other than genetic algorithms, " + median_of_seeds(context), {}};
-    for (const Weather& weather : weathers) {
-        auto searched = searches(context, weather.plant), exact = estimates(context, weather.plant);
-        if (weather.plant.noise == 0)
+    for (const NoiseScenario& scenario : scenarios) {
+        auto searched = searches(context, scenario.plant), exact = estimates(context, scenario.plant);
+        if (scenario.plant.noise == 0)
             comparisons.front() = judged_optimum(exact, searched);
         auto rows = rows_of_all(searched), others = rows_of_all(exact);
-        plot.panels.push_back(pole_panel("searches, " + std::string(weather.name), rows));
-        plot.panels.push_back(pole_panel("estimates, " + std::string(weather.name), others));
+        plot.panels.push_back(pole_panel("searches, " + std::string(scenario.name), rows));
+        plot.panels.push_back(pole_panel("estimates, " + std::string(scenario.name), others));
         rows.insert(rows.end(), others.begin(), others.end());
-        comparisons.push_back(tracks_comparison(std::string("medians, ") + weather.name, rows));
-        comparisons.push_back(claims_comparison(std::string("claims, ") + weather.name, claims_of(exact, searched)));
+        comparisons.push_back(tracks_comparison(std::string("medians, ") + scenario.name, rows));
+        comparisons.push_back(claims_comparison(std::string("claims, ") + scenario.name, claims_of(exact, searched)));
     }
     return replay_of(std::move(comparisons), {{"baselines", plot}});
 }

@@ -11,7 +11,7 @@ namespace placedpar {
 namespace {
 
 using hardware::Constant;
-using hardware::Mark;
+using hardware::Provenance;
 
 constexpr std::string_view machine = "machine", evidence = "evidence";
 
@@ -55,7 +55,7 @@ std::vector<Constant> of_the_thesis(const Network& cluster) {
     auto stated = [&](const char* parameter) {
         return static_cast<double>(std::get<std::int64_t>(master.parameters.at(parameter)));
     };
-    using enum Mark;
+    using enum Provenance;
     return {
         {group, "an individual's error at one sample", stated("cycles_per_error"), "cycles", workload,
          "Table E.1, P_time2 without slaves"},
@@ -74,7 +74,7 @@ Constant of_the_toolset(const Network& ping_pong) {
             "a call of ChanIn or ChanOut",
             static_cast<double>(ping_pong.nodes.front().integer("channelcall")),
             "cycles",
-            Mark::calibrated,
+            Provenance::calibrated,
             "half a round trip, to start (Poznan, 2008)"};
 }
 

@@ -327,9 +327,9 @@ std::vector<RayFarmRun> ray_farm_runs() {
 std::vector<hardware::Constant> constants_of_ray_farm() {
     constexpr std::string_view group = "ray tracer under INMOS's virtual router";
     auto cycles = [](Cycles each) { return static_cast<double>(each); };
-    return {{group, "a patch of 8 x 8 pixels", cycles(RayFarm::patch) * 1e-6, "Mcycles", hardware::Mark::calibrated,
-             "532 s with 11 workers"},
-            {group, "a packet sent, or received", cycles(RayFarm::packet), "cycles", hardware::Mark::calibrated,
+    return {{group, "a patch of 8 x 8 pixels", cycles(RayFarm::patch) * 1e-6, "Mcycles",
+             hardware::Provenance::calibrated, "532 s with 11 workers"},
+            {group, "a packet sent, or received", cycles(RayFarm::packet), "cycles", hardware::Provenance::calibrated,
              "160 s with 71 workers"}};
 }
 

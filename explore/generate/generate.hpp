@@ -1,7 +1,7 @@
 #pragma once
 
 #include "explore/generate/distances.hpp"
-#include "explore/generate/wish.hpp"
+#include "explore/generate/request.hpp"
 #include "netlist/kinds/catalogue.hpp"
 
 #include <string>
@@ -16,6 +16,6 @@ struct Generated {
 
 /// Throws UserError if the topology, job or size does not exist, or a processor would need more links than a transputer
 /// has.
-Generated generate(const Wish&, const Catalogue&);
+Generated generate(const TopologyRequest&, const Catalogue&);
 
 } // namespace placedpar::generate

@@ -12,35 +12,35 @@ namespace {
 /// 0 where the text is not a whole number that could be a size.
 std::size_t number_of(const std::string& text) { return parse_number<std::size_t>(text).value_or(0); }
 
-void require_not_huge(const Wish& wish, std::size_t processors) {
+void require_not_huge(const TopologyRequest& request, std::size_t processors) {
     if (processors > most_processors)
-        refuse_size(wish, fmt::format("at most {} processors are generated", most_processors));
+        refuse_size(request, fmt::format("at most {} processors are generated", most_processors));
 }
 
 } // namespace
 
-void refuse_size(const Wish& wish, const std::string& why) {
-    throw UserError(fmt::format("{} of size {}: {}", wish.topology, wish.size, why));
+void refuse_size(const TopologyRequest& request, const std::string& why) {
+    throw UserError(fmt::format("{} of size {}: {}", request.topology, request.size, why));
 }
 
-std::size_t count_of(const Wish& wish, std::size_t least) {
-    std::size_t count = number_of(wish.size);
+std::size_t count_of(const TopologyRequest& request, std::size_t least) {
+    std::size_t count = number_of(request.size);
     if (count < least || count == 0)
-        refuse_size(wish, fmt::format("expected a number of processors, from {} to {}", least, most_processors));
-    require_not_huge(wish, count);
+        refuse_size(request, fmt::format("expected a number of processors, from {} to {}", least, most_processors));
+    require_not_huge(request, count);
     return count;
 }
 
-Grid grid_of(const Wish& wish, std::size_t least_rows, std::size_t least_columns) {
-    auto cross = wish.size.find('x');
-    std::string columns = cross == std::string::npos ? "" : wish.size.substr(cross + 1);
-    Grid grid{number_of(wish.size.substr(0, cross)), number_of(columns)};
+Grid grid_of(const TopologyRequest& request, std::size_t least_rows, std::size_t least_columns) {
+    auto cross = request.size.find('x');
+    std::string columns = cross == std::string::npos ? "" : request.size.substr(cross + 1);
+    Grid grid{number_of(request.size.substr(0, cross)), number_of(columns)};
     if (grid.rows < least_rows || grid.columns < least_columns)
-        refuse_size(wish,
+        refuse_size(request,
                     fmt::format("expected two numbers, 4x4 and the like, at least {}x{}", least_rows, least_columns));
-    require_not_huge(wish, grid.rows);
-    require_not_huge(wish, grid.columns);
-    require_not_huge(wish, grid.rows * grid.columns);
+    require_not_huge(request, grid.rows);
+    require_not_huge(request, grid.columns);
+    require_not_huge(request, grid.rows * grid.columns);
     return grid;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "explore/generate/wish.hpp"
+#include "explore/generate/request.hpp"
 
 #include <cstddef>
 #include <string>
@@ -9,7 +9,7 @@ namespace placedpar::generate {
 
 /// Returns the size of a one-dimensional topology, as --size gives it. Throws UserError unless it is a number of
 /// processors from least to most_processors.
-std::size_t count_of(const Wish&, std::size_t least);
+std::size_t count_of(const TopologyRequest&, std::size_t least);
 
 /// The size of a two-dimensional topology, as --size gives it: 4x4.
 struct Grid {
@@ -17,9 +17,9 @@ struct Grid {
 };
 /// Returns the size. Throws UserError unless --size gives two numbers, not below the least, whose product is at most
 /// most_processors.
-Grid grid_of(const Wish&, std::size_t least_rows, std::size_t least_columns);
+Grid grid_of(const TopologyRequest&, std::size_t least_rows, std::size_t least_columns);
 
 /// Throws UserError with the text "size 7: " and the reason.
-[[noreturn]] void refuse_size(const Wish&, const std::string& why);
+[[noreturn]] void refuse_size(const TopologyRequest&, const std::string& why);
 
 } // namespace placedpar::generate

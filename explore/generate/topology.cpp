@@ -17,17 +17,17 @@ namespace {
 std::string val(const char* name, std::size_t value) { return fmt::format("val {} {};", name, value); }
 
 /// Throws UserError when a processor has more neighbours than links.
-void require_links(const Wish& wish, std::size_t needed, const char* who, const char* instead) {
+void require_links(const TopologyRequest& request, std::size_t needed, const char* who, const char* instead) {
     if (needed > links_of_a_node)
-        refuse_size(
-            wish, fmt::format("{} needs {} links, and a transputer has {}; {}", who, needed, links_of_a_node, instead));
+        refuse_size(request, fmt::format("{} needs {} links, and a transputer has {}; {}", who, needed, links_of_a_node,
+                                         instead));
 }
 
 /// The reason for topologies in which every processor has four neighbours.
 constexpr const char* all_links_taken = "every processor has four neighbours and four links";
 
-Topology pipeline(const Wish& wish) {
-    std::size_t nodes = count_of(wish, 1);
+Topology pipeline(const TopologyRequest& request) {
+    std::size_t nodes = count_of(request, 1);
     return {.about = fmt::format("A pipeline of {}", nodes),
             .vals = {val("nodes", nodes)},
             .array = "[nodes]",
@@ -39,8 +39,8 @@ Topology pipeline(const Wish& wish) {
 
 Wires around_the_ring() { return {{"rep i = 0 for nodes"}, {"[i]", "2", "0"}, {"[(i + 1) % nodes]", "1", "1"}}; }
 
-Topology ring(const Wish& wish) {
-    std::size_t nodes = count_of(wish, 3);
+Topology ring(const TopologyRequest& request) {
+    std::size_t nodes = count_of(request, 3);
     return {.about = fmt::format("A ring of {}", nodes),
             .vals = {val("nodes", nodes)},
             .array = "[nodes]",
@@ -50,11 +50,11 @@ Topology ring(const Wish& wish) {
             .host = {"", "0", "[0]", "0"}};
 }
 
-Topology tree(const Wish& wish) {
-    std::size_t nodes = count_of(wish, 1), branches = wish.branches.value_or(2);
+Topology tree(const TopologyRequest& request) {
+    std::size_t nodes = count_of(request, 1), branches = request.branches.value_or(2);
     if (branches == 0)
-        refuse_size(wish, "a tree has --branches 1, 2 or 3");
-    require_links(wish, branches + 1, "a processor with one above it and its branches below", "say --branches 3");
+        refuse_size(request, "a tree has --branches 1, 2 or 3");
+    require_links(request, branches + 1, "a processor with one above it and its branches below", "say --branches 3");
     return {.about = fmt::format("A tree of {}, each with up to {} below it", nodes, branches),
             .vals = {val("nodes", nodes), val("branches", branches)},
             .array = "[nodes]",
@@ -66,8 +66,8 @@ Topology tree(const Wish& wish) {
             .host = {"", "0", "[0]", "0"}};
 }
 
-Topology mesh(const Wish& wish) {
-    Grid grid = grid_of(wish, 1, 1);
+Topology mesh(const TopologyRequest& request) {
+    Grid grid = grid_of(request, 1, 1);
     return {.about = fmt::format("A mesh of {} rows and {} columns", grid.rows, grid.columns),
             .vals = {val("rows", grid.rows), val("columns", grid.columns), "val nodes rows * columns;"},
             .array = "[rows][columns]",
@@ -83,8 +83,8 @@ Topology mesh(const Wish& wish) {
 }
 
 /// Two processors side by side are joined by one wire, not by two.
-Topology torus(const Wish& wish) {
-    Grid grid = grid_of(wish, 2, 2);
+Topology torus(const TopologyRequest& request) {
+    Grid grid = grid_of(request, 2, 2);
     bool full = grid.rows > 2 && grid.columns > 2;
     return {.about = fmt::format("A torus of {} rows and {} columns", grid.rows, grid.columns),
             .vals = {val("rows", grid.rows), val("columns", grid.columns), "val nodes rows * columns;"},
@@ -101,13 +101,13 @@ Topology torus(const Wish& wish) {
             .no_host = full ? all_links_taken : ""};
 }
 
-Topology hypercube(const Wish& wish) {
-    std::size_t nodes = count_of(wish, 1);
+Topology hypercube(const TopologyRequest& request) {
+    std::size_t nodes = count_of(request, 1);
     if (!std::has_single_bit(nodes))
-        refuse_size(wish, fmt::format("its number of processors is a power of two: {} or {}", std::bit_floor(nodes),
-                                      std::bit_ceil(nodes)));
+        refuse_size(request, fmt::format("its number of processors is a power of two: {} or {}", std::bit_floor(nodes),
+                                         std::bit_ceil(nodes)));
     auto dimensions = static_cast<std::size_t>(std::countr_zero(nodes));
-    require_links(wish, dimensions, "every processor", "size 16 is the largest; cube-connected-cycles go on");
+    require_links(request, dimensions, "every processor", "size 16 is the largest; cube-connected-cycles go on");
     return {.about = fmt::format("A hypercube of {} dimensions", dimensions),
             .vals = {val("dimensions", dimensions), "val nodes 1 << dimensions;"},
             .array = "[nodes]",
@@ -122,12 +122,12 @@ Topology hypercube(const Wish& wish) {
 
 /// F. P. Preparata, J. Vuillemin: The cube-connected cycles, Communications of the ACM 24 (1981): a corner of the cube
 /// is a cycle of as many processors as the cube has dimensions, and each of them has the wire of one dimension.
-Topology cube_connected_cycles(const Wish& wish) {
-    std::size_t nodes = count_of(wish, 1), dimensions = 3;
+Topology cube_connected_cycles(const TopologyRequest& request) {
+    std::size_t nodes = count_of(request, 1), dimensions = 3;
     while (dimensions << dimensions < nodes)
         ++dimensions;
     if (dimensions << dimensions != nodes)
-        refuse_size(wish, "d dimensions have d * 2^d processors: 24, 64, 160, 384, 896 or 2048");
+        refuse_size(request, "d dimensions have d * 2^d processors: 24, 64, 160, 384, 896 or 2048");
     return {.about = fmt::format("Cube-connected cycles of {} dimensions", dimensions),
             .vals = {val("dimensions", dimensions), "val corners 1 << dimensions;", "val nodes corners * dimensions;"},
             .array = "[corners][dimensions]",
@@ -142,9 +142,9 @@ Topology cube_connected_cycles(const Wish& wish) {
             .host = {"", "0", "[0][0]", "3"}};
 }
 
-Topology star(const Wish& wish) {
-    std::size_t nodes = count_of(wish, 1);
-    require_links(wish, nodes - 1, "its centre", "size 5 is the largest; a tree has more");
+Topology star(const TopologyRequest& request) {
+    std::size_t nodes = count_of(request, 1);
+    require_links(request, nodes - 1, "its centre", "size 5 is the largest; a tree has more");
     return {.about = fmt::format("A star of {}: a centre and what is around it", nodes),
             .vals = {val("nodes", nodes)},
             .array = "[nodes]",
@@ -164,11 +164,12 @@ std::size_t usual_chord(std::size_t nodes) {
 
 /// B. W. Arden, H. Lee: Analysis of chordal ring network, IEEE Transactions on Computers C-30 (1981): from each even
 /// processor one to an odd one.
-Topology chordal_ring_of_three(const Wish& wish, std::size_t nodes, std::size_t chord) {
+Topology chordal_ring_of_three(const TopologyRequest& request, std::size_t nodes, std::size_t chord) {
     if (nodes % 2 == 1 || chord % 2 == 0)
-        refuse_size(wish, fmt::format("with three links each, chords lead from the even to the odd: size and chord {} "
-                                      "are to be even and odd, or say --degree 4",
-                                      chord));
+        refuse_size(request,
+                    fmt::format("with three links each, chords lead from the even to the odd: size and chord {} "
+                                "are to be even and odd, or say --degree 4",
+                                chord));
     return {.about = fmt::format("A chordal ring of {}, with chords of {} from the even to the odd", nodes, chord),
             .vals = {val("nodes", nodes), val("chord", chord)},
             .array = "[nodes]",
@@ -179,9 +180,9 @@ Topology chordal_ring_of_three(const Wish& wish, std::size_t nodes, std::size_t 
             .host = {"", "0", "[0]", "0"}};
 }
 
-Topology chordal_ring_of_four(const Wish& wish, std::size_t nodes, std::size_t chord) {
+Topology chordal_ring_of_four(const TopologyRequest& request, std::size_t nodes, std::size_t chord) {
     if (2 * chord >= nodes)
-        refuse_size(wish, fmt::format("with four links each, chord {} is to be less than half of the ring", chord));
+        refuse_size(request, fmt::format("with four links each, chord {} is to be less than half of the ring", chord));
     return {
         .about = fmt::format("A chordal ring of {}, with chords of {} from each", nodes, chord),
         .vals = {val("nodes", nodes), val("chord", chord)},
@@ -193,20 +194,20 @@ Topology chordal_ring_of_four(const Wish& wish, std::size_t nodes, std::size_t c
         .no_host = all_links_taken};
 }
 
-Topology chordal_ring(const Wish& wish) {
-    std::size_t nodes = count_of(wish, 6), chord = wish.chord.value_or(usual_chord(nodes));
-    std::size_t degree = wish.degree.value_or(3);
+Topology chordal_ring(const TopologyRequest& request) {
+    std::size_t nodes = count_of(request, 6), chord = request.chord.value_or(usual_chord(nodes));
+    std::size_t degree = request.degree.value_or(3);
     if (degree != 3 && degree != 4)
-        refuse_size(
-            wish, fmt::format("--degree {}: a processor has 3 links to others, or 4; of more there are none", degree));
+        refuse_size(request, fmt::format("--degree {}: a processor has 3 links to others, or 4; of more there are none",
+                                         degree));
     if (chord < 2 || chord + 1 >= nodes)
-        refuse_size(wish, fmt::format("chord {} leads to a neighbour, or beyond the ring", chord));
-    return degree == 3 ? chordal_ring_of_three(wish, nodes, chord) : chordal_ring_of_four(wish, nodes, chord);
+        refuse_size(request, fmt::format("chord {} leads to a neighbour, or beyond the ring", chord));
+    return degree == 3 ? chordal_ring_of_three(request, nodes, chord) : chordal_ring_of_four(request, nodes, chord);
 }
 
 /// The machine of Figure E.2. Each master has a link of its own to the host.
-Topology figure_e2(const Wish& wish) {
-    Grid grid = grid_of(wish, 1, 1);
+Topology figure_e2(const TopologyRequest& request) {
+    Grid grid = grid_of(request, 1, 1);
     return {.about = fmt::format("Figure E.2 of the thesis: a ring of {}, each the head of a chain of {}", grid.rows,
                                  grid.columns),
             .vals = {val("clusters", grid.rows), val("slaves", grid.columns - 1), "val nodes clusters * (slaves + 1);"},
@@ -224,7 +225,7 @@ Topology figure_e2(const Wish& wish) {
 
 struct NamedTopology {
     const char* name;
-    Topology (*make)(const Wish&);
+    Topology (*make)(const TopologyRequest&);
 };
 constexpr std::array<NamedTopology, 10> topologies{{
     {.name = "pipeline", .make = pipeline},
@@ -239,10 +240,10 @@ constexpr std::array<NamedTopology, 10> topologies{{
     {.name = "figure-e2", .make = figure_e2},
 }};
 
-void require_own_options(const Wish& wish) {
-    if (wish.branches && wish.topology != "tree")
+void require_own_options(const TopologyRequest& request) {
+    if (request.branches && request.topology != "tree")
         throw UserError("--branches is for tree");
-    if ((wish.chord || wish.degree) && wish.topology != "chordal-ring")
+    if ((request.chord || request.degree) && request.topology != "chordal-ring")
         throw UserError("--chord and --degree are for chordal-ring");
 }
 
@@ -255,13 +256,13 @@ std::vector<std::string> names_of_topologies() {
     return names;
 }
 
-Topology topology_of(const Wish& wish) {
-    const auto* found = std::ranges::find(topologies, wish.topology, &NamedTopology::name);
+Topology topology_of(const TopologyRequest& request) {
+    const auto* found = std::ranges::find(topologies, request.topology, &NamedTopology::name);
     if (found == topologies.end())
-        throw UserError(fmt::format("topology \"{}\" is not known; expected one of: {}", wish.topology,
+        throw UserError(fmt::format("topology \"{}\" is not known; expected one of: {}", request.topology,
                                     fmt::join(names_of_topologies(), ", ")));
-    require_own_options(wish);
-    return found->make(wish);
+    require_own_options(request);
+    return found->make(request);
 }
 
 } // namespace placedpar::generate

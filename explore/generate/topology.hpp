@@ -1,6 +1,6 @@
 #pragma once
 
-#include "explore/generate/wish.hpp"
+#include "explore/generate/request.hpp"
 
 #include <string>
 #include <vector>
@@ -46,6 +46,6 @@ std::vector<std::string> names_of_topologies();
 
 /// Throws UserError if the topology does not exist or does not have this size, or a processor would need more links
 /// than a transputer has.
-Topology topology_of(const Wish&);
+Topology topology_of(const TopologyRequest&);
 
 } // namespace placedpar::generate

@@ -1,6 +1,6 @@
 #include "explore/study/comparisons.hpp"
 
-#include "explore/study/spellings.hpp"
+#include "explore/study/canonical_settings.hpp"
 #include "explore/study/summary_cells.hpp"
 #include "runtime/kernel.hpp"
 #include "text/user_error.hpp"
@@ -132,7 +132,7 @@ private:
 
     const Study& study_;
     StudyResults& results_;
-    Spellings spellings_;
+    CanonicalSettings spellings_;
 };
 
 } // namespace

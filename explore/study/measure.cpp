@@ -142,8 +142,10 @@ StudyFigures figures_from(const std::string& text) {
 }
 
 StudyMeasure::StudyMeasure(const std::string& text) : text_(text), name_(text) {
-    constexpr std::array<std::pair<const char*, Way>, 4> ways{
-        {{"mean(", Way::mean}, {"min(", Way::least}, {"max(", Way::greatest}, {"sum(", Way::sum}}};
+    constexpr std::array<std::pair<const char*, Aggregate>, 4> ways{{{"mean(", Aggregate::mean},
+                                                                     {"min(", Aggregate::least},
+                                                                     {"max(", Aggregate::greatest},
+                                                                     {"sum(", Aggregate::sum}}};
     for (const auto& [word, way] : ways)
         if (text.starts_with(word) && text.ends_with(')')) {
             way_ = way;
@@ -175,10 +177,10 @@ std::optional<StudyFigure> StudyMeasure::of(const StudyFigures& figures) const {
     for (double value : values)
         sum += value;
     switch (way_) {
-    case Way::mean: return StudyFigure{sum / static_cast<double>(values.size()), unit};
-    case Way::least: return StudyFigure{std::ranges::min(values), unit};
-    case Way::greatest: return StudyFigure{std::ranges::max(values), unit};
-    case Way::sum: break;
+    case Aggregate::mean: return StudyFigure{sum / static_cast<double>(values.size()), unit};
+    case Aggregate::least: return StudyFigure{std::ranges::min(values), unit};
+    case Aggregate::greatest: return StudyFigure{std::ranges::max(values), unit};
+    case Aggregate::sum: break;
     }
     return StudyFigure{sum, unit};
 }

@@ -54,9 +54,9 @@ public:
 private:
     bool matches(const std::string& figure) const;
 
-    enum class Way { mean, least, greatest, sum };
+    enum class Aggregate { mean, least, greatest, sum };
     std::string text_, name_;
-    Way way_ = Way::mean;
+    Aggregate way_ = Aggregate::mean;
 };
 
 /// Returns a sentence about a measure that a run does not have: if the run did not reach it, what the measure is;

@@ -1,6 +1,6 @@
 #include "explore/study/summary.hpp"
 
-#include "explore/study/spellings.hpp"
+#include "explore/study/canonical_settings.hpp"
 #include "explore/study/study_settings.hpp"
 #include "runtime/kernel.hpp"
 
@@ -29,7 +29,7 @@ Measured measured(const StudyOutcome& outcome, const std::vector<StudyMeasure>& 
 /// The figures of the reference runs, by which those of other runs are divided.
 class References {
 public:
-    References(Spellings& spellings, const std::vector<StudyMeasure>& measures, const Overrides& relative_to)
+    References(CanonicalSettings& spellings, const std::vector<StudyMeasure>& measures, const Overrides& relative_to)
         : relative_to_(relative_to) {
         if (!relative_to.empty())
             spellings.for_each([&](const StudyRun& run, const StudyOutcome& outcome) {
@@ -189,7 +189,7 @@ bool StudySummary::has_some(const Overrides& set) const {
 StudySummary summary_of(StudyResults& results, std::vector<std::string> measures, const Study* study,
                         const Overrides& relative_to) {
     const bool of_study = study && !study->search; // a search asks for what it has tried, of a space that may be vast
-    Spellings spellings(results, study);
+    CanonicalSettings spellings(results, study);
     StudySummary summary{
         .netlist = results.netlist(), .version = results.version(), .relative_to = spellings.of(relative_to)};
     summary.measures = measures.empty() ? results.measures() : std::move(measures);

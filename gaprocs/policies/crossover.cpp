@@ -58,13 +58,14 @@ std::vector<std::size_t> ordered_offspring(const std::vector<std::size_t>& kept,
     return offspring;
 }
 
-template <class Way>
-void cross_pair(const Way& cross, Genome& a, Genome& b, const Representation& representation, RandomStream& random) {
-    if constexpr (std::is_same_v<Way, BlendCrossover>)
+template <class Operator>
+void cross_pair(const Operator& cross, Genome& a, Genome& b, const Representation& representation,
+                RandomStream& random) {
+    if constexpr (std::is_same_v<Operator, BlendCrossover>)
         cross(a, b, representation.reals(), random);
-    else if constexpr (std::is_same_v<Way, OrderCrossover>)
+    else if constexpr (std::is_same_v<Operator, OrderCrossover>)
         cross(a, b, representation.permutation(), random);
-    else if constexpr (std::is_same_v<Way, DifferenceCrossover>)
+    else if constexpr (std::is_same_v<Operator, DifferenceCrossover>)
         cross(a, b, random);
     else
         cross(a, b, random, representation.unit());
@@ -112,14 +113,14 @@ void Crossover::operator()(std::span<Genome> population, double probability, con
                            RandomStream& random) const {
     if (population.empty() || representation.bits() < 2 * representation.unit())
         return;
-    auto cross_all = [&]<class Way>(const Way& cross) {
-        if constexpr (std::is_same_v<Way, OwnCrossover>)
+    auto cross_all = [&]<class Operator>(const Operator& cross) {
+        if constexpr (std::is_same_v<Operator, OwnCrossover>)
             cross(population, probability, representation, random);
         else
             for (std::size_t i = 0; i + 1 < population.size(); i += 2) {
                 if (!random.chance(probability))
                     continue;
-                if constexpr (std::is_same_v<Way, DifferenceCrossover>)
+                if constexpr (std::is_same_v<Operator, DifferenceCrossover>)
                     if (!mate_by_difference(population.subspan(i)))
                         continue;
                 cross_pair(cross, population[i], population[i + 1], representation, random);

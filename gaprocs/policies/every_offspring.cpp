@@ -57,8 +57,8 @@ Vertices offspring_by(const DifferenceCrossover&, const Genome& a, const Genome&
     return vertices;
 }
 
-template <class Way>
-Vertices offspring_by(const Way&, const Genome&, const Genome&) {
+template <class Operator>
+Vertices offspring_by(const Operator&, const Genome&, const Genome&) {
     throw std::invalid_argument("crossover of other strings than binary ones");
 }
 

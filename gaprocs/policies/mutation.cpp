@@ -123,10 +123,10 @@ void Mutation::operator()(std::span<Genome> population, double probability, cons
                           RandomStream& random) const {
     if (representation.kind() == StringKind::permutation && representation.permutation().places() == 1)
         return;
-    auto mutate_all = [&]<class Way>(const Way& mutate) {
-        if constexpr (std::is_same_v<Way, BitMutation> || std::is_same_v<Way, DistanceMutation>)
-            Way{probability}(population, random);
-        else if constexpr (std::is_same_v<Way, OwnMutation>)
+    auto mutate_all = [&]<class Operator>(const Operator& mutate) {
+        if constexpr (std::is_same_v<Operator, BitMutation> || std::is_same_v<Operator, DistanceMutation>)
+            Operator{probability}(population, random);
+        else if constexpr (std::is_same_v<Operator, OwnMutation>)
             mutate(population, probability, representation, random);
         else
             mutate_places(mutate, population, probability, representation, random);

@@ -20,13 +20,13 @@ inline constexpr std::int64_t largest_message_bytes = 0x7fffffff;
 /// Throws UserError above largest_message_bytes.
 std::uint32_t message_bytes(std::size_t individuals, std::uint32_t bytes_each, std::uint32_t others = 0);
 
-struct Parcel {
+struct SizedMessage {
     std::uint32_t bytes = 0;
     WireForm wire_form() const { return WireForm(4u, bytes); }
 };
 
 /// Carries a sample of the record from the host, or marks the end of the record.
-struct HostMessage : Parcel {
+struct HostMessage : SizedMessage {
     bool end = false;
     Sample sample;
     bool operator==(const HostMessage& other) const {
@@ -37,7 +37,7 @@ struct HostMessage : Parcel {
 using Window = std::shared_ptr<const std::vector<Sample>>;
 
 /// Tells a slave to evaluate these strings; sent by its master.
-struct Task : Parcel {
+struct Task : SizedMessage {
     enum class Kind { evaluate, rehearse, end } kind = Kind::end;
     std::size_t slave = 0;  ///< the addressee, counted from the master
     std::size_t master = 0; ///< number of the sending master among the masters that share the slaves
@@ -54,7 +54,7 @@ struct Task : Parcel {
 };
 
 /// Answers a task: what the share contributes to the fitness of each individual of which it has a part.
-struct Fitnesses : Parcel {
+struct Fitnesses : SizedMessage {
     bool end = false;                  ///< the answer to Task::Kind::end
     std::size_t slave = 0, master = 0; ///< copied from the task
     std::size_t hops = 0;              ///< number of slaves that have passed the message on
@@ -70,7 +70,7 @@ struct InPlace {
 };
 
 /// Carries emigrants from an island to a neighbour.
-struct Emigrants : Parcel {
+struct Emigrants : SizedMessage {
     bool end = false; ///< the island has ended; only used in asynchronous exchange
     std::uint64_t generation = 0;
     std::vector<Individual> individuals;
@@ -78,7 +78,7 @@ struct Emigrants : Parcel {
 
 /// Reports the best individual: from a search to its host after the generations of each sample, and from an island to
 /// the analyst at each exchange.
-struct EstimateMessage : Parcel {
+struct EstimateMessage : SizedMessage {
     bool end = false; ///< the search has ended
     std::uint64_t generation = 0;
     std::size_t samples = 0; ///< samples that the search has received so far
@@ -86,7 +86,7 @@ struct EstimateMessage : Parcel {
 };
 
 /// Tells the fine search around which point to search; sent by the coarse search.
-struct BiasPoint : Parcel {
+struct BiasPoint : SizedMessage {
     Genome string; ///< a string of the problem, in natural binary
 };
 

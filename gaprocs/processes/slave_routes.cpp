@@ -8,7 +8,7 @@
 
 namespace placedpar {
 
-SlaveRoutes::Way SlaveRoutes::to(std::size_t slave) const {
+SlaveRoutes::Hop SlaveRoutes::to(std::size_t slave) const {
     std::size_t channel = 0;
     while (channel < behind_.size() && slave >= behind_[channel])
         slave -= behind_[channel++];

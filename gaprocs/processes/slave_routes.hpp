@@ -17,12 +17,12 @@ public:
     /// `behind`: the number of slaves behind each channel except the last, which leads to all other slaves.
     explicit SlaveRoutes(std::vector<std::size_t> behind) : behind_(std::move(behind)) {}
 
-    struct Way {
+    struct Hop {
         std::size_t channel; ///< channel towards the slave
         std::size_t address; ///< number of the slave as seen from the other end of the channel: 0 is the slave there
     };
     /// Returns the way to a slave; numbers begin at 0.
-    Way to(std::size_t slave) const;
+    Hop to(std::size_t slave) const;
     /// Returns the slaves 0 ... slaves - 1 in the order in which tasks are sent: first the nearest behind each channel,
     /// then the second behind each, and so on, so that all links are busy.
     std::vector<std::size_t> in_turn(std::size_t slaves) const;

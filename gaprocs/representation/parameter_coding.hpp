@@ -64,7 +64,7 @@ public:
     /// REQUIRES: parameter < parameters(), a string of bits().
     template <BinaryString G>
     double value(const G& genome, std::size_t parameter) const {
-        const Place& place = places_[parameter];
+        const Field& place = places_[parameter];
         auto code = static_cast<std::int64_t>(genome.field(place.first, place.bits)); // signed: sooner a double
         double value = place.low + place.resolution * static_cast<double>(code);
         return place.whole ? std::floor(value) : value;
@@ -72,7 +72,7 @@ public:
     /// Returns the values of a parameter for several individuals.
     template <std::size_t width, bool gray>
     [[gnu::always_inline]] Lanes<width> value(const StringsInLanes<width, gray>& strings, std::size_t parameter) const {
-        const Place& place = places_[parameter];
+        const Field& place = places_[parameter];
         Lanes<width> value = place.low + place.resolution * strings.field(place.first, place.bits);
         return place.whole ? floor(value) : value;
     }
@@ -86,14 +86,14 @@ public:
 
 private:
     /// What value() needs of a field, and where it is in the string.
-    struct Place {
+    struct Field {
         std::size_t first, bits;
         double low, resolution;
         bool whole;
     };
 
     std::vector<ParameterField> fields_;
-    std::vector<Place> places_;
+    std::vector<Field> places_;
     std::size_t bits_ = 0;
 };
 

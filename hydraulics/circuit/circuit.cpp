@@ -9,7 +9,7 @@ namespace placedpar::hydraulics {
 namespace {
 
 /// A link's place in the main valve, whether or not the link is active.
-struct Place {
+struct ValvePosition {
     Link link;
     bool pump;
     std::optional<Link> next; ///< none: the bypass leads to the tank, or nowhere
@@ -17,14 +17,15 @@ struct Place {
 };
 
 /// Pump 1 feeds the bucket and then the boom, pump 2 the swing and then the stick.
-constexpr Place bucket_then_boom{Link::bucket, true, Link::boom}, boom_last{Link::boom, false, {}},
+constexpr ValvePosition bucket_then_boom{Link::bucket, true, Link::boom}, boom_last{Link::boom, false, {}},
     swing_then_stick{Link::swing, true, Link::stick}, stick_last{Link::stick, false, {}};
 /// The cross-over: flow past the stick (the boom) continues to the last link of the other branch.
-constexpr Place stick_then_boom{Link::stick, false, Link::boom}, boom_then_stick{Link::boom, false, Link::stick};
+constexpr ValvePosition stick_then_boom{Link::stick, false, Link::boom},
+    boom_then_stick{Link::boom, false, Link::stick};
 /// The first link of a branch alone with its pump, because the pressure downstream is higher.
-constexpr Place bucket_alone{Link::bucket, true, {}, true}, swing_alone{Link::swing, true, {}, true};
+constexpr ValvePosition bucket_alone{Link::bucket, true, {}, true}, swing_alone{Link::swing, true, {}, true};
 
-using MainValve = std::array<Place, 4>; // upstream before downstream
+using MainValve = std::array<ValvePosition, 4>; // upstream before downstream
 
 const MainValve& main_valve(Configuration configuration) {
     static constexpr std::array<MainValve, 5> valves{{
@@ -37,10 +38,12 @@ const MainValve& main_valve(Configuration configuration) {
     return valves[static_cast<std::size_t>(configuration)];
 }
 
-const Place& place_of(const MainValve& valve, Link link) { return *std::ranges::find(valve, link, &Place::link); }
+const ValvePosition& place_of(const MainValve& valve, Link link) {
+    return *std::ranges::find(valve, link, &ValvePosition::link);
+}
 
 /// The next active link that the flow past `place` reaches.
-std::optional<Link> next_active(const MainValve& valve, const Place& place, LinkSet active) {
+std::optional<Link> next_active(const MainValve& valve, const ValvePosition& place, LinkSet active) {
     std::optional<Link> next = place.next;
     while (next && !active.contains(*next))
         next = place_of(valve, *next).next;
@@ -48,7 +51,7 @@ std::optional<Link> next_active(const MainValve& valve, const Place& place, Link
 }
 
 /// The first active link downstream of a pump.
-std::optional<Link> fed_by(const MainValve& valve, const Place& first, LinkSet active) {
+std::optional<Link> fed_by(const MainValve& valve, const ValvePosition& first, LinkSet active) {
     return active.contains(first.link) ? first.link : next_active(valve, first, active);
 }
 
@@ -78,7 +81,7 @@ Circuit circuit_of(Configuration configuration, LinkSet active) {
     assert(!active.empty());
     const MainValve& valve = main_valve(configuration);
     Circuit circuit;
-    for (const Place& place : valve)
+    for (const ValvePosition& place : valve)
         if (active.contains(place.link))
             circuit.push_back({place.link, 0, place.shut ? Through::nowhere : Through::tank});
     auto junction_of = [&](Link link) {
@@ -89,7 +92,7 @@ Circuit circuit_of(Configuration configuration, LinkSet active) {
             junction.through = Through::junction;
             junction.next = junction_of(*next);
         }
-    for (const Place& place : valve)
+    for (const ValvePosition& place : valve)
         if (auto first = place.pump ? fed_by(valve, place, active) : std::nullopt)
             ++circuit[junction_of(*first)].pumps;
     return circuit;

@@ -20,21 +20,21 @@ std::string what_is_off(const LinkVerdict& link) {
     const Deviation& mean = link.verdict.deviation;
     const WayUnits& units = link.units;
     auto leak = [&] {
-        const FaultSize alone = size_alone(Way::leak, mean);
+        const FaultSize alone = size_alone(FaultHypothesis::leak, mean);
         return fmt::format("a leak of {:.4f} in^3/(s psi) (standard error {:.4f})", units.leak_in3_per_s_psi * alone.by,
                            units.leak_in3_per_s_psi * alone.standard_error);
     };
     auto offset = [&](double sign) {
-        const FaultSize alone = size_alone(Way::offset, mean);
+        const FaultSize alone = size_alone(FaultHypothesis::offset, mean);
         return fmt::format("off by {:+.4f} in (standard error {:.4f})", sign * units.offset_in * alone.by,
                            units.offset_in * alone.standard_error);
     };
     switch (link.verdict.kind) {
     case VerdictKind::compliance: {
         constexpr double percent = 100 * WayUnits::compliance_share;
-        const double by = mean.by[index_of(Way::compliance)];
+        const double by = mean.by[index_of(FaultHypothesis::compliance)];
         return fmt::format("the compliance is off by {:+.0f} % (standard error {:.0f} %): {}", percent * by,
-                           percent * mean.standard_error(Way::compliance),
+                           percent * mean.standard_error(FaultHypothesis::compliance),
                            by > 0 ? "air in the oil, or a hose that gives"
                                   : "a stiffer hose, or a line that is partly shut");
     }

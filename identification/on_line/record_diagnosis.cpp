@@ -35,7 +35,7 @@ void confirm(LinkFinding& link) {
         return;
     const LeastSquares reference{link.whole->compliance_in3_per_psi,
                                  link.whole->units.compliance_in3_per_psi *
-                                     link.whole->deviation.standard_error(Way::compliance)};
+                                     link.whole->deviation.standard_error(FaultHypothesis::compliance)};
     if (auto flag = unconfirmed_flag(*link.compliance_in3_per_psi, reference, "the whole movement"))
         link.flags.push_back(*flag);
 }
@@ -44,10 +44,10 @@ void confirm(LinkFinding& link) {
 /// offset.
 void note_leak_or_offset(LinkFinding& link) {
     constexpr double errors = 3;
-    if (!link.whole || link.whole->deviation.by[index_of(Way::offset)] == 0)
+    if (!link.whole || link.whole->deviation.by[index_of(FaultHypothesis::offset)] == 0)
         return;
     const Deviation& deviation = link.whole->deviation;
-    const FaultSize leak = size_alone(Way::leak, deviation);
+    const FaultSize leak = size_alone(FaultHypothesis::leak, deviation);
     if (leak.by > errors * leak.standard_error &&
         verdict_of(deviation, true, AreasFrom::spool).kind == VerdictKind::leak_or_offset)
         link.flags.push_back({FlagKind::leak_or_offset, print_leak_or_offset(deviation, link.whole->units)});

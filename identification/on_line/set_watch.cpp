@@ -20,19 +20,21 @@ constexpr double driven_in3_per_s = 10;
 constexpr double longest_swing_s = 0.5;
 
 /// Whether the movement tells the size of this: a steady one leaves it hardly better known than before.
-bool tells(const Deviation& deviation, Way way) { return deviation.standard_error(way) <= LinkJudge::most_uncertain; }
+bool tells(const Deviation& deviation, FaultHypothesis way) {
+    return deviation.standard_error(way) <= LinkJudge::most_uncertain;
+}
 
 /// What no machine gives: a compliance below 0, a spool off by more than .05 in; either by two standard errors more.
 bool impossible(const Deviation& found, AreasFrom valve) {
     const Deviation deviation = found.with_steady_leak();
     constexpr double no_compliance = -1 / WayUnits::compliance_share, furthest_offset = 10, errors = 2;
-    const double compliance = deviation.by[index_of(Way::compliance)];
-    const double offset = std::abs(deviation.by[index_of(Way::offset)]);
-    const bool tells_offset = valve == AreasFrom::areas || tells(deviation, Way::offset);
-    return (tells_offset && tells(deviation, Way::compliance) &&
-            compliance + errors * deviation.standard_error(Way::compliance) < no_compliance) ||
+    const double compliance = deviation.by[index_of(FaultHypothesis::compliance)];
+    const double offset = std::abs(deviation.by[index_of(FaultHypothesis::offset)]);
+    const bool tells_offset = valve == AreasFrom::areas || tells(deviation, FaultHypothesis::offset);
+    return (tells_offset && tells(deviation, FaultHypothesis::compliance) &&
+            compliance + errors * deviation.standard_error(FaultHypothesis::compliance) < no_compliance) ||
            (valve == AreasFrom::spool && tells_offset &&
-            offset - errors * deviation.standard_error(Way::offset) > furthest_offset);
+            offset - errors * deviation.standard_error(FaultHypothesis::offset) > furthest_offset);
 }
 
 /// One reading all through a movement, or a piston that goes back while oil flows in.

@@ -27,9 +27,9 @@ std::string print_finding(const LinkFinding& link) {
 }
 
 /// Areas that are read themselves have none.
-bool knows_offset(const Deviation& deviation) { return deviation.by[index_of(Way::offset)] != 0; }
+bool knows_offset(const Deviation& deviation) { return deviation.by[index_of(FaultHypothesis::offset)] != 0; }
 
-std::string with_error(const Deviation& deviation, Way way, double unit) {
+std::string with_error(const Deviation& deviation, FaultHypothesis way, double unit) {
     if (!std::isfinite(deviation.standard_error(way)))
         return "-";
     return fmt::format("{:+.4f} +- {:.4f}", unit * deviation.by[index_of(way)], unit * deviation.standard_error(way));
@@ -38,34 +38,36 @@ std::string with_error(const Deviation& deviation, Way way, double unit) {
 std::string print_offset(const WholeMovement& whole) {
     if (!knows_offset(whole.deviation))
         return "";
-    return fmt::format(", spool {} in", with_error(whole.deviation, Way::offset, whole.units.offset_in));
+    return fmt::format(", spool {} in", with_error(whole.deviation, FaultHypothesis::offset, whole.units.offset_in));
 }
 
 double compliance_error(const WholeMovement& whole) {
-    return whole.units.compliance_in3_per_psi * whole.deviation.standard_error(Way::compliance);
+    return whole.units.compliance_in3_per_psi * whole.deviation.standard_error(FaultHypothesis::compliance);
 }
 
 /// What all of the movement says, below what the search found.
 std::string print_whole(const WholeMovement& whole) {
     return fmt::format("{}{}  leak {} in^3/(s psi){}\n", no_times,
                        print_compliance("  whole", whole.compliance_in3_per_psi, compliance_error(whole)),
-                       with_error(whole.deviation, Way::leak, whole.units.leak_in3_per_s_psi), print_offset(whole));
+                       with_error(whole.deviation, FaultHypothesis::leak, whole.units.leak_in3_per_s_psi),
+                       print_offset(whole));
 }
 
-double by(const Verdict& verdict, Way way) { return verdict.deviation.by[index_of(way)]; }
+double by(const Verdict& verdict, FaultHypothesis way) { return verdict.deviation.by[index_of(way)]; }
 
 /// By how much a link is off in each way.
 std::string print_deviation(const LinkVerdict& link) {
-    auto with_error = [&](Way way, double unit, int decimals) {
+    auto with_error = [&](FaultHypothesis way, double unit, int decimals) {
         return fmt::format("{:+.{}f} (standard error {:.{}f})", unit * by(link.verdict, way), decimals,
                            unit * link.verdict.deviation.standard_error(way), decimals);
     };
-    const std::string offset = knows_offset(link.verdict.deviation)
-                                   ? fmt::format(", spool {} in", with_error(Way::offset, link.units.offset_in, 4))
-                                   : "";
+    const std::string offset =
+        knows_offset(link.verdict.deviation)
+            ? fmt::format(", spool {} in", with_error(FaultHypothesis::offset, link.units.offset_in, 4))
+            : "";
     return fmt::format("compliance {} in^3/psi, leak {} in^3/(s psi){}",
-                       with_error(Way::compliance, link.units.compliance_in3_per_psi, 5),
-                       with_error(Way::leak, link.units.leak_in3_per_s_psi, 4), offset);
+                       with_error(FaultHypothesis::compliance, link.units.compliance_in3_per_psi, 5),
+                       with_error(FaultHypothesis::leak, link.units.leak_in3_per_s_psi, 4), offset);
 }
 
 std::string print_verdict(Link link, const LinkVerdict& said) {
@@ -85,7 +87,7 @@ std::string print_verdict(Link link, const LinkVerdict& said) {
     return "";
 }
 
-boost::json::object off_json(const Deviation& deviation, Way way, double unit) {
+boost::json::object off_json(const Deviation& deviation, FaultHypothesis way, double unit) {
     return {{"by", or_null(unit * deviation.by[index_of(way)])},
             {"standard_error", or_null(unit * deviation.standard_error(way))}};
 }
@@ -93,13 +95,13 @@ boost::json::object off_json(const Deviation& deviation, Way way, double unit) {
 boost::json::value offset_json(const Deviation& deviation, const WayUnits& units) {
     if (!knows_offset(deviation))
         return nullptr;
-    return off_json(deviation, Way::offset, units.offset_in);
+    return off_json(deviation, FaultHypothesis::offset, units.offset_in);
 }
 
 boost::json::object whole_json(const WholeMovement& whole) {
     return {{"compliance", or_null(whole.compliance_in3_per_psi)},
             {"standard_error", or_null(compliance_error(whole))},
-            {"leak_in3_per_s_psi", off_json(whole.deviation, Way::leak, whole.units.leak_in3_per_s_psi)},
+            {"leak_in3_per_s_psi", off_json(whole.deviation, FaultHypothesis::leak, whole.units.leak_in3_per_s_psi)},
             {"offset_in", offset_json(whole.deviation, whole.units)}};
 }
 
@@ -128,15 +130,16 @@ boost::json::object alarm_json(const Alarm& alarm) {
 
 boost::json::object verdict_json(Link link, const Diagnosis& diagnosis) {
     const LinkVerdict said = diagnosis.verdict(link);
-    return {{"link", name_of(link)},
-            {"verdict", name_of(said.verdict.kind)},
-            {"probability", said.verdict.probability},
-            {"movements", said.verdict.movements},
-            {"baseline_in3_per_psi", diagnosis.baseline_in3_per_psi(link)},
-            {"compliance_in3_per_psi",
-             off_json(said.verdict.deviation, Way::compliance, said.units.compliance_in3_per_psi)},
-            {"leak_in3_per_s_psi", off_json(said.verdict.deviation, Way::leak, said.units.leak_in3_per_s_psi)},
-            {"offset_in", offset_json(said.verdict.deviation, said.units)}};
+    return {
+        {"link", name_of(link)},
+        {"verdict", name_of(said.verdict.kind)},
+        {"probability", said.verdict.probability},
+        {"movements", said.verdict.movements},
+        {"baseline_in3_per_psi", diagnosis.baseline_in3_per_psi(link)},
+        {"compliance_in3_per_psi",
+         off_json(said.verdict.deviation, FaultHypothesis::compliance, said.units.compliance_in3_per_psi)},
+        {"leak_in3_per_s_psi", off_json(said.verdict.deviation, FaultHypothesis::leak, said.units.leak_in3_per_s_psi)},
+        {"offset_in", offset_json(said.verdict.deviation, said.units)}};
 }
 
 } // namespace

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "identification/verdict/ways.hpp"
+#include "identification/verdict/fault_hypothesis.hpp"
 
 namespace placedpar::identification {
 
 /// Says whether the matrix has an inverse: it has one if it is symmetric, finite and positive definite.
-bool has_inverse(const OfTwoWays&);
+bool has_inverse(const PerPairOfHypotheses&);
 
 /// How much of each way is called one unit: what a verdict is asked to find (ours).
 struct WayUnits {
@@ -25,12 +25,12 @@ inline constexpr double repeats_within = 0.15, offset_repeats_within = 0.1375;
 
 /// By how much a link is off in each way, in units of WayUnits, by one movement or by several.
 struct Deviation {
-    OfWays by{};
-    OfTwoWays covariance{};
+    PerHypothesis by{};
+    PerPairOfHypotheses covariance{};
 
-    double standard_error(Way) const;
+    double standard_error(FaultHypothesis) const;
     /// The inverse of the covariance, what does not repeat from movement to movement (repeats_within) added to it.
-    OfTwoWays information() const;
+    PerPairOfHypotheses information() const;
     /// What the deviation is if a leak is the same before the movement and during it. Flow alone hardly tells a leak
     /// from an offset; then the rest before the movement does.
     Deviation with_steady_leak() const;

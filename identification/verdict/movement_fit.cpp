@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr Eigen::Index ways = all_ways.size();
+constexpr Eigen::Index ways = all_hypotheses.size();
 constexpr std::size_t fewest_at_rest = 4;
 /// (in^3/s)^2 of each sample, beyond the noise of the sensors: of the equations; at rest of a converter and of
 /// friction.
@@ -217,7 +217,7 @@ MovingRows moving_rows(const Balance& balance, const MovementSamples& movement,
 /// as a share of the compliance only, so that the compliance is that of the movement, but for
 /// compliance_at_rest_within.
 NoisyRows rows_at_rest(const Balance& balance, const std::vector<JunctionSamples>& samples, std::size_t junction,
-                       Way leak, const ReadingNoise& noise) {
+                       FaultHypothesis leak, const ReadingNoise& noise) {
     const Eigen::Index column = row_of(junction);
     const auto count = static_cast<Eigen::Index>(samples.size());
     const WayUnits& unit = balance.unit(junction);
@@ -322,10 +322,10 @@ std::optional<std::vector<Deviation>> solve(const Equations& equations) {
 /// A leak that is known from the rest after the movement is not known better than leak_after_within; with it all that
 /// depends on it.
 void add_unread_pressure(Deviation& deviation) {
-    const Eigen::Index leak = row_of(Way::leak);
+    const Eigen::Index leak = row_of(FaultHypothesis::leak);
     WayMatrix covariance = matrix_of(deviation.covariance);
     const WayVector with_leak = covariance.col(leak) / covariance(leak, leak);
-    const double error = leak_after_within * deviation.by[index_of(Way::leak)];
+    const double error = leak_after_within * deviation.by[index_of(FaultHypothesis::leak)];
     covariance += error * error * with_leak * with_leak.transpose();
     deviation.covariance = two_ways_of(covariance);
 }
@@ -344,17 +344,17 @@ std::optional<std::vector<Deviation>> deviations(const Circuit& circuit, const F
     add_moving(equations, moving_rows(balance, movement, noises));
     for (std::size_t j = 0; j < circuit.size(); ++j)
         if (!balance.reads_areas(j))
-            limit_leak(equations, row_of(j) + row_of(Way::leak));
-    auto add_rests = [&](const std::vector<JunctionSamples>& samples, Way leak) {
+            limit_leak(equations, row_of(j) + row_of(FaultHypothesis::leak));
+    auto add_rests = [&](const std::vector<JunctionSamples>& samples, FaultHypothesis leak) {
         for (std::size_t j = 0; j < circuit.size(); ++j)
             add_rest(equations, rows_at_rest(balance, samples, j, leak, noises[j]), row_of(j) + row_of(leak));
     };
     const bool rest_before = movement.at_rest.size() >= fewest_at_rest,
                rest_after = rest_before && movement.rest_after.size() >= fewest_at_rest;
     if (rest_before)
-        add_rests(movement.at_rest, Way::leak_before);
+        add_rests(movement.at_rest, FaultHypothesis::leak_before);
     if (rest_after)
-        add_rests(movement.rest_after, Way::leak);
+        add_rests(movement.rest_after, FaultHypothesis::leak);
     auto found = solve(equations);
     if (found && rest_after)
         std::ranges::for_each(*found, add_unread_pressure);

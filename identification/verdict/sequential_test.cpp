@@ -8,7 +8,7 @@ namespace placedpar::identification {
 
 namespace {
 
-WayVector suspected(const Suspicion& suspicion, const OfWays& scale) {
+WayVector suspected(const Suspicion& suspicion, const PerHypothesis& scale) {
     return suspicion.units * vector_of(unit_of(suspicion.fault)).cwiseProduct(vector_of(scale));
 }
 
@@ -24,20 +24,20 @@ double unknown_of(const WayMatrix& covariance, const WayVector& by) {
 
 } // namespace
 
-OfWays unit_of(LinkFault fault) {
-    OfWays unit{};
-    auto set = [&](Way way) { unit[index_of(way)] = 1; };
+PerHypothesis unit_of(LinkFault fault) {
+    PerHypothesis unit{};
+    auto set = [&](FaultHypothesis way) { unit[index_of(way)] = 1; };
     switch (fault) {
-    case LinkFault::compliance: set(Way::compliance); break;
-    case LinkFault::leak: set(Way::leak_before); [[fallthrough]];
-    case LinkFault::new_leak: set(Way::leak); break;
-    case LinkFault::offset: set(Way::offset); break;
+    case LinkFault::compliance: set(FaultHypothesis::compliance); break;
+    case LinkFault::leak: set(FaultHypothesis::leak_before); [[fallthrough]];
+    case LinkFault::new_leak: set(FaultHypothesis::leak); break;
+    case LinkFault::offset: set(FaultHypothesis::offset); break;
     }
     return unit;
 }
 
-double SequentialTest::add(std::size_t suspicion, const OfWays& seen, const OfTwoWays& information,
-                           const OfTwoWays& from_covariance, const OfWays& scale) {
+double SequentialTest::add(std::size_t suspicion, const PerHypothesis& seen, const PerPairOfHypotheses& information,
+                           const PerPairOfHypotheses& from_covariance, const PerHypothesis& scale) {
     double& sum = state_.sums[suspicion];
     double& known = state_.informations[suspicion];
     if (sum == 0)
@@ -52,9 +52,9 @@ double SequentialTest::add(std::size_t suspicion, const OfWays& seen, const OfTw
     return sum / worth;
 }
 
-void SequentialTest::take(const Deviation& movement, const Deviation& from, const OfWays& scale) {
-    const OfTwoWays information = movement.information();
-    const OfWays seen = ways_of(vector_of(movement.by) - vector_of(from.by));
+void SequentialTest::take(const Deviation& movement, const Deviation& from, const PerHypothesis& scale) {
+    const PerPairOfHypotheses information = movement.information();
+    const PerHypothesis seen = ways_of(vector_of(movement.by) - vector_of(from.by));
     if (std::ranges::all_of(state_.sums, [](double sum) { return sum == 0; }))
         state_.pull = {}, state_.information = {}, state_.movements = 0;
     double greatest = 0;

@@ -15,7 +15,7 @@ inline constexpr std::array<LinkFault, 4> all_faults{LinkFault::compliance, Link
                                                      LinkFault::offset};
 
 /// The size of each way that one unit of a fault has.
-OfWays unit_of(LinkFault fault);
+PerHypothesis unit_of(LinkFault fault);
 
 /// What is suspected: a link has one fault, in one sense. A leak takes only.
 struct Suspicion {
@@ -49,9 +49,9 @@ public:
         std::array<double, suspicions.size()> sums{};
         std::array<double, suspicions.size()> informations{}; ///< of the movements since the sum was 0
         bool raised = false;
-        OfWays pull{};             ///< information times deviation, of the movements since all sums were 0
-        OfTwoWays information{};   ///< of them
-        std::size_t movements = 0; ///< so many
+        PerHypothesis pull{};              ///< information times deviation, of the movements since all sums were 0
+        PerPairOfHypotheses information{}; ///< of them
+        std::size_t movements = 0;         ///< so many
 
         friend bool operator==(const State&, const State&) = default;
     };
@@ -62,15 +62,15 @@ public:
     friend bool operator==(const SequentialTest&, const SequentialTest&) = default;
 
     /// One more movement: how far off the link was, beyond `from`, in units; `scale` of them are suspected of each way.
-    void take(const Deviation& movement, const Deviation& from, const OfWays& scale = {1, 1, 1, 1});
+    void take(const Deviation& movement, const Deviation& from, const PerHypothesis& scale = {1, 1, 1, 1});
     bool raised() const { return state_.raised; }
     /// The mean of the movements that count, each weighted by its information; none before one does.
     std::optional<Deviation> mean() const;
 
 private:
     /// One suspicion's share of take(); what its sum is worth then.
-    double add(std::size_t suspicion, const OfWays& seen, const OfTwoWays& information,
-               const OfTwoWays& from_covariance, const OfWays& scale);
+    double add(std::size_t suspicion, const PerHypothesis& seen, const PerPairOfHypotheses& information,
+               const PerPairOfHypotheses& from_covariance, const PerHypothesis& scale);
 
     State state_;
 };

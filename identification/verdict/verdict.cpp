@@ -28,7 +28,7 @@ constexpr double kind_within = 0.3;
 Deviation kind_in_health() {
     constexpr double leak_in_common = 0.9;
     WayMatrix covariance = WayMatrix::Identity() * kind_within * kind_within;
-    const Eigen::Index before = row_of(Way::leak_before), during = row_of(Way::leak);
+    const Eigen::Index before = row_of(FaultHypothesis::leak_before), during = row_of(FaultHypothesis::leak);
     covariance(before, during) = covariance(during, before) = leak_in_common * kind_within * kind_within;
     return {{}, two_ways_of(covariance)};
 }
@@ -82,16 +82,17 @@ double probability_sound(const Deviation& mean, const WayMatrix& information, Ar
 
 /// Is it off in the way that is said by more than its standard error?
 bool beyond_error(VerdictKind kind, const Deviation& mean) {
-    auto alone = [&](Way way) {
+    auto alone = [&](FaultHypothesis way) {
         const FaultSize size = size_alone(way, mean);
         return std::abs(size.by) > size.standard_error;
     };
     switch (kind) {
     case VerdictKind::compliance:
-        return std::abs(mean.by[index_of(Way::compliance)]) > mean.standard_error(Way::compliance);
-    case VerdictKind::leak: return alone(Way::leak);
-    case VerdictKind::leak_or_offset: return alone(Way::leak) && alone(Way::offset);
-    default: return alone(Way::offset);
+        return std::abs(mean.by[index_of(FaultHypothesis::compliance)]) >
+               mean.standard_error(FaultHypothesis::compliance);
+    case VerdictKind::leak: return alone(FaultHypothesis::leak);
+    case VerdictKind::leak_or_offset: return alone(FaultHypothesis::leak) && alone(FaultHypothesis::offset);
+    default: return alone(FaultHypothesis::offset);
     }
 }
 
@@ -110,9 +111,9 @@ std::optional<VerdictKind> verdict_named(std::string_view name) {
     return static_cast<VerdictKind>(found - verdict_names.begin());
 }
 
-FaultSize size_alone(Way way, const Deviation& mean) {
+FaultSize size_alone(FaultHypothesis way, const Deviation& mean) {
     const WayMatrix information = information_of_mean(mean);
-    if (way == Way::offset)
+    if (way == FaultHypothesis::offset)
         return explanation_by(LinkFault::offset, mean, information).size;
     const Explanation steady = explanation_by(LinkFault::leak, mean, information),
                       begun = explanation_by(LinkFault::new_leak, mean, information);
@@ -120,7 +121,7 @@ FaultSize size_alone(Way way, const Deviation& mean) {
 }
 
 std::string print_leak_or_offset(const Deviation& mean, const WayUnits& units) {
-    const FaultSize leak = size_alone(Way::leak, mean), offset = size_alone(Way::offset, mean);
+    const FaultSize leak = size_alone(FaultHypothesis::leak, mean), offset = size_alone(FaultHypothesis::offset, mean);
     return fmt::format(
         "either a leak of {:.4f} in^3/(s psi) (standard error {:.4f}), or a spool that stands lower than it is "
         "said to by {:+.4f} in (standard error {:.4f}): readings at rest before the movement and for .4 s "
@@ -138,7 +139,7 @@ Verdict verdict_of(const Deviation& mean, bool raised, AreasFrom valve) {
     const double either = shares.leak + shares.offset, likelier = std::max(shares.leak, shares.offset);
     if (shares.compliance >= likelier)
         return {VerdictKind::compliance, shares.compliance, mean, 0};
-    if (likelier < told_apart * either && valve != AreasFrom::areas && size_alone(Way::leak, mean).by > 0)
+    if (likelier < told_apart * either && valve != AreasFrom::areas && size_alone(FaultHypothesis::leak, mean).by > 0)
         return {VerdictKind::leak_or_offset, either, mean, 0};
     if (shares.leak >= shares.offset)
         return {VerdictKind::leak, shares.leak, mean, 0};
@@ -161,8 +162,9 @@ std::optional<Deviation> LinkJudge::baseline() const {
 
 bool LinkJudge::is_evidence(const Deviation& movement, AreasFrom valve) {
     const Deviation steady = movement.with_steady_leak();
-    auto told = [&](Way way) { return steady.standard_error(way) <= most_uncertain; };
-    return told(Way::compliance) && told(Way::leak) && (valve == AreasFrom::areas || told(Way::offset));
+    auto told = [&](FaultHypothesis way) { return steady.standard_error(way) <= most_uncertain; };
+    return told(FaultHypothesis::compliance) && told(FaultHypothesis::leak) &&
+           (valve == AreasFrom::areas || told(FaultHypothesis::offset));
 }
 
 void LinkJudge::take(const Deviation& movement, AreasFrom valve) {

@@ -48,7 +48,7 @@ struct FaultSize {
 
 /// How great the leak or the offset is, if a mean deviation comes from that fault alone; the likelier of the two leaks.
 /// REQUIRES: leak or offset.
-FaultSize size_alone(Way way, const Deviation& mean);
+FaultSize size_alone(FaultHypothesis way, const Deviation& mean);
 
 /// "either a leak of ... or a spool ...", both sizes, and which readings would tell.
 std::string print_leak_or_offset(const Deviation& mean, const WayUnits& units);

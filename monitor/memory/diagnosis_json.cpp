@@ -90,7 +90,7 @@ void require_whole(std::size_t links, const Movement::State& movement, const Sam
 }
 
 /// What is inverted later must have an inverse.
-void require_invertible(const OfTwoWays& two, const char* what) {
+void require_invertible(const PerPairOfHypotheses& two, const char* what) {
     if (!has_inverse(two))
         throw std::runtime_error(fmt::format("{} has no inverse", what));
 }

@@ -100,7 +100,7 @@ using Entry = std::variant<KeptMessage, KeptState, UnwrittenState, ForgottenMach
                            KeptAlarm, ChangedAlarm, OpenAlarms>;
 
 /// Entries that are kept together or not at all.
-struct Parcel {
+struct Transaction {
     std::vector<Entry> entries;
     /// The number of the last message: the entries hold the states of all machines after it, and what was known of
     /// machines before, and all messages, are dropped.

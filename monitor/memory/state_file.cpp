@@ -205,19 +205,20 @@ void StateFile::write_ledger() {
                                   ledger_checksum(settings_, ledger_.trimmed, ledger_.last, sum));
 }
 
-void StateFile::commit(std::span<const Parcel> parcels) {
-    bool anew = std::ranges::any_of(parcels, [](const Parcel& parcel) { return parcel.all_anew_at.has_value(); });
+void StateFile::commit(std::span<const Transaction> transactions) {
+    bool anew = std::ranges::any_of(transactions,
+                                    [](const Transaction& transaction) { return transaction.all_anew_at.has_value(); });
     if (anew && !(statements_ && lock_->is_at(given_)))
         renew();
     require_in_place();
-    transact(parcels);
+    transact(transactions);
     require_in_place(); // until then what it wrote may have gone
 }
 
-void StateFile::transact(std::span<const Parcel> parcels) {
+void StateFile::transact(std::span<const Transaction> transactions) {
     database_->run("BEGIN IMMEDIATE");
     try {
-        apply(parcels);
+        apply(transactions);
         write_ledger();
         database_->run("COMMIT");
     } catch (const std::exception&) {
@@ -226,11 +227,11 @@ void StateFile::transact(std::span<const Parcel> parcels) {
     }
 }
 
-void StateFile::apply(std::span<const Parcel> parcels) {
-    for (const Parcel& parcel : parcels) {
-        if (parcel.all_anew_at)
-            begin_anew(*parcel.all_anew_at);
-        for (const Entry& entry : parcel.entries)
+void StateFile::apply(std::span<const Transaction> transactions) {
+    for (const Transaction& transaction : transactions) {
+        if (transaction.all_anew_at)
+            begin_anew(*transaction.all_anew_at);
+        for (const Entry& entry : transaction.entries)
             std::visit([&](const auto& each) { keep(each); }, entry);
     }
 }

@@ -46,7 +46,7 @@ public:
     /// In one transaction. Throws UserError, DatabaseError too, when what it was given may be lost; then, and after a
     /// trouble with opening, the next parcel that is committed must be one that begins all anew, with which a file that
     /// was removed is made again, its history included.
-    void commit(std::span<const Parcel> parcels);
+    void commit(std::span<const Transaction> transactions);
     /// Throws DatabaseError when there is none: the file could not be made again.
     History& history();
 
@@ -65,13 +65,13 @@ private:
     void renew();
     void put_copy_in_place();
     void require_in_place() const;
-    void transact(std::span<const Parcel> parcels);
+    void transact(std::span<const Transaction> transactions);
     /// Gives the sum of the other rows' checksums, by the ledger; read_machines() gives that of its rows.
     std::uint64_t read_ledger();
     std::uint64_t read_machines(StateContent& content);
     void read_messages(StateContent& content);
     void write_ledger();
-    void apply(std::span<const Parcel> parcels);
+    void apply(std::span<const Transaction> transactions);
     void begin_anew(std::uint64_t last_message);
     void keep(const KeptMessage& message);
     void keep(const UnwrittenState& state);

@@ -88,7 +88,7 @@ void StateStore::restore_state(const KeptState& kept) {
 void StateStore::take_again(const StateContent& content) {
     auto taken = taken_already(content);
     std::size_t count = 0;
-    Parcel parcel;
+    Transaction transaction;
     for (const KeptMessage& message : content.messages)
         if (message.number > taken[message.machine]) {
             replay(diagnoses_, message, path_);
@@ -96,21 +96,21 @@ void StateStore::take_again(const StateContent& content) {
             ++count;
         }
     for (; !backlog_.empty(); backlog_.drop(std::string(backlog_.oldest_machine())))
-        parcel.entries.push_back(state_of(diagnoses_.named(backlog_.oldest_machine())));
+        transaction.entries.push_back(state_of(diagnoses_.named(backlog_.oldest_machine())));
     if (!content.messages.empty()) {
-        parcel.entries.push_back(TrimmedMessages{last_message_});
-        commit_now(parcel);
+        transaction.entries.push_back(TrimmedMessages{last_message_});
+        commit_now(transaction);
     }
     if (!diagnoses_.all().empty())
         said_ += fmt::format("{}: {} restored{}", path_.string(), plural(diagnoses_.all().size(), "machine"),
                              count == 0 ? "" : fmt::format(", {} taken again", plural(count, "message")));
 }
 
-void StateStore::commit_now(const Parcel& parcel) {
+void StateStore::commit_now(const Transaction& transaction) {
     if (!keeping_)
         return;
     try {
-        file_->commit(std::span(&parcel, 1));
+        file_->commit(std::span(&transaction, 1));
     } catch (const store::DatabaseError& error) {
         fall_back(error.what());
     }
@@ -122,34 +122,34 @@ void StateStore::fall_back(const std::string& why) {
     keeping_ = complete_ = false;
 }
 
-void StateStore::start(std::function<void(Progress)> tell) {
-    writer_ = std::make_unique<Writer>(*file_, [this, tell = std::move(tell)](Progress progress) {
+void StateStore::start(std::function<void(WriteProgress)> tell) {
+    writer_ = std::make_unique<Writer>(*file_, [this, tell = std::move(tell)](WriteProgress progress) {
         if (!progress.trouble.empty())
             progress.trouble = fmt::format("{}: cannot be written: {}", path_.string(), progress.trouble);
         tell(std::move(progress));
     });
 }
 
-void StateStore::note(const Progress& progress) {
-    if (progress.parcels < anew_ticket_)
+void StateStore::note(const WriteProgress& progress) {
+    if (progress.transactions < anew_ticket_)
         return; // lost or kept, it has been begun anew since
     complete_ = progress.trouble.empty();
     if (!complete_)
         keeping_ = false;
 }
 
-std::uint64_t StateStore::put(Parcel parcel) {
+std::uint64_t StateStore::put(Transaction transaction) {
     if (keeping_)
-        last_ticket_ = writer_->put(std::move(parcel));
+        last_ticket_ = writer_->put(std::move(transaction));
     return last_ticket_;
 }
 
 std::uint64_t StateStore::record(const std::string& machine, std::string_view message, std::size_t generations,
                                  std::vector<Entry> history) {
-    Parcel parcel{{KeptMessage{++last_message_, machine, std::string(message)}}};
-    std::ranges::move(history, std::back_inserter(parcel.entries));
+    Transaction transaction{{KeptMessage{++last_message_, machine, std::string(message)}}};
+    std::ranges::move(history, std::back_inserter(transaction.entries));
     backlog_.add(machine, last_message_, message.size(), generations);
-    return put(std::move(parcel));
+    return put(std::move(transaction));
 }
 
 UnwrittenState StateStore::state_of(const Diagnosis& diagnosis) const {
@@ -157,18 +157,18 @@ UnwrittenState StateStore::state_of(const Diagnosis& diagnosis) const {
 }
 
 /// With the messages that nobody needs any more then.
-void StateStore::add_state(Parcel& parcel, const Diagnosis& diagnosis) {
-    parcel.entries.push_back(state_of(diagnosis));
+void StateStore::add_state(Transaction& transaction, const Diagnosis& diagnosis) {
+    transaction.entries.push_back(state_of(diagnosis));
     backlog_.drop(diagnosis.name());
     std::uint64_t up_to = backlog_.empty() ? last_message_ : backlog_.oldest_number() - 1;
     if (up_to > trimmed_)
-        parcel.entries.push_back(TrimmedMessages{trimmed_ = up_to});
+        transaction.entries.push_back(TrimmedMessages{trimmed_ = up_to});
 }
 
 std::uint64_t StateStore::save(const Diagnosis& diagnosis) {
-    Parcel parcel;
-    add_state(parcel, diagnosis);
-    return put(std::move(parcel));
+    Transaction transaction;
+    add_state(transaction, diagnosis);
+    return put(std::move(transaction));
 }
 
 std::uint64_t StateStore::forget(const std::string& machine) {
@@ -182,20 +182,20 @@ void StateStore::relieve() {
     for (int i = 0; i < states_at_once && !backlog_.empty(); ++i) {
         if (backlog_.bytes() <= most_backlog_bytes && backlog_.generations() <= most_backlog_generations)
             return;
-        Parcel parcel;
-        add_state(parcel, diagnoses_.named(std::string(backlog_.oldest_machine())));
-        put(std::move(parcel));
+        Transaction transaction;
+        add_state(transaction, diagnoses_.named(std::string(backlog_.oldest_machine())));
+        put(std::move(transaction));
     }
 }
 
 void StateStore::write_anew(std::vector<KeptAlarm> open_alarms, double at) {
     keeping_ = true;
-    Parcel parcel{{OpenAlarms{std::move(open_alarms), at}}, last_message_};
+    Transaction transaction{{OpenAlarms{std::move(open_alarms), at}}, last_message_};
     for (const auto& [name, diagnosis] : diagnoses_.all())
-        parcel.entries.push_back(state_of(diagnosis));
+        transaction.entries.push_back(state_of(diagnosis));
     backlog_.clear();
     trimmed_ = last_message_;
-    anew_ticket_ = put(std::move(parcel));
+    anew_ticket_ = put(std::move(transaction));
 }
 
 void StateStore::finish() {

@@ -46,9 +46,9 @@ public:
     const std::vector<KeptAlarm>& noted_alarms() const { return noted_alarms_; }
 
     /// From now on, after each transaction, in the thread that writes. To be called once, before anything is kept.
-    void start(std::function<void(Progress)> tell);
+    void start(std::function<void(WriteProgress)> tell);
     /// To be called with what `tell` was given, in the thread of the others.
-    void note(const Progress& progress);
+    void note(const WriteProgress& progress);
 
     /// A message that the machine has taken, which cost so many generations, and what it added to the history.
     std::uint64_t record(const std::string& machine, std::string_view message, std::size_t generations,
@@ -80,11 +80,11 @@ public:
 private:
     void restore_state(const KeptState& kept);
     void take_again(const StateContent& content);
-    void commit_now(const Parcel& parcel);
+    void commit_now(const Transaction& transaction);
     void fall_back(const std::string& why);
     UnwrittenState state_of(const identification::Diagnosis& diagnosis) const;
-    void add_state(Parcel& parcel, const identification::Diagnosis& diagnosis);
-    std::uint64_t put(Parcel parcel);
+    void add_state(Transaction& transaction, const identification::Diagnosis& diagnosis);
+    std::uint64_t put(Transaction transaction);
 
     std::filesystem::path path_;
     Diagnoses& diagnoses_;

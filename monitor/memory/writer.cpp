@@ -5,7 +5,7 @@
 
 namespace placedpar::monitor {
 
-Writer::Writer(StateFile& file, std::function<void(Progress)> tell)
+Writer::Writer(StateFile& file, std::function<void(WriteProgress)> tell)
     : file_(file), tell_(std::move(tell)), thread_([this] { run(); }) {}
 
 Writer::~Writer() {
@@ -17,12 +17,12 @@ Writer::~Writer() {
     thread_.join();
 }
 
-std::uint64_t Writer::put(Parcel parcel) {
+std::uint64_t Writer::put(Transaction transaction) {
     std::uint64_t number = 0;
     {
         std::lock_guard lock(mutex_);
-        waiting_.parcels.push_back(std::move(parcel));
-        number = ++waiting_.last_parcel;
+        waiting_.transactions.push_back(std::move(transaction));
+        number = ++waiting_.last_transaction;
     }
     came_.notify_one();
     return number;
@@ -38,17 +38,17 @@ void Writer::look(std::function<void(StateFile&)> look) {
 
 std::string Writer::wait() {
     std::unique_lock lock(mutex_);
-    done_.wait(lock, [this] { return !busy_ && waiting_.parcels.empty() && waiting_.looks.empty(); });
+    done_.wait(lock, [this] { return !busy_ && waiting_.transactions.empty() && waiting_.looks.empty(); });
     return finished_.trouble;
 }
 
 void Writer::run() {
     while (true) {
         Work work = next();
-        if (work.parcels.empty() && work.looks.empty())
+        if (work.transactions.empty() && work.looks.empty())
             return;
-        std::string trouble = work.parcels.empty() ? trouble_ : commit(std::move(work.parcels));
-        finish({work.last_parcel, trouble});
+        std::string trouble = work.transactions.empty() ? trouble_ : commit(std::move(work.transactions));
+        finish({work.last_transaction, trouble});
         for (const auto& look : work.looks)
             look(file_);
         {
@@ -62,19 +62,20 @@ void Writer::run() {
 /// Waits for it; nothing when it is time to stop.
 Writer::Work Writer::next() {
     std::unique_lock lock(mutex_);
-    came_.wait(lock, [this] { return stop_ || !waiting_.parcels.empty() || !waiting_.looks.empty(); });
+    came_.wait(lock, [this] { return stop_ || !waiting_.transactions.empty() || !waiting_.looks.empty(); });
     Work work = std::move(waiting_);
-    waiting_ = {{}, {}, work.last_parcel};
+    waiting_ = {{}, {}, work.last_transaction};
     busy_ = true;
     return work;
 }
 
 /// Gives the trouble.
-std::string Writer::commit(std::vector<Parcel> parcels) {
-    std::span<const Parcel> left = parcels;
+std::string Writer::commit(std::vector<Transaction> transactions) {
+    std::span<const Transaction> left = transactions;
     if (broken_) {
-        auto anew = std::ranges::find_if(parcels, [](const Parcel& parcel) { return parcel.all_anew_at.has_value(); });
-        left = left.subspan(static_cast<std::size_t>(anew - parcels.begin()));
+        auto anew = std::ranges::find_if(
+            transactions, [](const Transaction& transaction) { return transaction.all_anew_at.has_value(); });
+        left = left.subspan(static_cast<std::size_t>(anew - transactions.begin()));
     }
     if (left.empty())
         return trouble_;
@@ -89,7 +90,7 @@ std::string Writer::commit(std::vector<Parcel> parcels) {
     return trouble_;
 }
 
-void Writer::finish(Progress progress) {
+void Writer::finish(WriteProgress progress) {
     {
         std::lock_guard lock(mutex_);
         finished_ = progress;

@@ -13,9 +13,9 @@
 namespace placedpar::monitor {
 
 /// How far the writer has come.
-struct Progress {
-    std::uint64_t parcels = 0; ///< so many, from the first, have been committed or were lost
-    std::string trouble;       ///< why some were lost; "": none were
+struct WriteProgress {
+    std::uint64_t transactions = 0; ///< so many, from the first, have been committed or were lost
+    std::string trouble;            ///< why some were lost; "": none were
 };
 
 /// Writes parcels to a state file in a thread of its own: all that have come while one transaction went to the disk go
@@ -27,14 +27,14 @@ struct Progress {
 class Writer {
 public:
     /// `tell` is called in the writer's thread, after each transaction.
-    Writer(StateFile& file, std::function<void(Progress)> tell);
+    Writer(StateFile& file, std::function<void(WriteProgress)> tell);
     /// Writes what was put.
     ~Writer();
     Writer(const Writer&) = delete;
     Writer& operator=(const Writer&) = delete;
 
     /// Gives its number, from 1.
-    std::uint64_t put(Parcel parcel);
+    std::uint64_t put(Transaction transaction);
     /// Has the history looked into, in the writer's thread, after what was put before.
     void look(std::function<void(StateFile&)> look);
     /// Until all that was put has been committed or lost; gives the trouble with the last of it.
@@ -42,22 +42,22 @@ public:
 
 private:
     struct Work {
-        std::vector<Parcel> parcels;
+        std::vector<Transaction> transactions;
         std::vector<std::function<void(StateFile&)>> looks;
-        std::uint64_t last_parcel = 0;
+        std::uint64_t last_transaction = 0;
     };
 
     void run();
     Work next();
-    std::string commit(std::vector<Parcel> parcels);
-    void finish(Progress progress);
+    std::string commit(std::vector<Transaction> transactions);
+    void finish(WriteProgress progress);
 
     StateFile& file_;
-    std::function<void(Progress)> tell_;
+    std::function<void(WriteProgress)> tell_;
     std::mutex mutex_;
     std::condition_variable came_, done_;
     Work waiting_; ///< guarded by mutex_, as are those below
-    Progress finished_;
+    WriteProgress finished_;
     bool busy_ = false, stop_ = false;
     bool broken_ = false; ///< the writer's own: parcels are lost
     std::string trouble_; ///< why

@@ -95,20 +95,22 @@ json::object set_json(const Diagnosis& diagnosis, const PopulationSet& set, cons
 
 json::object verdict_json(const LinkVerdict& link) {
     const Verdict& verdict = link.verdict;
-    auto by = [&](Way way, double unit) { return rounded(unit * verdict.deviation.by[index_of(way)]); };
-    auto error = [&](Way way, double unit) { return rounded(unit * verdict.deviation.standard_error(way)); };
+    auto by = [&](FaultHypothesis way, double unit) { return rounded(unit * verdict.deviation.by[index_of(way)]); };
+    auto error = [&](FaultHypothesis way, double unit) {
+        return rounded(unit * verdict.deviation.standard_error(way));
+    };
     const WayUnits& units = link.units;
     // Areas that are read themselves have none.
-    const bool knows_offset = verdict.deviation.by[index_of(Way::offset)] != 0;
+    const bool knows_offset = verdict.deviation.by[index_of(FaultHypothesis::offset)] != 0;
     return {{"verdict", name_of(verdict.kind)},
             {"probability", rounded(verdict.probability)},
             {"movements", verdict.movements},
-            {"compliance_in3_per_psi", by(Way::compliance, units.compliance_in3_per_psi)},
-            {"compliance_error_in3_per_psi", error(Way::compliance, units.compliance_in3_per_psi)},
-            {"leak_in3_per_s_psi", by(Way::leak, units.leak_in3_per_s_psi)},
-            {"leak_error_in3_per_s_psi", error(Way::leak, units.leak_in3_per_s_psi)},
-            {"offset_in", knows_offset ? by(Way::offset, units.offset_in) : json::value(nullptr)},
-            {"offset_error_in", knows_offset ? error(Way::offset, units.offset_in) : json::value(nullptr)}};
+            {"compliance_in3_per_psi", by(FaultHypothesis::compliance, units.compliance_in3_per_psi)},
+            {"compliance_error_in3_per_psi", error(FaultHypothesis::compliance, units.compliance_in3_per_psi)},
+            {"leak_in3_per_s_psi", by(FaultHypothesis::leak, units.leak_in3_per_s_psi)},
+            {"leak_error_in3_per_s_psi", error(FaultHypothesis::leak, units.leak_in3_per_s_psi)},
+            {"offset_in", knows_offset ? by(FaultHypothesis::offset, units.offset_in) : json::value(nullptr)},
+            {"offset_error_in", knows_offset ? error(FaultHypothesis::offset, units.offset_in) : json::value(nullptr)}};
 }
 
 json::object check_json(const Diagnosis& diagnosis, Link link) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "monitor/protocol/message.hpp"
-#include "monitor/service/door.hpp"
+#include "monitor/service/listener.hpp"
 
 #include <chrono>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "monitor/service/dispatcher.hpp"
 
-#include "monitor/memory/settled.hpp"
+#include "monitor/memory/settled_estimates.hpp"
 #include "monitor/protocol/answers.hpp"
 #include "monitor/protocol/link_words.hpp"
 #include "monitor/service/alarms_json.hpp"
@@ -28,7 +28,7 @@ bool is_http(std::string_view line) { return line.ends_with(" HTTP/1.1") || line
 Dispatcher::Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, Token token,
                        std::function<void(const std::string&)> say)
     : diagnoses_(diagnoses), limits_(limits), token_(std::move(token)), say_(say), peers_(limits), places_(limits),
-      keeper_(store, outbox_, std::move(say)) {
+      persistence_(store, outbox_, std::move(say)) {
     if (store)
         alarms_.restore(store->noted_alarms());
     std::multimap<std::uint64_t, std::string, std::greater<>> by_samples;
@@ -42,9 +42,9 @@ void Dispatcher::enter(Client& client) {
     auto may_come = [](std::size_t may_stay) { return may_stay + std::max<std::size_t>(1, may_stay / 4); };
     auto of_peer = [&](const Client& each) { return each.caller.peer == client.caller.peer; };
     auto require = [&](std::size_t most, const std::function<bool(const Client&)>& counted) {
-        if (roster_.those(counted).size() < may_come(most))
+        if (clients_.those(counted).size() < may_come(most))
             return;
-        auto silent = roster_.those([&](const Client& each) { return counted(each) && !each.hello; });
+        auto silent = clients_.those([&](const Client& each) { return counted(each) && !each.hello; });
         if (Client* other = giving_way(silent, client.caller.peer, true))
             evict(*other, "others want to come in, and this connection has said no hello yet");
     };
@@ -52,7 +52,7 @@ void Dispatcher::enter(Client& client) {
     require(limits_.clients, [](const Client&) { return true; });
     client.heard = LoadMeter::Clock::now();
     client.trusted = !token_.wanted();
-    roster_.enter(client);
+    clients_.enter(client);
 }
 
 void Dispatcher::evict(Client& client, const std::string& why, const std::string& right) {
@@ -61,7 +61,7 @@ void Dispatcher::evict(Client& client, const std::string& why, const std::string
 }
 
 Client* Dispatcher::giving_way(const std::vector<Client*>& those, const std::string& peer, bool preferred) {
-    std::vector<Place> places;
+    std::vector<Occupant> places;
     for (const Client* each : those)
         places.push_back({each->caller.peer, each->keeps_place, false, each->has_samples, each->heard});
     auto found = gives_way(places, peer, preferred);
@@ -69,7 +69,7 @@ Client* Dispatcher::giving_way(const std::vector<Client*>& those, const std::str
 }
 
 bool Dispatcher::may_keep_place(const std::string& peer) const {
-    auto kept = roster_.those([](const Client& each) { return each.hello && each.keeps_place; });
+    auto kept = clients_.those([](const Client& each) { return each.hello && each.keeps_place; });
     auto own = std::ranges::count_if(kept, [&](const Client* each) { return each->caller.peer == peer; });
     return kept.size() < most_kept(limits_.clients) &&
            static_cast<std::size_t>(own) < most_kept(limits_.clients_per_peer);
@@ -78,14 +78,14 @@ bool Dispatcher::may_keep_place(const std::string& peer) const {
 void Dispatcher::require_place(Client& client, const Hello& hello) {
     const std::string& peer = client.caller.peer;
     bool control = hello.role == Role::control;
-    const Client* held = control ? roster_.control_of(hello.machine) : nullptr;
+    const Client* held = control ? clients_.control_of(hello.machine) : nullptr;
     if (held && held->caller.peer == peer) { // it takes the place of one of its own
         client.keeps_place = held->keeps_place;
         return;
     }
     client.keeps_place = control && places_.known(hello.machine) && may_keep_place(peer);
     auto require = [&](std::size_t most, const char* option, const std::function<bool(const Client&)>& counted) {
-        auto others = roster_.those([&](const Client& each) { return each.hello && counted(each); });
+        auto others = clients_.those([&](const Client& each) { return each.hello && counted(each); });
         if (client.leaving || others.size() < most)
             return;
         if (Client* other = giving_way(others, peer, client.keeps_place))
@@ -103,7 +103,7 @@ void Dispatcher::require_place(Client& client, const Hello& hello) {
 
 void Dispatcher::leave(Client& client) {
     outbox_.drop(client);
-    roster_.leave(client);
+    clients_.leave(client);
     if (!client.hello)
         return;
     const std::string& machine = client.hello->machine;
@@ -181,7 +181,7 @@ void Dispatcher::require_allowance(const Client& client, const Hello& hello) {
                              "one of those; --max-machines-per-peer allows more");
         if (diagnoses_.full())
             make_room(peer, false);
-    } else if (roster_.control_of(hello.machine) && !peers_.take_over(peer, Peers::Clock::now()))
+    } else if (clients_.control_of(hello.machine) && !peers_.take_over(peer, Peers::Clock::now()))
         throw BadMessage("machine",
                          fmt::format("{} has taken over {} machines within a minute", peer, limits_.takeovers_per_peer),
                          "to wait; --max-takeovers allows more");
@@ -191,7 +191,7 @@ void Dispatcher::forget(const std::string& machine) {
     diagnoses_.forget(machine);
     alarms_.forget(machine);
     places_.forgotten(machine);
-    keeper_.forget(machine);
+    persistence_.forget(machine);
 }
 
 void Dispatcher::forget_newcomers() {
@@ -206,7 +206,7 @@ void Dispatcher::make_room(const std::string& peer, bool only_own) {
     auto machine = places_.gives_way(peer, only_own, [&](const std::string& each) { return is_idle(each); });
     if (!machine)
         return;
-    for (Client* client : roster_.of(*machine))
+    for (Client* client : clients_.of(*machine))
         if (!client->leaving)
             evict(*client, "a machine of a peer with fewer machines needs its place");
     if (std::uint64_t samples = diagnoses_.named(*machine).samples(); samples > 0)
@@ -236,9 +236,9 @@ void Dispatcher::answer(Client& client, const Hello& hello, std::string_view) {
     places_.heard(hello.machine, diagnosis.samples(), MachinePlaces::Clock::now());
     client.hello = hello;
     client.greeted();
-    Client* other = roster_.join(client);
+    Client* other = clients_.join(client);
     if (hello.role == Role::control)
-        keeper_.save(diagnosis);
+        persistence_.save(diagnosis);
     if (other) { // it may be half open, its control system long gone
         outbox_.send(*other, plain_line("closing", "another control system has said hello for this machine"));
         outbox_.finish(*other);
@@ -247,9 +247,9 @@ void Dispatcher::answer(Client& client, const Hello& hello, std::string_view) {
                      hello.role == Role::control ? "is its control system" : "watches",
                      other ? fmt::format(", in place of {}", other->caller.name) : ""));
     outbox_.send(client, welcome_line(diagnosis, diagnoses_.seed()));
-    client.told_kept = keeper_.well();
+    client.told_kept = persistence_.well();
     if (!client.told_kept) // after its welcome, which may wait for the disk
-        outbox_.send(client, kept_line(keeper_.well(), keeper_.trouble()));
+        outbox_.send(client, kept_line(persistence_.well(), persistence_.trouble()));
     if (hello.role == Role::control)
         note_cleared(diagnosis, forgotten);
 }
@@ -259,23 +259,23 @@ void Dispatcher::note_cleared(const Diagnosis& diagnosis, const SampleOutcome& f
     std::vector<Entry> history;
     add_history(diagnosis, forgotten, history);
     for (Entry& entry : history)
-        keeper_.change_history(std::move(entry));
+        persistence_.change_history(std::move(entry));
     tell_alarms(diagnosis, forgotten);
 }
 
 void Dispatcher::answer(Client& client, const ConfigurationChange& change, std::string_view line) {
     Diagnosis& diagnosis = controlled_by(client);
-    Settled settled(diagnosis);
+    SettledEstimates settled(diagnosis);
     diagnosis.change(change);
     std::vector<Entry> history;
     std::ranges::move(settled.ended(diagnosis, now_at()), std::back_inserter(history));
-    keeper_.record(client, diagnosis.name(), line, 0, std::move(history));
+    persistence_.record(client, diagnosis.name(), line, 0, std::move(history));
     tell_watchers(diagnosis.name(), configured_line(diagnosis), [](const Hello&) { return true; });
 }
 
 void Dispatcher::answer(Client& client, const ExcavatorSample& sample, std::string_view line) {
     Diagnosis& diagnosis = controlled_by(client);
-    Settled settled(diagnosis);
+    SettledEstimates settled(diagnosis);
     SampleOutcome outcome = diagnosis.take(sample);
     client.has_samples = true;
     if (places_.heard(diagnosis.name(), diagnosis.samples(), client.heard))
@@ -284,7 +284,7 @@ void Dispatcher::answer(Client& client, const ExcavatorSample& sample, std::stri
     std::vector<Entry> history;
     std::ranges::move(settled.ended(diagnosis, now_at()), std::back_inserter(history));
     add_history(diagnosis, outcome, history);
-    keeper_.record(client, diagnosis.name(), line, outcome.generations, std::move(history));
+    persistence_.record(client, diagnosis.name(), line, outcome.generations, std::move(history));
     tell_watchers(diagnosis.name(), estimates_line(diagnosis, outcome, diagnoses_.settings()), [&](const Hello& hello) {
         return hello.answers == Answers::all || (hello.answers == Answers::moved && outcome.generations > 0);
     });
@@ -296,7 +296,7 @@ void Dispatcher::answer(Client& client, const Baseline& baseline, std::string_vi
     SampleOutcome outcome = diagnosis.set_baseline(baseline);
     std::vector<Entry> history;
     add_history(diagnosis, outcome, history);
-    keeper_.record(client, diagnosis.name(), line, 0, std::move(history));
+    persistence_.record(client, diagnosis.name(), line, 0, std::move(history));
     outbox_.send(client, status_line(diagnosis, diagnoses_.settings()));
     tell_alarms(diagnosis, outcome);
 }
@@ -339,7 +339,7 @@ void Dispatcher::answer(Client& client, const Forget& order, std::string_view) {
         throw BadMessage("machine", fmt::format("unknown machine \"{}\"", order.machine), "one that is known");
     if (!is_idle(order.machine))
         throw BadMessage("machine",
-                         fmt::format("{} are connected to \"{}\"", roster_.staying(order.machine), order.machine),
+                         fmt::format("{} are connected to \"{}\"", clients_.staying(order.machine), order.machine),
                          "a machine that nobody is connected to; a hello with \"anew\":true for one that is in use");
     forget(order.machine);
     say_(fmt::format("{}: forgotten, as {} has asked", order.machine, client.caller.name));
@@ -362,14 +362,14 @@ void Dispatcher::change_alarm(Client& client, const AlarmName& name, std::option
     if (!change)
         throw BadMessage("alarm", fmt::format("\"{}\" has no alarm \"{}\" of {}", name.machine, name.kind, name.links),
                          "an alarm that holds, as {\"type\":\"alarms\"} lists them");
-    keeper_.change_history(std::move(*change));
+    persistence_.change_history(std::move(*change));
     say_(fmt::format("{}: alarm {} {} {} by {}", name.machine, name.kind, name.links, what, client.caller.name));
     outbox_.send(client, alarms_line(alarms_.all()));
 }
 
 void Dispatcher::tell_watchers(const std::string& machine, const std::string& line,
                                const std::function<bool(const Hello&)>& to) {
-    for (Client* client : roster_.of(machine))
+    for (Client* client : clients_.of(machine))
         if (to(*client->hello))
             outbox_.send(*client, line);
 }
@@ -395,32 +395,34 @@ void Dispatcher::add_history(const Diagnosis& diagnosis, const SampleOutcome& ou
         history.push_back(alarms_.clear(diagnosis.name(), alarm, now_at()));
 }
 
-void Dispatcher::note(const Progress& progress) {
+void Dispatcher::note(const WriteProgress& progress) {
     auto begin = LoadMeter::Clock::now();
-    if (keeper_.note(progress))
-        for (Client* client : roster_.all())
+    if (persistence_.note(progress))
+        for (Client* client : clients_.all())
             if (client->hello)
                 tell_kept(*client);
-    outbox_.release(progress.parcels);
+    outbox_.release(progress.transactions);
     meter_.count_turn(LoadMeter::Clock::now() - begin);
 }
 
-Sight Dispatcher::sight() const { return {&diagnoses_, load(), alarms_.all(), keeper_.well(), keeper_.trouble()}; }
+ServiceSnapshot Dispatcher::snapshot() const {
+    return {&diagnoses_, load(), alarms_.all(), persistence_.well(), persistence_.trouble()};
+}
 
 Load Dispatcher::load() const {
     Load load = meter_.load();
     load.clients = clients();
     load.machines = diagnoses_.all().size();
-    load.queued_bytes = roster_.queued_bytes();
+    load.queued_bytes = clients_.queued_bytes();
     return load;
 }
 
 void Dispatcher::tick() {
     auto begin = LoadMeter::Clock::now();
     meter_.tick();
-    keeper_.tick(alarms_);
+    persistence_.tick(alarms_);
     forget_newcomers();
-    for (Client* client : roster_.all())
+    for (Client* client : clients_.all())
         if (client->hello) {
             tell_kept(*client);
             tell_load(*client, begin);
@@ -430,8 +432,8 @@ void Dispatcher::tick() {
 
 /// What is held back is not waited for: whether it is kept is what this is about.
 void Dispatcher::tell_kept(Client& client) {
-    if (std::exchange(client.told_kept, keeper_.well()) != keeper_.well())
-        client.send(kept_line(keeper_.well(), keeper_.trouble()));
+    if (std::exchange(client.told_kept, persistence_.well()) != persistence_.well())
+        client.send(kept_line(persistence_.well(), persistence_.trouble()));
 }
 
 void Dispatcher::tell_load(Client& client, LoadMeter::Clock::time_point now) {
@@ -443,7 +445,7 @@ void Dispatcher::tell_load(Client& client, LoadMeter::Clock::time_point now) {
 }
 
 void Dispatcher::say_goodbye() {
-    for (Client* client : roster_.all()) {
+    for (Client* client : clients_.all()) {
         outbox_.send(*client, plain_line("closing", "the monitor stops"));
         outbox_.finish(*client);
     }

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "monitor/memory/diagnoses.hpp"
-#include "monitor/service/keeper.hpp"
+#include "monitor/service/clients.hpp"
 #include "monitor/service/load_meter.hpp"
 #include "monitor/service/metrics.hpp"
 #include "monitor/service/peers.hpp"
+#include "monitor/service/persistence.hpp"
 #include "monitor/service/places.hpp"
-#include "monitor/service/roster.hpp"
 #include "monitor/service/token.hpp"
 
 #include <cstddef>
@@ -35,16 +35,16 @@ public:
     /// Sends loads when they are due; tells clients whether all is kept. To be called a few times a second.
     void tick();
     /// How far the state file has come, or what has been lost.
-    void note(const Progress& progress);
+    void note(const WriteProgress& progress);
     /// To all clients, which are then closed.
     void say_goodbye();
     /// Keeps everything. Throws UserError.
-    void finish() { keeper_.finish(alarms_); }
+    void finish() { persistence_.finish(alarms_); }
 
-    Sight sight() const;
+    ServiceSnapshot snapshot() const;
 
     /// Without those that are about to be closed.
-    std::size_t clients() const { return roster_.size(); }
+    std::size_t clients() const { return clients_.size(); }
 
 private:
     void answer(Client&, const Hello&, std::string_view line);
@@ -74,7 +74,7 @@ private:
     /// The one of these that gives way to another client of the peer; null: none does.
     static Client* giving_way(const std::vector<Client*>& those, const std::string& peer, bool preferred);
     void evict(Client& client, const std::string& why, const std::string& right = "to come again");
-    bool is_idle(const std::string& machine) const { return roster_.staying(machine) == 0; }
+    bool is_idle(const std::string& machine) const { return clients_.staying(machine) == 0; }
     void forget(const std::string& machine);
     /// Those that nobody has been connected to for long.
     void forget_newcomers();
@@ -101,10 +101,10 @@ private:
     std::function<void(const std::string&)> say_;
     Peers peers_;
     MachinePlaces places_;
-    Roster roster_;
+    ClientRegistry clients_;
     Outbox outbox_;
     AlarmBoard alarms_;
-    Keeper keeper_;
+    Persistence persistence_;
 };
 
 } // namespace placedpar::monitor

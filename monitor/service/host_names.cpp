@@ -1,6 +1,6 @@
 #include "monitor/service/host_names.hpp"
 
-#include "monitor/service/door.hpp"
+#include "monitor/service/listener.hpp"
 #include "text/user_error.hpp"
 
 #include <boost/asio/ip/address.hpp>

@@ -107,19 +107,19 @@ json::object machine_json(const Diagnosis& diagnosis) {
 
 } // namespace
 
-std::string metrics_text(const Sight& sight) {
-    return load_metrics(sight.load) +
-           metric("kept", "gauge", "1: a restart would know everything.", sight.kept ? 1 : 0) +
-           alarm_metrics(sight.alarms) + compliance_metrics(*sight.diagnoses);
+std::string metrics_text(const ServiceSnapshot& snapshot) {
+    return load_metrics(snapshot.load) +
+           metric("kept", "gauge", "1: a restart would know everything.", snapshot.kept ? 1 : 0) +
+           alarm_metrics(snapshot.alarms) + compliance_metrics(*snapshot.diagnoses);
 }
 
-std::string sight_json(const Sight& sight) {
+std::string snapshot_json(const ServiceSnapshot& snapshot) {
     json::array machines;
-    for (const auto& [name, diagnosis] : sight.diagnoses->all())
+    for (const auto& [name, diagnosis] : snapshot.diagnoses->all())
         machines.push_back(machine_json(diagnosis));
     std::size_t place = 0;
-    for_each_estimate(*sight.diagnoses, [&](const Diagnosis& diagnosis, std::string_view set, std::string_view link,
-                                            const LinkEstimate& estimate) {
+    for_each_estimate(*snapshot.diagnoses, [&](const Diagnosis& diagnosis, std::string_view set, std::string_view link,
+                                               const LinkEstimate& estimate) {
         while (std::string_view(machines[place].at("machine").as_string()) != diagnosis.name())
             ++place;
         machines[place]
@@ -131,10 +131,10 @@ std::string sight_json(const Sight& sight) {
                                     {"settled", or_null(estimate.settled_in3_per_psi())},
                                     {"excited", estimate.excited()}});
     });
-    const Load& load = sight.load;
+    const Load& load = snapshot.load;
     return json_line({{"at", now_at()},
-                      {"kept", sight.kept},
-                      {"trouble", sight.trouble},
+                      {"kept", snapshot.kept},
+                      {"trouble", snapshot.trouble},
                       {"clients", load.clients},
                       {"samples", load.samples},
                       {"samples_per_s", load.rates.samples_per_s},
@@ -142,7 +142,7 @@ std::string sight_json(const Sight& sight) {
                       {"uptime_s", load.uptime_s},
                       {"longest_turn_s", load.longest_turn_s},
                       {"machines", std::move(machines)},
-                      {"alarms", alarms_json(sight.alarms)}});
+                      {"alarms", alarms_json(snapshot.alarms)}});
 }
 
 std::string history_json(const std::vector<KeptEstimate>& estimates, const std::vector<KeptAlarm>& alarms) {

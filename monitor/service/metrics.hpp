@@ -10,7 +10,7 @@
 namespace placedpar::monitor {
 
 /// What can be seen of the service from outside.
-struct Sight {
+struct ServiceSnapshot {
     const Diagnoses* diagnoses;
     Load load;
     std::vector<KeptAlarm> alarms; ///< that hold
@@ -19,9 +19,9 @@ struct Sight {
 };
 
 /// In Prometheus' text form, version 0.0.4.
-std::string metrics_text(const Sight& sight);
+std::string metrics_text(const ServiceSnapshot& snapshot);
 /// For the page: the load, the machines with their newest estimates, the alarms that hold.
-std::string sight_json(const Sight& sight);
+std::string snapshot_json(const ServiceSnapshot& snapshot);
 /// For the page: what the state file has of a machine, the newest first.
 std::string history_json(const std::vector<KeptEstimate>& estimates, const std::vector<KeptAlarm>& alarms);
 

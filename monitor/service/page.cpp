@@ -188,7 +188,7 @@ async function ask(path) {
 }
 async function refresh() {
   try {
-    const d = await ask("sight");
+    const d = await ask("snapshot");
     if (chosen === null && d.machines.length) chosen = (d.alarms[0] ?? d.machines[0]).machine;
     showLoad(d);
     by("alarms").replaceChildren(table(alarmHeads, d.alarms.map(a => alarmRow(a, d.at)), "none"));

@@ -5,15 +5,15 @@
 
 namespace placedpar::monitor {
 
-std::optional<std::size_t> gives_way(std::span<const Place> places, const std::string& peer, bool preferred) {
+std::optional<std::size_t> gives_way(std::span<const Occupant> places, const std::string& peer, bool preferred) {
     std::map<std::string, std::size_t> of_peer;
-    for (const Place& place : places)
+    for (const Occupant& place : places)
         of_peer[place.peer] += !place.kept;
     const std::size_t own = of_peer[peer];
-    auto may_go = [&](const Place& p) {
+    auto may_go = [&](const Occupant& p) {
         return !p.kept && (preferred || of_peer[p.peer] > own + 1 || (p.idle && p.peer == peer));
     };
-    auto comes_before = [&](const Place& x, const Place& y) { // of the peer with most of them comes first
+    auto comes_before = [&](const Occupant& x, const Occupant& y) { // of the peer with most of them comes first
         return std::tuple(of_peer[y.peer], !x.idle, x.samples, x.heard) <
                std::tuple(of_peer[x.peer], !y.idle, y.samples, y.heard);
     };
@@ -102,7 +102,7 @@ std::vector<std::string> MachinePlaces::unused_since(Clock::time_point then) con
 std::optional<std::string> MachinePlaces::gives_way(const std::string& peer, bool only_own,
                                                     const std::function<bool(const std::string&)>& idle) const {
     std::vector<std::string> names;
-    std::vector<Place> places;
+    std::vector<Occupant> places;
     for (const auto& [name, machine] : machines_)
         if (!only_own || machine.peer == peer) {
             names.push_back(name);

@@ -15,7 +15,7 @@
 namespace placedpar::monitor {
 
 /// A machine or a connection, of which there may be only so many.
-struct Place {
+struct Occupant {
     std::string peer;                            ///< whose it is, as Caller::peer; "": unknown
     bool kept = false;                           ///< no newcomer takes it: a known machine's
     bool idle = false;                           ///< not in use, so that its own peer may have it for another
@@ -30,7 +30,7 @@ constexpr std::size_t most_kept(std::size_t places) { return places - (places + 
 /// kept are shared alike by the peers: one of the peer with most of them goes, if that peer has at least as many left
 /// then as the newcomer's, or an idle one of the newcomer's own. Of one peer first what is idle goes, then what has
 /// fewest samples, then what was silent longest. `preferred`: it is a known machine, which takes any that is not kept.
-std::optional<std::size_t> gives_way(std::span<const Place> places, const std::string& peer, bool preferred);
+std::optional<std::size_t> gives_way(std::span<const Occupant> places, const std::string& peer, bool preferred);
 
 /// The places of machines. A machine is known, and its place kept, when it has sent many samples over a while, and the
 /// part of places that may be kept, of all and of its peer's, is not used up. REQUIRES: every machine that is named has
@@ -58,7 +58,7 @@ public:
                                          const std::function<bool(const std::string&)>& idle) const;
 
 private:
-    struct Machine : Place {
+    struct Machine : Occupant {
         std::optional<Clock::time_point> begun; ///< when the first sample came
     };
     struct Share {

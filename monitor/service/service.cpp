@@ -3,7 +3,7 @@
 #include "monitor/protocol/answers.hpp"
 #include "monitor/service/connection.hpp"
 #include "monitor/service/dispatcher.hpp"
-#include "monitor/service/door.hpp"
+#include "monitor/service/listener.hpp"
 #include "monitor/service/site.hpp"
 #include "monitor/service/systemd.hpp"
 #include "monitor/service/token.hpp"
@@ -54,7 +54,7 @@ public:
         settings.diagnosis.validate();
         doors_.reserve(3);
         if (settings.port)
-            doors_.push_back(Door::at_port(io_, settings.address, *settings.port, "--port"));
+            doors_.push_back(Listener::at_port(io_, settings.address, *settings.port, "--port"));
         Token token = token_for(settings);
         if (!settings.state.empty()) {
             store_.emplace(settings.state, diagnoses_, settings.limits.history);
@@ -62,15 +62,15 @@ public:
                 log_.say(store_->said());
         }
         if (settings.http_port)
-            page_door_.emplace(Door::at_port(io_, settings.address, *settings.http_port, "--http"));
+            page_door_.emplace(Listener::at_port(io_, settings.address, *settings.http_port, "--http"));
         if (!settings.unix_path.empty())
-            doors_.push_back(Door::at_path(io_, settings.unix_path));
+            doors_.push_back(Listener::at_path(io_, settings.unix_path));
         auto say = [this](const std::string& sentence) { log_.say(sentence); };
         dispatcher_.emplace(diagnoses_, store_ ? &*store_ : nullptr, settings_.limits, token, say);
         site_.emplace(io_, *dispatcher_, store_ ? &*store_ : nullptr, std::move(token),
                       HostNames(settings.address, settings.host_names), say);
         if (store_)
-            store_->start([this](Progress progress) {
+            store_->start([this](WriteProgress progress) {
                 asio::post(io_, [this, progress = std::move(progress)] { dispatcher_->note(progress); });
             });
     }
@@ -87,11 +87,11 @@ public:
     }
 
     void run() {
-        for (Door& door : doors_)
-            door.open([this](Door::Socket socket, const Caller& caller) { welcome(std::move(socket), caller); });
+        for (Listener& door : doors_)
+            door.open([this](Listener::Socket socket, const Caller& caller) { welcome(std::move(socket), caller); });
         if (page_door_)
             page_door_->open(
-                [this](Door::Socket socket, const Caller& caller) { site_->welcome(std::move(socket), caller); });
+                [this](Listener::Socket socket, const Caller& caller) { site_->welcome(std::move(socket), caller); });
         if (std::string trouble = tell_systemd("READY=1"); !trouble.empty())
             log_.say(trouble); // once: the rest goes wrong for the same reason
         tick();
@@ -127,7 +127,7 @@ private:
         std::unique_ptr<ConnectedClient> client;
     };
 
-    void welcome(Door::Socket socket, const Caller& caller) {
+    void welcome(Listener::Socket socket, const Caller& caller) {
         if (stopping_)
             return;
         // A closed connection stays until it has read the reason, so the number of these is limited, too.
@@ -207,7 +207,7 @@ private:
     void stop_now() {
         if (std::exchange(stopping_, true))
             return;
-        for (Door& door : doors_)
+        for (Listener& door : doors_)
             door.close();
         if (page_door_)
             page_door_->close();
@@ -223,8 +223,8 @@ private:
     ServiceSettings settings_;
     Log& log_;
     asio::io_context io_{1};
-    std::vector<Door> doors_;
-    std::optional<Door> page_door_;
+    std::vector<Listener> doors_;
+    std::optional<Listener> page_door_;
     asio::steady_timer ticker_;
     asio::signal_set signals_;
     Diagnoses diagnoses_;

@@ -36,21 +36,21 @@ void Site::answer(const std::string& path, const std::string& query, bool truste
             {401, "text/plain; charset=utf-8", "the token is wanted: as a bearer's, or as the password of anybody\n"});
     else if (path == "/")
         reply({200, html_type, page_html});
-    else if (path == "/sight")
-        reply({200, json_type, sight_json(dispatcher_.sight())});
+    else if (path == "/snapshot")
+        reply({200, json_type, snapshot_json(dispatcher_.snapshot())});
     else if (path == "/metrics")
-        reply({200, metrics_type, metrics_text(dispatcher_.sight())});
+        reply({200, metrics_type, metrics_text(dispatcher_.snapshot())});
     else if (path == "/history")
         answer_history(query, reply);
     else
-        reply({404, "text/plain; charset=utf-8", "there are /, /sight, /history, /metrics and /healthz\n"});
+        reply({404, "text/plain; charset=utf-8", "there are /, /snapshot, /history, /metrics and /healthz\n"});
 }
 
 WebAnswer Site::health() const {
-    Sight sight = dispatcher_.sight();
-    if (sight.kept)
+    ServiceSnapshot snapshot = dispatcher_.snapshot();
+    if (snapshot.kept)
         return {200, "text/plain; charset=utf-8", "ok\n"};
-    return {503, "text/plain; charset=utf-8", fmt::format("not kept: {}\n", sight.trouble)};
+    return {503, "text/plain; charset=utf-8", fmt::format("not kept: {}\n", snapshot.trouble)};
 }
 
 /// The thread that writes looks, so that nobody waits for the disk.

@@ -18,7 +18,7 @@ public:
     Site(boost::asio::io_context& io, Dispatcher& dispatcher, StateStore* store, Token token, HostNames names,
          std::function<void(const std::string&)> say);
 
-    void welcome(Door::Socket socket, const Caller& caller) { web_.welcome(std::move(socket), caller); }
+    void welcome(Listener::Socket socket, const Caller& caller) { web_.welcome(std::move(socket), caller); }
     void close() { web_.close(); }
 
 private:

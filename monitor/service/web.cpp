@@ -33,7 +33,7 @@ constexpr const char* policy = "default-src 'none'; style-src 'unsafe-inline'; s
 /// One connection.
 class Web::Session : public std::enable_shared_from_this<Session> {
 public:
-    Session(Web& web, Door::Socket socket, Caller caller)
+    Session(Web& web, Listener::Socket socket, Caller caller)
         : web_(&web), stream_(std::move(socket)), caller_(std::move(caller)) {}
 
     const Caller& caller() const { return caller_; }
@@ -140,7 +140,7 @@ private:
     http::response<http::string_body> response_;
 };
 
-void Web::welcome(Door::Socket socket, const Caller& caller) {
+void Web::welcome(Listener::Socket socket, const Caller& caller) {
     std::map<std::string, std::size_t> of_peers;
     for (const auto& each : sessions_)
         ++of_peers[each->caller().peer];

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "monitor/service/door.hpp"
 #include "monitor/service/host_names.hpp"
+#include "monitor/service/listener.hpp"
 #include "monitor/service/token.hpp"
 
 #include <cstddef>
@@ -33,7 +33,7 @@ public:
         : token_(std::move(token)), names_(std::move(names)), handler_(std::move(handler)), say_(std::move(say)) {}
 
     /// Where there are too many, the peer with most of them loses the one that has been waiting the longest.
-    void welcome(Door::Socket socket, const Caller& caller);
+    void welcome(Listener::Socket socket, const Caller& caller);
     /// Closes all connections.
     void close();
 

@@ -1,7 +1,7 @@
 #include "netlist/complete/broadcasts.hpp"
 #include "netlist/complete/complete.hpp"
 #include "netlist/complete/routes.hpp"
-#include "netlist/complete/told_wires.hpp"
+#include "netlist/complete/stated_routes.hpp"
 #include "netlist/language/syntax.hpp"
 
 #include <fmt/format.h>
@@ -128,10 +128,10 @@ private:
     }
 
     /// The best route over these wires, in their order. Throws StatementRefused after reporting that there is none.
-    std::vector<RouteHop> route_over(const NetworkChannel& channel, const std::vector<ToldWire>& wires) {
+    std::vector<RouteHop> route_over(const NetworkChannel& channel, const std::vector<StatedRoute>& wires) {
         if (channel.from.node == nowhere || channel.to.node == nowhere)
             throw StatementRefused{}; // reported
-        if (std::ranges::any_of(wires, [&](const ToldWire& wire) { return wires_[wire.connection].at_run_time; }))
+        if (std::ranges::any_of(wires, [&](const StatedRoute& wire) { return wires_[wire.connection].at_run_time; }))
             return route_over_switch(channel, wires);
         std::vector<RouteHop> route;
         std::set<std::size_t> passed{channel.from.node};
@@ -157,7 +157,7 @@ private:
     }
 
     /// Such a channel leads from its sender's processor to its receiver's at once.
-    std::vector<RouteHop> route_over_switch(const NetworkChannel& channel, const std::vector<ToldWire>& wires) {
+    std::vector<RouteHop> route_over_switch(const NetworkChannel& channel, const std::vector<StatedRoute>& wires) {
         const auto& connection = wires_[wires.front().connection];
         bool forwards = connection.a.node == channel.from.node && connection.b.node == channel.to.node;
         bool backwards = connection.b.node == channel.from.node && connection.a.node == channel.to.node;
@@ -186,7 +186,7 @@ private:
 
     /// From the end of the route so far up to the wire's other end.
     std::optional<std::vector<RouteHop>> way_on(const NetworkChannel& channel, const std::vector<RouteHop>& route,
-                                                const ToldWire& wire, const std::set<std::size_t>& passed) {
+                                                const StatedRoute& wire, const std::set<std::size_t>& passed) {
         auto here = route.empty() ? channel.from.node : end_of(route.back(), wires_).node;
         auto around = passed;
         around.insert(channel.to.node);
@@ -217,8 +217,8 @@ private:
     }
 
     /// Says what would be right: the route without that wire.
-    [[noreturn]] void refuse_route(const NetworkChannel& channel, const std::vector<ToldWire>& wires,
-                                   const ToldWire& wire) {
+    [[noreturn]] void refuse_route(const NetworkChannel& channel, const std::vector<StatedRoute>& wires,
+                                   const StatedRoute& wire) {
         const auto& connection = wires_[wire.connection];
         auto best = search_.best(channel.from.node, channel.to.node);
         std::vector<SecondPlace> places{{"the wire is connected here", connection.connected}};
@@ -346,7 +346,7 @@ private:
     const std::vector<LinkConnection>& wires_;
     std::vector<std::size_t> load_; ///< channels on each connection, b to a and a to b
     RouteSearch search_;
-    ToldWires told_;
+    StatedRoutes told_;
     Broadcasts broadcasts_;
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> between_;
     std::map<std::size_t, std::vector<std::size_t>> edges_of_;

@@ -39,7 +39,7 @@ public:
 
 private:
     Cycles cycles_;
-    Grain grain_;
+    CodeShape grain_;
 };
 
 // Each process passes a stated number of packets and then ends. Textbooks let these processes run for ever; here a

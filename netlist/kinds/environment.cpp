@@ -1,8 +1,8 @@
 #include "netlist/kinds/environment.hpp"
 
 #include "netlist/network/network.hpp"
-#include "runtime/history.hpp"
 #include "runtime/kernel.hpp"
+#include "runtime/replay_log.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -20,11 +20,11 @@ ProcessEnvironment::ProcessEnvironment(const Network& network, std::size_t index
 namespace {
 
 /// Histories do not record the order in which components measure.
-void note(const Process& self, const Measurement& measurement, History& history) {
+void note(const Process& self, const Measurement& measurement, ReplayLog& history) {
     if (self.parent())
-        history.does_what_is_not_noted();
+        history.record_unrepeatable();
     else
-        history.does_quietly(History::Action::measurement, std::hash<std::string>()(measurement.name));
+        history.record_quietly(ReplayLog::Action::measurement, std::hash<std::string>()(measurement.name));
 }
 
 } // namespace
@@ -39,7 +39,7 @@ void ProcessEnvironment::throw_other_protocol(const AnyChannel& channel) const {
 
 void ProcessEnvironment::add(Measurement measurement) {
     const Process* self = Kernel::current() ? Kernel::current()->who_runs() : nullptr;
-    if (History* history = self ? self->history() : nullptr)
+    if (ReplayLog* history = self ? self->history() : nullptr)
         note(*self, measurement, *history);
     measurements_.push_back(std::move(measurement));
 }

@@ -37,7 +37,7 @@ inline ParameterDescription packet_bytes() {
 inline ParameterDescription packet_cycles(std::string about = "workload: computation for each packet") {
     return integer("cycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1e12}, std::move(about));
 }
-/// The parameter `words`: workload, Grain::words_outside.
+/// The parameter `words`: workload, CodeShape::words_outside.
 inline ParameterDescription packet_words() {
     return integer("words", {.unit = "words", .by_default = 0, .least = 0, .most = 1e9},
                    "workload: of code and data outside of the chip, gone to for each packet; each takes memorycycles "

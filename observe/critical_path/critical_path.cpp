@@ -68,7 +68,7 @@ CriticalPath::Number CriticalPath::add(Number before, Time at, Activity activity
 /// It took its link, or the processor that both of its processes are on. A packet is a part of a channel's message.
 CriticalPath::Number CriticalPath::add_message(Number before, const Lane& lane, const AnyChannel& channel, Time now) {
     auto link = carried_by_.find(&channel);
-    const AnyChannel* packets_of = channel.cargo().channel;
+    const AnyChannel* packets_of = channel.payload().channel;
     return add(before, now, Activity::carrying, (packets_of ? packets_of : &channel)->name(),
                link == carried_by_.end() ? executive_of(*lane.process) : link->second);
 }

@@ -54,7 +54,7 @@ void PageRecorder::write(const Slice& slice) {
     stretches_.add(slice);
 }
 
-void PageRecorder::write(const Passage& passage) { stretches_.add(passage); }
+void PageRecorder::write(const MessageArrow& arrow) { stretches_.add(arrow); }
 
 void PageRecorder::finish(Time begin, Time end, const std::string& why) {
     begin_ = begin;

@@ -20,7 +20,7 @@ public:
     PageRecorder(const Tracks&, Time from);
 
     void write(const Slice&) override;
-    void write(const Passage&) override;
+    void write(const MessageArrow&) override;
     void draw_path(std::span<const PathPart>) override;
     void finish(Time begin, Time end, const std::string& why) override;
 

@@ -36,10 +36,10 @@ void Stretch::add(const Slice& slice) {
                        static_cast<std::uint8_t>(slice.activity), slice.open, slice.begin, slice.end});
 }
 
-void Stretch::add(const Passage& passage) {
-    end_ = std::max(end_, passage.arrived);
-    passages_.push_back({static_cast<std::uint32_t>(passage.from), static_cast<std::uint32_t>(passage.to),
-                         texts_.number_of(passage.channel), passage.left, passage.arrived});
+void Stretch::add(const MessageArrow& arrow) {
+    end_ = std::max(end_, arrow.arrived);
+    arrows_.push_back({static_cast<std::uint32_t>(arrow.from), static_cast<std::uint32_t>(arrow.to),
+                       texts_.number_of(arrow.channel), arrow.left, arrow.arrived});
 }
 
 /// What is cleared keeps its room: a new one would be asked for from the system each time.
@@ -48,11 +48,11 @@ PackedStretch Stretch::pack() {
     append_number(bytes, texts.size());
     bytes += texts;
     append_slices(bytes);
-    append_passages(bytes);
+    append_arrows(bytes);
     PackedStretch packed{begin_, end_, entries(), std::move(bytes)};
     begin_ = end_;
     slices_.clear();
-    passages_.clear();
+    arrows_.clear();
     texts_ = {};
     return packed;
 }
@@ -84,16 +84,16 @@ void Stretch::append_tracks(std::string& bytes) const {
     bytes += each_track;
 }
 
-void Stretch::append_passages(std::string& bytes) {
-    std::ranges::stable_sort(passages_, {}, &KeptPassage::left);
-    append_number(bytes, passages_.size());
-    append_column(bytes, passages_, [](const KeptPassage& each) { return each.from; });
-    append_column(bytes, passages_, [](const KeptPassage& each) { return each.to; });
-    append_column(bytes, passages_, [before = begin_](const KeptPassage& each) mutable {
+void Stretch::append_arrows(std::string& bytes) {
+    std::ranges::stable_sort(arrows_, {}, &KeptPassage::left);
+    append_number(bytes, arrows_.size());
+    append_column(bytes, arrows_, [](const KeptPassage& each) { return each.from; });
+    append_column(bytes, arrows_, [](const KeptPassage& each) { return each.to; });
+    append_column(bytes, arrows_, [before = begin_](const KeptPassage& each) mutable {
         return (each.left - std::exchange(before, each.left)).count();
     });
-    append_column(bytes, passages_, [](const KeptPassage& each) { return (each.arrived - each.left).count(); });
-    append_column(bytes, passages_, [](const KeptPassage& each) { return each.channel; });
+    append_column(bytes, arrows_, [](const KeptPassage& each) { return (each.arrived - each.left).count(); });
+    append_column(bytes, arrows_, [](const KeptPassage& each) { return each.channel; });
 }
 
 } // namespace placedpar::page

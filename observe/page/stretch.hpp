@@ -24,11 +24,11 @@ public:
 
     Time begin() const { return begin_; }
     Time end() const { return end_; } ///< of all that is in it
-    std::size_t entries() const { return slices_.size() + passages_.size(); }
+    std::size_t entries() const { return slices_.size() + arrows_.size(); }
 
     /// REQUIRES, as the other: it begins neither before the stretch nor before the last one of its track.
     void add(const Slice&);
-    void add(const Passage&);
+    void add(const MessageArrow&);
 
     /// Packs what is in it; it begins anew at its end. As numbers (append_number), one column after the other, since
     /// like compresses best beside like:
@@ -54,11 +54,11 @@ private:
     };
     void append_slices(std::string& bytes);
     void append_tracks(std::string& bytes) const;
-    void append_passages(std::string& bytes);
+    void append_arrows(std::string& bytes);
 
     Time begin_, end_;
     std::vector<KeptSlice> slices_;
-    std::vector<KeptPassage> passages_;
+    std::vector<KeptPassage> arrows_;
     TextTable texts_;
 };
 

@@ -25,9 +25,9 @@ void Stretches::add(const Slice& slice) {
     pack_if_full(row);
 }
 
-void Stretches::add(const Passage& passage) {
-    Row& row = row_for(passage.left);
-    row.open.add(passage);
+void Stretches::add(const MessageArrow& arrow) {
+    Row& row = row_for(arrow.left);
+    row.open.add(arrow);
     pack_if_full(row);
 }
 

@@ -23,7 +23,7 @@ public:
     Stretches(const Tracks&, Time from, const Room& = {});
 
     void add(const Slice&);
-    void add(const Passage&);
+    void add(const MessageArrow&);
     /// Nothing more comes.
     void finish();
 

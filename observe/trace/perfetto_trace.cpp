@@ -126,11 +126,10 @@ void PerfettoTrace::write(const Slice& slice) {
     add(event + "}");
 }
 
-void PerfettoTrace::write(const Passage& passage) {
-    std::string common = fmt::format(R"("name":{},"cat":"message","id":{})", json_text(passage.channel), ++passages_);
-    add(fmt::format(R"({{"ph":"s",{},{},"ts":{}}})", common, place(passage.from), microseconds(passage.left)));
-    add(fmt::format(R"({{"ph":"f","bp":"e",{},{},"ts":{}}})", common, place(passage.to),
-                    microseconds(passage.arrived)));
+void PerfettoTrace::write(const MessageArrow& arrow) {
+    std::string common = fmt::format(R"("name":{},"cat":"message","id":{})", json_text(arrow.channel), ++arrows_);
+    add(fmt::format(R"({{"ph":"s",{},{},"ts":{}}})", common, place(arrow.from), microseconds(arrow.left)));
+    add(fmt::format(R"({{"ph":"f","bp":"e",{},{},"ts":{}}})", common, place(arrow.to), microseconds(arrow.arrived)));
 }
 
 /// Behind the numbers of all tracks; thread 0 is the whole path.
@@ -148,7 +147,7 @@ void PerfettoTrace::write_part(const PathPart& part, std::size_t thread) {
 /// From the last picosecond of one to the first of the other.
 void PerfettoTrace::write_step(const PathPart& from, std::size_t from_thread, const PathPart& to,
                                std::size_t to_thread) {
-    std::string common = fmt::format(R"("name":"critical path","cat":"critical path","id":{})", ++passages_);
+    std::string common = fmt::format(R"("name":"critical path","cat":"critical path","id":{})", ++arrows_);
     add(fmt::format(R"({{"ph":"s",{},{},"ts":{}}})", common, place_on_path(from_thread),
                     microseconds(from.end - Time{1})));
     add(fmt::format(R"({{"ph":"f","bp":"e",{},{},"ts":{}}})", common, place_on_path(to_thread),

@@ -23,7 +23,7 @@ public:
     PerfettoTrace(OutputFile&, const Tracks&);
 
     void write(const Slice&) override;
-    void write(const Passage&) override;
+    void write(const MessageArrow&) override;
     void draw_path(std::span<const PathPart>) override;
     void finish(Time begin, Time end, const std::string& why) override;
 
@@ -39,7 +39,7 @@ private:
 
     OutputFile& file_;
     const Tracks& tracks_;
-    std::uint64_t passages_ = 0;
+    std::uint64_t arrows_ = 0;
     bool is_first_ = true;
 };
 

@@ -241,7 +241,7 @@ void Timeline::place(const MessageEnd& end, std::size_t track, Time at) {
     if (message.from == Tracks::none || message.to == Tracks::none)
         return;
     if (message.left <= message.arrived) {
-        writer_.write(Passage{message.channel, message.from, message.to, message.left, message.arrived});
+        writer_.write(MessageArrow{message.channel, message.from, message.to, message.left, message.arrived});
         ++entries_;
     }
     messages_.erase(found);

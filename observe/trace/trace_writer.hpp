@@ -32,7 +32,7 @@ struct Slice {
 };
 
 /// A message on its way: it leaves within a slice of one track, and arrives at or after that within one of another.
-struct Passage {
+struct MessageArrow {
     const std::string& channel;
     std::size_t from, to;
     Time left, arrived;
@@ -44,7 +44,7 @@ public:
     virtual ~TraceWriter() = default;
     virtual void write(const Slice&) = 0;
     /// Both of its slices have been written.
-    virtual void write(const Passage&) = 0;
+    virtual void write(const MessageArrow&) = 0;
     /// The critical path, where it is known, in order of time; before finish(). What a format has no means for is left
     /// out.
     virtual void draw_path(std::span<const PathPart>) {}

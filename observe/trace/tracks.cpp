@@ -58,7 +58,7 @@ void Tracks::number_as_drawn() {
     }
 }
 
-std::size_t Tracks::add(std::string name, Track::Place place) {
+std::size_t Tracks::add(std::string name, Track::DrawingOrder place) {
     tracks_.push_back({std::move(name), std::move(place), tracks_.size()});
     return tracks_.size() - 1;
 }
@@ -66,7 +66,8 @@ std::size_t Tracks::add(std::string name, Track::Place place) {
 std::vector<std::size_t> Tracks::drawn() const {
     std::vector<std::size_t> numbers(tracks_.size());
     std::iota(numbers.begin(), numbers.end(), std::size_t{0});
-    std::ranges::sort(numbers, {}, [this](std::size_t track) -> const Track::Place& { return tracks_[track].place; });
+    std::ranges::sort(numbers, {},
+                      [this](std::size_t track) -> const Track::DrawingOrder& { return tracks_[track].place; });
     return numbers;
 }
 
@@ -86,7 +87,7 @@ void Tracks::add_component(const Process& process, const std::string& path) {
     std::size_t parent = of(*process.parent());
     if (parent == none)
         return void(processes_[path] = none);
-    Track::Place place = tracks_[parent].place;
+    Track::DrawingOrder place = tracks_[parent].place;
     std::size_t component = 0;
     std::from_chars(path.data() + path.rfind('/') + 1, path.data() + path.size(), component);
     place.components.push_back(component);

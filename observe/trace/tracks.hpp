@@ -21,16 +21,16 @@ struct Track {
     enum class Kind { processor, process, machine_process, link, bus };
     /// Where it is drawn: by node and kind, then as the netlist declares them; a process is followed by the components
     /// of its PARs.
-    struct Place {
+    struct DrawingOrder {
         std::size_t node;
         Kind kind;
         std::size_t number;                  ///< of the process or connection
         std::vector<std::size_t> components; ///< {0, 1} for "master/0/1"; {1} for the direction from b to a
-        auto operator<=>(const Place&) const = default;
+        auto operator<=>(const DrawingOrder&) const = default;
     };
 
     std::string name; ///< "t[0]", "master/0/1", "t[0].link[1] -> t[1].link[0]"
-    Place place;
+    DrawingOrder place;
     std::size_t outermost; ///< the number of the track of the process at the outermost level; of others, their own
 };
 
@@ -53,7 +53,7 @@ public:
     std::size_t of_place(const std::string& name) const;
 
 private:
-    std::size_t add(std::string name, Track::Place);
+    std::size_t add(std::string name, Track::DrawingOrder);
     void add_links(const Network&, std::size_t connection);
     void add_tracks_of(const Network&, std::size_t node);
     void number_as_drawn();

@@ -23,7 +23,7 @@ public:
     VcdTrace(OutputFile&, const Tracks&);
 
     void write(const Slice&) override;
-    void write(const Passage&) override {}
+    void write(const MessageArrow&) override {}
     void finish(Time begin, Time end, const std::string& why) override;
 
 private:

@@ -29,7 +29,7 @@ constexpr std::string_view databook_scheduler = "databook (3rd ed., 1992), 1.3";
 std::vector<Constant> of_links() {
     constexpr std::string_view group = "links";
     constexpr std::string_view rates = "to measured rates; published: 5 to 6 (D. Jeffery, 1989)";
-    using enum Mark;
+    using enum Provenance;
     return {
         {group, "speed, where the netlist gives none", in_mega(LinkTiming::usual_speed), "Mbit/s", published,
          "databook (3rd ed., 1992), 1.4: 5, 10 and 20"},
@@ -47,7 +47,7 @@ std::vector<Constant> of_links() {
 
 std::vector<Constant> of_processors() {
     constexpr std::string_view group = "processor";
-    using enum Mark;
+    using enum Provenance;
     return {
         {group, "clock, where the netlist gives none", in_mega(Processor::usual_clock), "MHz", published,
          "17.5 to 30 were sold"},
@@ -75,8 +75,9 @@ std::vector<Constant> of_instructions() {
     const auto& [soft, soft_word, hard, word_outside, copied_word, bytes_in_a_word, start, run, end, read, wait,
                  wait_past, alt, enable, enable_not_ready, enable_timeout, wait_ready, wait_alt, disable,
                  disable_timeout, alt_end, attempt, reset] = instructions::t800;
-    using enum Mark;
-    auto row = [group](std::string_view name, Cycles cycles, Mark mark = published, std::string_view source = table) {
+    using enum Provenance;
+    auto row = [group](std::string_view name, Cycles cycles, Provenance mark = published,
+                       std::string_view source = table) {
         return Constant{group, name, in_cycles(cycles), "cycles", mark, source};
     };
     return {row("in, out: on a soft channel", soft),
@@ -105,10 +106,10 @@ std::vector<Constant> of_instructions() {
 
 std::vector<Constant> of_routers() {
     constexpr std::string_view group = "channels in packets";
-    using enum Mark;
+    using enum Provenance;
     return {
-        {group, "header of a packet", Packet::header_bytes, "bytes", ours, "a word: the channel, the kind of packet"},
-        {group, "a message's part in a packet, at most", Packet::most_bytes, "bytes", ours, "short ones wait for one"},
+        {group, "header of a packet", RouterPacket::header_bytes, "bytes", ours, "a word: the channel, the kind of packet"},
+        {group, "a message's part in a packet, at most", RouterPacket::most_bytes, "bytes", ours, "short ones wait for one"},
         {group, "a packet sent, or received", in_cycles(RouterCosts{}.handling), "cycles", ours,
          "queueing, looking up the route, rescheduling; where the netlist gives none"},
         {group, "packets ahead of their acknowledges", Route::most_under_way, "packets", ours,
@@ -119,7 +120,7 @@ std::vector<Constant> of_routers() {
 std::vector<Constant> of_buses() {
     constexpr std::string_view group = "VMEbus";
     const auto& [word, byte, arbitration, time_out] = VmeTiming{};
-    using enum Mark;
+    using enum Provenance;
     return {
         {group, "a word, D32 with ordinary memory", in_ns(word), "ns", published, "textbook figure: 12.9 Mbyte/s"},
         {group, "an access to a register", in_ns(byte), "ns", ours, "as ordinary memory"},
@@ -132,7 +133,7 @@ std::vector<Constant> of_hosts() {
     constexpr std::string_view group = "workstation on a bus";
     constexpr std::string_view of_sgi = "within SGI's table of hosts: 0.2 to 0.75 Mbyte/s";
     const auto& [byte, read, write, in_blocks, interrupt, most_polls] = bus_programs::sun_3_280;
-    using enum Mark;
+    using enum Provenance;
     return {
         {group, "a byte, besides the bus", in_cycles(byte), "cycles", ours, of_sgi},
         {group, "a word read, besides the bus", in_cycles(read), "cycles", ours, "SGI's table: about 1 Mbyte/s"},
@@ -147,7 +148,7 @@ std::vector<Constant> of_hosts() {
 std::vector<Constant> of_bus_masters() {
     constexpr std::string_view group = "bus master (BBK-V2)";
     const auto& [byte, read, write, in_blocks, interrupt, most_polls] = bus_programs::bbk_v2;
-    using enum Mark;
+    using enum Provenance;
     return {
         {group, "a byte, besides the bus", in_cycles(byte), "cycles", ours, "lb, sb, cj, lend in a loop"},
         {group, "a block read, besides the bus", in_cycles(read), "cycles", published, table},
@@ -163,7 +164,7 @@ std::vector<Constant> of_bus_masters() {
 
 } // namespace
 
-const char* name_of(Mark mark) {
+const char* name_of(Provenance mark) {
     constexpr std::array names{"published", "workload", "calibrated", "ours", "fitted"};
     return names[static_cast<std::size_t>(mark)];
 }

@@ -6,7 +6,7 @@
 namespace placedpar::hardware {
 
 /// Where a constant comes from.
-enum class Mark {
+enum class Provenance {
     published,  ///< a databook, or a measurement that others have published
     workload,   ///< what a program itself costs; the netlist states it
     calibrated, ///< set so that one figure that was measured comes out
@@ -14,14 +14,14 @@ enum class Mark {
     fitted      ///< to several figures that were measured
 };
 
-const char* name_of(Mark);
+const char* name_of(Provenance);
 
 /// A constant of the model, for people who want to know where a time comes from.
 struct Constant {
     std::string_view group, name;
     double value;
     std::string_view unit;
-    Mark mark;
+    Provenance mark;
     std::string_view source; ///< of what is published; what the others stand for, or were fitted to
 };
 

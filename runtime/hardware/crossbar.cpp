@@ -95,7 +95,7 @@ void Crossbar::make_all_ready() {
 
 void Crossbar::change(int output, const Choice& choice) {
     std::deque<Link::WayChange> changes;
-    for (Way& way : ways_)
+    for (SwitchedLink& way : ways_)
         if (way.at_a == output || way.at_b == output)
             changes.emplace_back(way.link);
     Choice before = std::exchange(choices_[static_cast<std::size_t>(output)], choice);
@@ -127,11 +127,11 @@ void Crossbar::trace_change(int output, const Choice& before) const {
         kernel_.trace()->takes({track, fmt::format("from link[{}]", choice.input), now}, now);
 }
 
-bool Crossbar::Way::leads_on(bool leaves_a) const {
+bool Crossbar::SwitchedLink::leads_on(bool leaves_a) const {
     return leaves_a ? crossbar.leads(at_a, at_b) : crossbar.leads(at_b, at_a);
 }
 
-void Crossbar::Way::lose(const FaultEffect::Hit& packet, bool leaves_a) {
+void Crossbar::SwitchedLink::lose(const FaultEffect::Hit& packet, bool leaves_a) {
     Loss& loss = leaves_a ? from_a : from_b;
     if (!loss.effect.first) {
         loss.effect.first = packet;
@@ -144,14 +144,14 @@ void Crossbar::Way::lose(const FaultEffect::Hit& packet, bool leaves_a) {
 
 std::deque<Crossbar::Loss> Crossbar::losses() const {
     std::deque<Loss> losses;
-    for (const Way& way : ways_)
+    for (const SwitchedLink& way : ways_)
         for (const Loss* loss : {&way.from_a, &way.from_b})
             if (loss->effect.first)
                 losses.push_back(*loss);
     return losses;
 }
 
-bool Crossbar::begin_computing(Process&, Cycles, const Grain&) { return true; }
+bool Crossbar::begin_computing(Process&, Cycles, const CodeShape&) { return true; }
 
 void Crossbar::make_ready(Process& process) { kernel_.enqueue(process); }
 

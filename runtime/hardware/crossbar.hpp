@@ -91,7 +91,7 @@ public:
     std::uint64_t connections() const { return connections_; }
 
     Time tick(Priority) const override { return std::chrono::microseconds{1}; }
-    bool begin_computing(Process&, Cycles, const Grain&) override;
+    bool begin_computing(Process&, Cycles, const CodeShape&) override;
     void make_ready(Process&) override;
     void leave(Process&, Process* successor) override;
 
@@ -104,8 +104,8 @@ private:
     static constexpr int nothing = -1;
 
     /// A link that leads through the switch.
-    struct Way final : Passage {
-        Way(Crossbar& c, Link& l, int a, int b)
+    struct SwitchedLink final : SwitchPath {
+        SwitchedLink(Crossbar& c, Link& l, int a, int b)
             : crossbar(c), link(l), at_a(a), at_b(b), from_a{&l, true, {}, 0, ""}, from_b{&l, false, {}, 0, ""} {}
         bool leads_on(bool leaves_a) const override;
         void lose(const FaultEffect::Hit&, bool leaves_a) override;
@@ -126,7 +126,7 @@ private:
 
     Kernel& kernel_;
     std::array<Choice, links> choices_{}; ///< by output
-    std::deque<Way> ways_;                ///< they keep their places
+    std::deque<SwitchedLink> ways_;       ///< they keep their places
     std::uint64_t commands_ = 0, connections_ = 0;
 };
 

@@ -43,7 +43,7 @@ Process* Link::step_performed(LinkState& state, const LinkState::Next& next, con
 
 const FaultEffect& Link::suffer(const LinkFault& fault) { return faults().add(fault); }
 
-void Link::lead_through(Passage& passage) { faults().lead_through(passage); }
+void Link::lead_through(SwitchPath& passage) { faults().lead_through(passage); }
 
 LinkFaults& Link::faults() {
     if (!faults_) {
@@ -76,7 +76,7 @@ LinkDirection::LinkDirection(Kernel& kernel, std::string name, const PacketTimes
     : kernel_(kernel), course_(course), number_(static_cast<std::uint8_t>(number)), times_(times),
       name_(std::move(name)) {}
 
-void LinkDirection::move_messages_of(MemoryOfEngines& memory) {
+void LinkDirection::move_messages_of(LinkEngineMemory& memory) {
     if (memories_[1])
         throw std::logic_error(fmt::format("{}: a link has two ends, which have a processor each already", name_));
     memories_[memories_[0] ? 1 : 0] = &memory;
@@ -144,7 +144,7 @@ void LinkDirection::begin_reading(AnyChannel& channel) {
 }
 
 void LinkDirection::begin_part_of(LinkState& state, std::uint32_t bytes) {
-    for (MemoryOfEngines* memory : memories_)
+    for (LinkEngineMemory* memory : memories_)
         if (memory)
             ++memory->parts_under_way;
     state.directions[number_].part_bytes = state.packets.streams[number_].bytes_left = bytes;
@@ -153,7 +153,7 @@ void LinkDirection::begin_part_of(LinkState& state, std::uint32_t bytes) {
 void LinkDirection::end_part(LinkState& state) {
     LinkState::Direction& direction = state.directions[number_];
     LinkPackets::Stream& stream = state.packets.streams[number_];
-    for (MemoryOfEngines* memory : memories_)
+    for (LinkEngineMemory* memory : memories_)
         if (memory) {
             --memory->parts_under_way;
             memory->words_of_ended_parts += memory->words_in(direction.part_bytes - stream.bytes_left);

@@ -19,7 +19,7 @@ namespace placedpar::hardware {
 
 /// The memory of a processor, as the engines of its links use it. A part of a message takes one word for each
 /// bytes_in_a_word bytes, and one for the rest at its end.
-struct MemoryOfEngines {
+struct LinkEngineMemory {
     std::uint32_t bytes_in_a_word = 4; ///< or 2
     std::uint64_t words_of_ended_parts = 0;
     int parts_under_way = 0;
@@ -70,7 +70,7 @@ public:
 
     /// One of its two engines moves the messages from this memory, or to it. Throws std::logic_error when both have a
     /// memory already. REQUIRES: it outlives the run.
-    void move_messages_of(MemoryOfEngines&);
+    void move_messages_of(LinkEngineMemory&);
 
     void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
     void input(AnyChannel&, const SourceLocation&) override;
@@ -227,9 +227,9 @@ private:
     In input_{*this};
     const PacketTimes& times_;
     Out output_{*this};
-    std::array<MemoryOfEngines*, 2> memories_{}; ///< the memories at its ends; null where there is none
-    std::uint64_t bytes_of_ended_parts_ = 0;     ///< bytes carried before the part under way
-    std::uint64_t bytes_before_part_ = 0;        ///< bytes of the message under way before its present part
+    std::array<LinkEngineMemory*, 2> memories_{}; ///< the memories at its ends; null where there is none
+    std::uint64_t bytes_of_ended_parts_ = 0;      ///< bytes carried before the part under way
+    std::uint64_t bytes_before_part_ = 0;         ///< bytes of the message under way before its present part
 
     // ... and what few do.
     RegisterUser *writer_ = nullptr, *reader_ = nullptr; ///< null if an engine is at that end
@@ -261,7 +261,7 @@ public:
     void fetch() const { course_.fetch(); }
     /// Returns how many words of the parts under way the engines at this memory have moved before now. It performs
     /// steps that are due, and changes nothing that can be seen.
-    std::uint64_t words_moved(const MemoryOfEngines& memory, Time now) {
+    std::uint64_t words_moved(const LinkEngineMemory& memory, Time now) {
         return memory.words_in(course_.bytes_begun_before(now, 0)) +
                memory.words_in(course_.bytes_begun_before(now, 1));
     }
@@ -272,7 +272,7 @@ public:
 
     /// Leads its wires through a passage that may stop packets. REQUIRES: the run has not begun; the passage outlives
     /// it.
-    void lead_through(Passage&);
+    void lead_through(SwitchPath&);
     /// A passage may be opened or closed only while such an object lives.
     class WayChange {
     public:

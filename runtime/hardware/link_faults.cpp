@@ -37,7 +37,7 @@ bool LinkFaults::strike(const FaultEffect::Hit& packet, bool leaves_a) {
             return true;
         }
     }
-    auto closed = std::ranges::find_if(passages_, [&](const Passage* each) { return !each->leads_on(leaves_a); });
+    auto closed = std::ranges::find_if(passages_, [&](const SwitchPath* each) { return !each->leads_on(leaves_a); });
     if (closed != passages_.end())
         (*closed)->lose(packet, leaves_a);
     return closed != passages_.end();
@@ -53,7 +53,7 @@ Time LinkFaults::Each::steady_until(Time now) const {
 }
 
 Time LinkFaults::steady_until(Time now) const {
-    if (!std::ranges::all_of(passages_, [](const Passage* p) { return p->leads_on(true) && p->leads_on(false); }))
+    if (!std::ranges::all_of(passages_, [](const SwitchPath* p) { return p->leads_on(true) && p->leads_on(false); }))
         return now;
     Time until = Time::max();
     for (const Each& each : faults_)

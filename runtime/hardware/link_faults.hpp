@@ -44,7 +44,7 @@ struct FaultEffect {
 
 /// A device through which a link leads and which may stop its packets, such as a switch that is set during the run. It
 /// must hold a Link::WayChange when it begins or ceases to lead packets on.
-class Passage {
+class SwitchPath {
 public:
     /// Whether packets that leave a, or b, now reach the other end.
     virtual bool leads_on(bool leaves_a) const = 0;
@@ -52,7 +52,7 @@ public:
     virtual void lose(const FaultEffect::Hit& packet, bool leaves_a) = 0;
 
 protected:
-    ~Passage() = default;
+    ~SwitchPath() = default;
 };
 
 /// The faults of one link, and the passages that it leads through. They are consulted when a packet begins and need no
@@ -65,7 +65,7 @@ public:
     /// 0 <= from < until and factor >= 1.
     const FaultEffect& add(const LinkFault&);
     /// Adds a passage. REQUIRES: it outlives the run.
-    void lead_through(Passage& passage) { passages_.push_back(&passage); }
+    void lead_through(SwitchPath& passage) { passages_.push_back(&passage); }
 
     /// Returns the speed of the link now.
     std::int64_t bits_per_second(Time now) const;
@@ -87,7 +87,7 @@ private:
 
     std::int64_t bits_per_second_; ///< without faults
     std::deque<Each> faults_;      ///< a deque, since references to the effects must stay valid
-    std::vector<Passage*> passages_;
+    std::vector<SwitchPath*> passages_;
 };
 
 } // namespace placedpar::hardware

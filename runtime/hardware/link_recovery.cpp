@@ -18,12 +18,12 @@ bool LinkDirection::is_lost(LinkStep step) {
     const bool acknowledge = step == LinkStep::acknowledge_begins;
     if (!acknowledge && state().directions[number_].ends != Ends::agree)
         return false;
-    const AnyChannel::Cargo cargo = channel_ ? channel_->cargo() : AnyChannel::Cargo{};
+    const AnyChannel::PacketPayload payload = channel_ ? channel_->payload() : AnyChannel::PacketPayload{};
     const std::string& own_name = channel_ ? channel_->name() : name_; // no channel: bytes are moved by counts
-    FaultEffect::Hit hit{kernel_.now(), cargo.channel ? cargo.channel->name() : own_name, acknowledge,
+    FaultEffect::Hit hit{kernel_.now(), payload.channel ? payload.channel->name() : own_name, acknowledge,
                          bytes_before_part_ + bytes_started() + std::uint64_t{!acknowledge}};
-    if (cargo.channel)
-        hit.message = cargo.acknowledges ? Message::acknowledging_packet : Message::packet;
+    if (payload.channel)
+        hit.message = payload.acknowledges ? Message::acknowledging_packet : Message::packet;
     return faults_->strike(hit, acknowledge != (number_ == 0));
 }
 

@@ -34,7 +34,7 @@ std::int64_t checked_clock(std::int64_t clock_hz, const std::string& processor) 
 }
 
 /// Throws std::logic_error for negative numbers, and for 0 except in `cycles` and `words_outside`.
-void require_sense(const Process& self, Cycles cycles, const Grain& grain) {
+void require_sense(const Process& self, Cycles cycles, const CodeShape& grain) {
     if (cycles < Cycles{0})
         throw std::logic_error("process " + self.path() + " computes for a negative number of cycles");
     if (grain.between_points < Cycles{1} || grain.instruction < Cycles{1})
@@ -143,7 +143,7 @@ void Processor::dispatch() {
         kernel_.enqueue(*current_);
 }
 
-bool Processor::begin_computing(Process& self, Cycles cycles, const Grain& how_fine) {
+bool Processor::begin_computing(Process& self, Cycles cycles, const CodeShape& how_fine) {
     assert(current_ == &self);
     require_sense(self, cycles, how_fine);
     Cycles all = cycles + how_fine.words_outside * costs().word_outside;

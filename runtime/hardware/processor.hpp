@@ -79,7 +79,7 @@ public:
     Time memory_taken_by_links();
 
     Time tick(Priority priority) const override { return priority == Priority::high ? high_tick : low_tick; }
-    bool begin_computing(Process&, Cycles, const Grain&) override;
+    bool begin_computing(Process&, Cycles, const CodeShape&) override;
     void make_ready(Process&) override;
     /// A successor of the same priority goes on in the process's place, as after startp and by endp.
     void leave(Process&, Process* successor) override;
@@ -122,7 +122,7 @@ private:
     // What words_moved_by_links() has counted last: of one moment it is the same, unless a part ends.
     Time counted_at_{-1};
     std::uint64_t words_ = 0, ended_when_counted_ = 0;
-    MemoryOfEngines engines_;
+    LinkEngineMemory engines_;
     Time access_{};    ///< to a word of its memory
     Time switching_{}; ///< to the next process
     Time halts_at_ = Time::max();

@@ -22,8 +22,8 @@ Cycles Router::cycles_of_passing_on() const {
     return static_cast<std::int64_t>(packets_passed_on_) * 2 * (costs_.handling + communication);
 }
 
-Router::Port::Port(Router& router, const std::string& to, const std::string& from, Channel<Packet>& out,
-                   Channel<Packet>& in)
+Router::Port::Port(Router& router, const std::string& to, const std::string& from, Channel<RouterPacket>& out,
+                   Channel<RouterPacket>& in)
     : router_(router), out_(out), in_(in),
       sender_(router.kernel_, "router sender " + to, std::bind_front(&Port::send_packets, this), router.executive_,
               router.costs_.priority),
@@ -35,7 +35,7 @@ Router::Port::Port(Router& router, const std::string& to, const std::string& fro
     }
 }
 
-void Router::Port::post(const Packet& packet) {
+void Router::Port::post(const RouterPacket& packet) {
     auto turn = std::ranges::find_if(turns_, [&](const auto& each) { return each.front().route == packet.route; });
     if (turn == turns_.end())
         turns_.push_back({packet});
@@ -47,10 +47,10 @@ void Router::Port::post(const Packet& packet) {
 }
 
 /// REQUIRES: a packet waits.
-Packet Router::Port::take_turn() {
+RouterPacket Router::Port::take_turn() {
     auto turn = std::move(turns_.front());
     turns_.pop_front();
-    Packet packet = turn.front();
+    RouterPacket packet = turn.front();
     turn.pop_front();
     if (!turn.empty())
         turns_.push_back(std::move(turn));
@@ -63,7 +63,7 @@ void Router::Port::send_packets() {
             sender_idle_ = true;
             sender_.wait_for(Activity::inputting, nullptr, SourceLocation::current());
         }
-        Packet packet = take_turn();
+        RouterPacket packet = take_turn();
         being_sent_ = packet.route;
         compute(router_.costs_.handling);
         on_link_ = true;
@@ -87,7 +87,7 @@ bool Router::Port::holds_packet_of(const Route& route) const {
 
 void Router::Port::receive_packets() {
     for (;;) {
-        Packet packet = in_.in().input();
+        RouterPacket packet = in_.in().input();
         compute(router_.costs_.handling);
         if (Port* port = packet.route->onward(packet)) {
             ++router_.packets_passed_on_;
@@ -102,7 +102,7 @@ RouterLink::RouterLink(Kernel& kernel, Link& link, Router& a, Router& b)
     : RouterLink(kernel, {link.from_a_to_b(), link.from_a_to_b().name()},
                  {link.from_b_to_a(), link.from_b_to_a().name()}, a, b) {}
 
-RouterLink::RouterLink(Kernel&, const Lane& a_to_b, const Lane& b_to_a, Router& a, Router& b)
+RouterLink::RouterLink(Kernel&, const RouterLane& a_to_b, const RouterLane& b_to_a, Router& a, Router& b)
     : a_to_b_("packets " + a_to_b.name), b_to_a_("packets " + b_to_a.name),
       a_(a.ports_.emplace_back(a, a_to_b.name, b_to_a.name, a_to_b_, b_to_a_)),
       b_(b.ports_.emplace_back(b, b_to_a.name, a_to_b.name, b_to_a_, a_to_b_)) {
@@ -149,7 +149,7 @@ bool Route::is_stopped_by(const Executive& executive) const {
 }
 
 void Route::send_packet() {
-    std::int64_t bytes = std::min(bytes_left_, Packet::most_bytes);
+    std::int64_t bytes = std::min(bytes_left_, RouterPacket::most_bytes);
     bytes_left_ -= bytes;
     all_sent_ = bytes_left_ == 0;
     ++under_way_;
@@ -161,7 +161,7 @@ void Route::input(AnyChannel& channel, const SourceLocation& where) {
     charge(self, &OperationCosts::hard_communication);
     inputter_ = &self;
     while (!here_.empty()) {
-        Packet packet = here_.front();
+        RouterPacket packet = here_.front();
         here_.pop_front();
         take(packet);
     }
@@ -169,12 +169,12 @@ void Route::input(AnyChannel& channel, const SourceLocation& where) {
         self.wait_for(Activity::inputting, &channel, where);
 }
 
-Router::Port* Route::onward(Packet& packet) const {
+Router::Port* Route::onward(RouterPacket& packet) const {
     const auto& ports = packet.acknowledge ? back_ : forth_;
     return ++packet.hop < ports.size() ? ports[packet.hop] : nullptr;
 }
 
-void Route::arrived(const Packet& packet) {
+void Route::arrived(const RouterPacket& packet) {
     if (packet.acknowledge) {
         --under_way_;
         if (!all_sent_)
@@ -194,7 +194,7 @@ void Route::arrived(const Packet& packet) {
 }
 
 /// Takes a packet for the inputting process. The last packet completes its message.
-void Route::take(const Packet& packet) {
+void Route::take(const RouterPacket& packet) {
     if (packet.last) {
         channel_->hand_over();
         inputter_ = nullptr;

@@ -23,7 +23,7 @@ namespace placedpar::hardware {
 class Route;
 
 /// What routers send each other: a part of a message on its way, or the acknowledge of one on its way back.
-struct Packet {
+struct RouterPacket {
     static constexpr std::uint32_t header_bytes = 4; ///< ours: one word names the channel and the kind of packet
     static constexpr std::int64_t most_bytes = 256;  ///< ours: bytes of a message in one packet
 
@@ -83,8 +83,9 @@ private:
     class Port {
     public:
         /// The packets of the other end come by `in`.
-        Port(Router&, const std::string& to, const std::string& from, Channel<Packet>& out, Channel<Packet>& in);
-        void post(const Packet&);
+        Port(Router&, const std::string& to, const std::string& from, Channel<RouterPacket>& out,
+             Channel<RouterPacket>& in);
+        void post(const RouterPacket&);
         void is_opposite(const Port& other) { opposite_ = &other; }
 
         bool is_on(const Executive& executive) const { return router_.executive_ == &executive; }
@@ -96,16 +97,17 @@ private:
     private:
         void send_packets();
         void receive_packets();
-        Packet take_turn();
+        RouterPacket take_turn();
 
         Router& router_;
-        Channel<Packet>& out_;
-        Channel<Packet>& in_;
-        const Port* opposite_ = nullptr;       ///< at the other end of the link
-        const Route* being_sent_ = nullptr;    ///< route of the packet that the sender has
-        bool on_link_ = false;                 ///< the sender is outputting that packet
-        std::deque<std::deque<Packet>> turns_; ///< the packets of each channel that has any, the next to send first
-        bool sender_idle_ = false;             ///< it waits for a packet to send
+        Channel<RouterPacket>& out_;
+        Channel<RouterPacket>& in_;
+        const Port* opposite_ = nullptr;    ///< at the other end of the link
+        const Route* being_sent_ = nullptr; ///< route of the packet that the sender has
+        bool on_link_ = false;              ///< the sender is outputting that packet
+        std::deque<std::deque<RouterPacket>>
+            turns_;                ///< the packets of each channel that has any, the next to send first
+        bool sender_idle_ = false; ///< it waits for a packet to send
         Process sender_, receiver_;
     };
 
@@ -117,7 +119,7 @@ private:
 };
 
 /// One direction of what routers send their packets over: of a link, or of a way over a bus.
-struct Lane {
+struct RouterLane {
     Carrier& carrier;
     std::string name;
 };
@@ -126,12 +128,12 @@ struct Lane {
 class RouterLink {
 public:
     RouterLink(Kernel&, Link&, Router& a, Router& b);
-    RouterLink(Kernel&, const Lane& a_to_b, const Lane& b_to_a, Router& a, Router& b);
+    RouterLink(Kernel&, const RouterLane& a_to_b, const RouterLane& b_to_a, Router& a, Router& b);
 
 private:
     friend class Route;
 
-    Channel<Packet> a_to_b_, b_to_a_;
+    Channel<RouterPacket> a_to_b_, b_to_a_;
     Router::Port &a_, &b_;
 };
 
@@ -148,7 +150,7 @@ class Route final : public Carrier {
 public:
     static constexpr std::size_t most_under_way = 4; ///< ours: packets that the sender is ahead of acknowledges
     /// Bytes of memory that each processor on the route, both ends included, reserves for the channel.
-    static constexpr std::int64_t room = most_under_way * (Packet::header_bytes + Packet::most_bytes);
+    static constexpr std::int64_t room = most_under_way * (RouterPacket::header_bytes + RouterPacket::most_bytes);
 
     /// REQUIRES: at least one hop; each begins at the router where the one before ends, and none is passed twice.
     Route(Kernel&, const std::vector<Hop>&);
@@ -175,10 +177,10 @@ private:
 
     /// Advances the packet, which has come over a link; returns the port by which it is sent on, or null if it has
     /// arrived.
-    Router::Port* onward(Packet&) const;
-    void arrived(const Packet&);
+    Router::Port* onward(RouterPacket&) const;
+    void arrived(const RouterPacket&);
     void send_packet();
-    void take(const Packet&);
+    void take(const RouterPacket&);
 
     std::vector<Router::Port*> forth_, back_; ///< that packets and acknowledges leave by, hop by hop
     AnyChannel* channel_ = nullptr;
@@ -189,8 +191,8 @@ private:
     bool all_sent_ = false;
     std::size_t under_way_ = 0; ///< number of packets sent and not yet acknowledged
 
-    Process* inputter_ = nullptr; ///< from when it asks for a message until it has it
-    std::deque<Packet> here_;     ///< arrived, and no process has taken them
+    Process* inputter_ = nullptr;   ///< from when it asks for a message until it has it
+    std::deque<RouterPacket> here_; ///< arrived, and no process has taken them
 };
 
 } // namespace placedpar::hardware

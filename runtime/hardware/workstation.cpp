@@ -21,7 +21,7 @@ void Workstation::Work::happen() noexcept {
     workstation.kernel_.enqueue(*workstation.current_);
 }
 
-bool Workstation::begin_computing(Process& self, Cycles cycles, const Grain&) {
+bool Workstation::begin_computing(Process& self, Cycles cycles, const CodeShape&) {
     if (cycles < Cycles{0})
         throw std::logic_error("process " + self.path() + " computes for a negative number of cycles");
     if (cycles == Cycles{0})

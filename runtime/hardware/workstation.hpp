@@ -31,7 +31,7 @@ public:
     Time time_busy() const;
 
     Time tick(Priority) const override { return clock_tick; }
-    bool begin_computing(Process&, Cycles, const Grain&) override;
+    bool begin_computing(Process&, Cycles, const CodeShape&) override;
     void make_ready(Process&) override;
     void leave(Process&, Process* successor) override;
 

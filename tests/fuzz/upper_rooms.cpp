@@ -19,9 +19,9 @@
 #include "monitor/memory/state_file.hpp"
 #include "monitor/protocol/bad_message.hpp"
 #include "monitor/protocol/message.hpp"
-#include "monitor/service/door.hpp"
-#include "monitor/service/errand.hpp"
 #include "monitor/service/host_names.hpp"
+#include "monitor/service/listener.hpp"
+#include "monitor/service/send_command.hpp"
 #include "monitor/service/token.hpp"
 #include "monitor/service/web.hpp"
 #include "netlist/read.hpp"
@@ -180,11 +180,11 @@ void read_answer(const std::string& line) { monitor::require_answer("monitor", l
 /// Where a monitor may be told to listen. A socket in the file system is in a folder of its own.
 void read_place(const std::string& text) {
     boost::asio::io_context io;
-    attempt_to([&] { monitor::Door::at_port(io, text, 0, "--port"); });
+    attempt_to([&] { monitor::Listener::at_port(io, text, 0, "--port"); });
     const std::string folder = std::filesystem::path(file_of("", "file")).parent_path();
     std::string name = text;
     std::ranges::replace(name, '/', '_');
-    attempt_to([&] { monitor::Door::at_path(io, folder + "/" + name); });
+    attempt_to([&] { monitor::Listener::at_path(io, folder + "/" + name); });
 }
 
 /// All that one connection sends, and then its end.
@@ -199,7 +199,7 @@ void read_request(const std::string& all) {
             reply({200, "text/plain", path});
         },
         [](const std::string&) {});
-    monitor::Door::Socket socket(io, monitor::Door::Socket::protocol_type(AF_UNIX, 0), ends[0]);
+    monitor::Listener::Socket socket(io, monitor::Listener::Socket::protocol_type(AF_UNIX, 0), ends[0]);
     web.welcome(std::move(socket), {"loopback", "a test", "127.0.0.1"});
     for (std::size_t sent = 0; sent < text.size();) {
         const ssize_t more = ::send(ends[1], text.data() + sent, text.size() - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
@@ -264,7 +264,7 @@ void read_searches(const std::string& text) {
 }
 
 /// The input's lines are a topology, a size and numbers, each of which may be missing.
-void read_wish(const std::string& text) {
+void read_topology_request(const std::string& text) {
     static const ProblemRegistry problems = known_problems(1);
     static const Catalogue kinds = known_kinds(problems);
     std::vector<std::string> lines(5);
@@ -275,7 +275,7 @@ void read_wish(const std::string& text) {
             lines[line] += c;
     if (lines[1].size() > 2 && lines[1].find('x') == lines[1].npos)
         return; // large machines take their time
-    generate::Wish wish;
+    generate::TopologyRequest wish;
     wish.topology = lines[0];
     wish.size = lines[1];
     wish.branches = parse_number<std::size_t>(lines[2]);
@@ -332,7 +332,7 @@ std::span<const Reader> readers() {
                                  {"population", read_population},
                                  {"names", read_names},
                                  {"searches", read_searches},
-                                 {"wish", read_wish},
+                                 {"wish", read_topology_request},
                                  {"scenario", read_scenario_settings},
                                  {"answer", read_answer},
                                  {"places", read_place},

@@ -66,10 +66,10 @@ TEST_CASE(
 TEST_CASE("three marks differ in their dashes, and are grey unless they have a colour") {
     std::set<std::string> styles;
     for (std::size_t place = 0; place < 3; ++place)
-        styles.insert(style_of(Mark{"", 1}, place));
+        styles.insert(style_of(GuideLine{"", 1}, place));
     CHECK(styles.size() == 3);
-    CHECK(says(style_of(Mark{"", 1}, 0), "#606060"));
-    CHECK(says(style_of(Mark{"", 1, 2}, 0), colour_named(2)));
+    CHECK(says(style_of(GuideLine{"", 1}, 0), "#606060"));
+    CHECK(says(style_of(GuideLine{"", 1, 2}, 0), colour_named(2)));
     CHECK(says(style_of(Band{"", {}, 2}), colour_named(2)));
 }
 

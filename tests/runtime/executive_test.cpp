@@ -30,7 +30,7 @@ public:
 
     Time tick(Priority) const override { return std::chrono::milliseconds{1}; }
 
-    bool begin_computing(Process&, Cycles cycles, const Grain&) override {
+    bool begin_computing(Process&, Cycles cycles, const CodeShape&) override {
         spent_.push_back(static_cast<std::int64_t>(cycles));
         kernel_.future().schedule(work_, kernel_.now() + spent_.back() * microseconds{1}, EventQueue::turn);
         return false;

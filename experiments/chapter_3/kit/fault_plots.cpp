@@ -13,7 +13,7 @@ constexpr std::size_t records_a_drift = 5;
 constexpr int farthest_mv = 30, drift_step_mv = 5;
 const Axis compliance_axis{"compliance [0.001 in³/psi]", 0, 20};
 
-Mark true_mark() { return {"true, sound", 1000 * Parameters::excavator()["boom.inlet_compliance"]}; }
+GuideLine true_mark() { return {"true, sound", 1000 * Parameters::excavator()["boom.inlet_compliance"]}; }
 
 Panel panel_over_samples(std::span<const PlantFault> faults, const RecordSource& source, std::uint64_t seed) {
     Panel panel{"a: C_BOi estimated by the spool, after each sample of one record",

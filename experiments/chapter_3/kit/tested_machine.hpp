@@ -1,6 +1,6 @@
 #pragma once
 
-#include "experiments/chapter_3/kit/digger.hpp"
+#include "experiments/chapter_3/kit/simulated_excavator.hpp"
 #include "identification/on_line/diagnosis.hpp"
 
 #include <vector>
@@ -12,14 +12,14 @@ class TestedMachine {
 public:
     TestedMachine(const RecordSource& source, hydraulics::AreasFrom from, std::uint64_t seed);
 
-    /// Digger::movement(), shown to the diagnosis, which has judged it when this returns.
+    /// SimulatedExcavator::movement(), shown to the diagnosis, which has judged it when this returns.
     void move(const PlantFault& fault, double compliance_factor, std::uint64_t number);
     const identification::Diagnosis& diagnosis() const { return diagnosis_; }
     /// The alarms that hold.
     const std::vector<identification::Alarm>& alarms() const { return diagnosis_.alarms(); }
 
 private:
-    Digger digger_;
+    SimulatedExcavator digger_;
     identification::Diagnosis diagnosis_;
     double next_s_ = 0; ///< when the next movement begins
 };

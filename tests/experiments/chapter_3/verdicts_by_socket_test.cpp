@@ -1,5 +1,5 @@
-#include "experiments/chapter_3/kit/digger.hpp"
 #include "experiments/chapter_3/kit/rate_study.hpp"
+#include "experiments/chapter_3/kit/simulated_excavator.hpp"
 #include "experiments/chapter_3/kit/verdict_study.hpp"
 #include "monitor/service/service.hpp"
 
@@ -58,7 +58,8 @@ json::object reading_json(const Reading& reading) {
 /// The control system of a digger, on the monitor's socket.
 class ControlSystem {
 public:
-    ControlSystem(const RunningService& service, const std::string& machine, const Digger& digger) : digger_(digger) {
+    ControlSystem(const RunningService& service, const std::string& machine, const SimulatedExcavator& digger)
+        : digger_(digger) {
         socket_.connect(service.endpoint());
         socket_.set_option(asio::ip::tcp::no_delay(true));
         say({{"type", "hello"},
@@ -105,7 +106,7 @@ private:
     asio::io_context io_;
     asio::ip::tcp::socket socket_{io_};
     asio::streambuf incoming_;
-    const Digger& digger_;
+    const SimulatedExcavator& digger_;
     double next_s_ = 0;
 };
 
@@ -127,7 +128,7 @@ Said watch(const TestedKind& kind, const TestedFault& fault, std::size_t movemen
     Said said{machines};
     const RunningService service;
     for (std::uint64_t seed = first_seed; seed < first_seed + machines; ++seed) {
-        const Digger digger(kind.source, kind.from, seed);
+        const SimulatedExcavator digger(kind.source, kind.from, seed);
         ControlSystem control(service, fmt::format("digger-{}", seed), digger);
         const std::size_t sound = fault.from_first_day ? 0 : 3;
         for (std::size_t i = 0; i < sound; ++i)
@@ -197,7 +198,7 @@ std::size_t accused_at(const RecordSource& source, const LoggerRate& rate, std::
     std::size_t accused = 0;
     for (std::uint64_t seed = first_seed; seed < first_seed + machines; ++seed) {
         const RunningService service;
-        const Digger digger(at_rate, AreasFrom::spool, seed);
+        const SimulatedExcavator digger(at_rate, AreasFrom::spool, seed);
         ControlSystem control(service, fmt::format("digger-{}", seed), digger);
         bool alarm = control.move(held.fault, 1, 0).has_value();
         for (std::size_t i = 1; i <= movements; ++i)

@@ -18,21 +18,21 @@
 #include <vector>
 
 using namespace placedpar;
-using generate::Wish;
+using generate::TopologyRequest;
 
 namespace {
 
 /// The known properties of a topology, from textbooks.
 struct KnownMachine {
-    Wish wish;
+    TopologyRequest request;
     std::size_t processors, links, degree, diameter;
 };
 
-Wish sized(const std::string& topology, const std::string& size) {
-    Wish wish;
-    wish.topology = topology;
-    wish.size = size;
-    return wish;
+TopologyRequest sized(const std::string& topology, const std::string& size) {
+    TopologyRequest request;
+    request.topology = topology;
+    request.size = size;
+    return request;
 }
 
 std::string by(std::size_t rows, std::size_t columns) { return std::to_string(rows) + "x" + std::to_string(columns); }
@@ -60,10 +60,10 @@ std::vector<KnownMachine> grids() {
                              links_across(r) + links_across(c), r + c - 2});
     for (std::size_t r : {2U, 3U, 4U})
         for (std::size_t c : {2U, 3U, 5U}) {
-            Wish wish = sized("torus", by(r, c));
-            wish.host = "node";
+            TopologyRequest request = sized("torus", by(r, c));
+            request.host = "node";
             known.push_back(
-                {wish, r * c, r * closed(c) + c * closed(r), links_across(r) + links_across(c), r / 2 + c / 2});
+                {request, r * c, r * closed(c) + c * closed(r), links_across(r) + links_across(c), r / 2 + c / 2});
         }
     for (std::size_t clusters : {1U, 2U, 3U, 4U})
         for (std::size_t length : {1U, 3U, 4U})
@@ -79,8 +79,8 @@ std::vector<KnownMachine> trees() {
                                     {sized("tree", "7"), 7, 6, 3, 4},    {sized("tree", "10"), 10, 9, 3, 5},
                                     {sized("tree", "15"), 15, 14, 3, 6}, {sized("tree", "31"), 31, 30, 3, 8},
                                     {sized("tree", "13"), 13, 12, 4, 4}, {sized("tree", "6"), 6, 5, 2, 5}};
-    known[6].wish.branches = 3;
-    known[7].wish.branches = 1;
+    known[6].request.branches = 3;
+    known[7].request.branches = 1;
     return known;
 }
 
@@ -88,7 +88,7 @@ std::vector<KnownMachine> cubes() {
     std::vector<KnownMachine> known;
     for (std::size_t d : {0U, 1U, 2U, 3U, 4U}) {
         known.push_back({sized("hypercube", std::to_string(1 << d)), std::size_t{1} << d, (d << d) / 2, d, d});
-        known.back().wish.host = "node";
+        known.back().request.host = "node";
     }
     known.push_back({sized("cube-connected-cycles", "24"), 24, 36, 3, 6});
     for (std::size_t d : {4U, 5U})
@@ -107,14 +107,14 @@ std::vector<KnownMachine> chordal_rings() {
     for (Three each : {Three{6, 3, 2}, {8, 3, 3}, {14, 5, 3}, {12, 5, 3}, {16, 5, 4}, {26, 7, 5}}) {
         known.push_back(
             {sized("chordal-ring", std::to_string(each.nodes)), each.nodes, each.nodes * 3 / 2, 3, each.diameter});
-        known.back().wish.chord = each.chord;
+        known.back().request.chord = each.chord;
     }
     for (std::size_t k : {2U, 3U, 4U}) {
         std::size_t nodes = 2 * k * k + 2 * k + 1;
         known.push_back({sized("chordal-ring", std::to_string(nodes)), nodes, 2 * nodes, 4, k});
-        known.back().wish.degree = 4;
-        known.back().wish.chord = 2 * k + 1;
-        known.back().wish.host = "node";
+        known.back().request.degree = 4;
+        known.back().request.chord = 2 * k + 1;
+        known.back().request.host = "node";
     }
     return known;
 }
@@ -158,17 +158,19 @@ RunReport run(const std::string& text, const Catalogue& catalogue, const Overrid
     return machine.run(Time::max());
 }
 
-std::string refusal_of(const Wish& wish) {
+std::string refusal_of(const TopologyRequest& request) {
     ProblemRegistry problems = known_problems(1);
     try {
-        generate::generate(wish, known_kinds(problems));
+        generate::generate(request, known_kinds(problems));
     } catch (const UserError& refused) {
         return refused.what();
     }
     return "";
 }
 
-bool says(const Wish& wish, const std::string& reason) { return refusal_of(wish).find(reason) != std::string::npos; }
+bool says(const TopologyRequest& request, const std::string& reason) {
+    return refusal_of(request).find(reason) != std::string::npos;
+}
 
 } // namespace
 
@@ -176,8 +178,8 @@ TEST_CASE("every topology has the processors, links, degree and diameter that ar
     ProblemRegistry problems = known_problems(1);
     Catalogue catalogue = known_kinds(problems);
     for (const KnownMachine& known : all_known()) {
-        INFO(known.wish.topology << " " << known.wish.size);
-        generate::Distances found = generate::generate(known.wish, catalogue).distances;
+        INFO(known.request.topology << " " << known.request.size);
+        generate::Distances found = generate::generate(known.request, catalogue).distances;
         CHECK(found.processors == known.processors);
         CHECK(found.links == known.links);
         CHECK(found.degree == known.degree);
@@ -191,9 +193,9 @@ TEST_CASE("a farm and islands run to their end on every topology, at several siz
     Catalogue catalogue = known_kinds(problems);
     for (KnownMachine known : all_known())
         for (const char* job : {"farm", "islands"}) {
-            INFO(known.wish.topology << " " << known.wish.size << " " << job);
-            known.wish.job = job;
-            std::string text = generate::generate(known.wish, catalogue).text;
+            INFO(known.request.topology << " " << known.request.size << " " << job);
+            known.request.job = job;
+            std::string text = generate::generate(known.request, catalogue).text;
             CHECK(text.size() < 4000); // replicators, not thousands of lines
             CHECK(run(text, catalogue, {{"samples", "5"}}).result.ending == Ending::completed);
         }
@@ -203,11 +205,11 @@ TEST_CASE("a user's kind is connected with its neighbours along every wire, and 
     Catalogue catalogue;
     catalogue.add(exchanger());
     for (KnownMachine known : all_known()) {
-        INFO(known.wish.topology << " " << known.wish.size);
-        known.wish.job = "test.exchanger";
-        known.wish.input = "in";
-        known.wish.output = "out";
-        RunReport report = run(generate::generate(known.wish, catalogue).text, catalogue, {});
+        INFO(known.request.topology << " " << known.request.size);
+        known.request.job = "test.exchanger";
+        known.request.input = "in";
+        known.request.output = "out";
+        RunReport report = run(generate::generate(known.request, catalogue).text, catalogue, {});
         CHECK(report.result.ending == Ending::completed);
         double heard = 0;
         for (const auto& each : report.measurements)
@@ -220,11 +222,11 @@ TEST_CASE("a generated netlist is of another size with another val") {
     ProblemRegistry problems = known_problems(1);
     Catalogue catalogue = known_kinds(problems);
     for (const char* job : {"farm", "islands"}) {
-        Wish wish = sized("mesh", "2x2");
-        wish.job = job;
-        std::string text = generate::generate(wish, catalogue).text;
-        wish.size = "3x4";
-        std::string larger = generate::generate(wish, catalogue).text;
+        TopologyRequest request = sized("mesh", "2x2");
+        request.job = job;
+        std::string text = generate::generate(request, catalogue).text;
+        request.size = "3x4";
+        std::string larger = generate::generate(request, catalogue).text;
         CHECK(run(text, catalogue, {{"rows", "3"}, {"columns", "4"}, {"samples", "5"}}).result.time ==
               run(larger, catalogue, {{"samples", "5"}}).result.time);
     }
@@ -235,14 +237,14 @@ TEST_CASE("what takes more than four links is refused, with the reason") {
         CHECK(says(sized(topology, size), "so none is left for a wire to the host; --host node"));
     CHECK(says(sized("hypercube", "32"), "every processor needs 5 links, and a transputer has 4"));
     CHECK(says(sized("star", "6"), "its centre needs 5 links, and a transputer has 4"));
-    Wish wish = sized("tree", "9");
-    wish.branches = 4;
-    CHECK(says(wish, "needs 5 links, and a transputer has 4"));
-    wish = sized("chordal-ring", "12");
-    wish.degree = 4;
-    CHECK(says(wish, "so none is left"));
-    wish.degree = 5;
-    CHECK(says(wish, "3 links to others, or 4"));
+    TopologyRequest request = sized("tree", "9");
+    request.branches = 4;
+    CHECK(says(request, "needs 5 links, and a transputer has 4"));
+    request = sized("chordal-ring", "12");
+    request.degree = 4;
+    CHECK(says(request, "so none is left"));
+    request.degree = 5;
+    CHECK(says(request, "3 links to others, or 4"));
 }
 
 TEST_CASE("sizes that a topology does not have are refused, with the reason") {
@@ -261,17 +263,17 @@ TEST_CASE("sizes that a topology does not have are refused, with the reason") {
     CHECK(says(sized("cube-connected-cycles", "25"), "24, 64, 160"));
     CHECK(says(sized("chordal-ring", "15"), "even"));
     for (std::size_t chord : {0U, 1U, 15U, 16U, 99U}) {
-        Wish wish = sized("chordal-ring", "16");
-        wish.chord = chord;
-        CHECK(says(wish, "leads to a neighbour, or beyond the ring"));
+        TopologyRequest request = sized("chordal-ring", "16");
+        request.chord = chord;
+        CHECK(says(request, "leads to a neighbour, or beyond the ring"));
     }
 }
 
 TEST_CASE("a machine whose routes are too long is refused with the size that it would have") {
     auto with_host_node = [](const std::string& topology, const std::string& size) {
-        Wish wish = sized(topology, size);
-        wish.host = "node";
-        return wish;
+        TopologyRequest request = sized(topology, size);
+        request.host = "node";
+        return request;
     };
     CHECK(refusal_of(with_host_node("ring", "1000")) == "");
     CHECK(refusal_of(with_host_node("ring", "1189")) == "");
@@ -284,12 +286,12 @@ TEST_CASE("a machine whose routes are too long is refused with the size that it 
 
 TEST_CASE("what is not known is refused, with what is") {
     CHECK(says(sized("moebius", "8"), "expected one of: pipeline, ring"));
-    Wish wish = sized("ring", "8");
-    wish.job = "ga.islnd";
-    CHECK(says(wish, "did you mean \"ga.island\"?"));
-    wish.job = "csp.identity";
-    CHECK(says(wish, "no output \"to_neighbours\""));
-    wish.job = "islands";
-    wish.branches = 2;
-    CHECK(says(wish, "--branches is for tree"));
+    TopologyRequest request = sized("ring", "8");
+    request.job = "ga.islnd";
+    CHECK(says(request, "did you mean \"ga.island\"?"));
+    request.job = "csp.identity";
+    CHECK(says(request, "no output \"to_neighbours\""));
+    request.job = "islands";
+    request.branches = 2;
+    CHECK(says(request, "--branches is for tree"));
 }

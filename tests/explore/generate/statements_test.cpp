@@ -68,13 +68,13 @@ TEST_CASE("processors that only a host joins are not connected, and the diameter
 
 TEST_CASE("a generated netlist begins with what it is, and the command that makes it again") {
     ProblemRegistry problems = known_problems(1);
-    generate::Wish wish;
-    wish.topology = "tree";
-    wish.size = "13";
-    wish.branches = 3;
-    wish.job = "farm";
-    wish.host = "node";
-    const std::string text = generate::generate(wish, known_kinds(problems)).text;
+    generate::TopologyRequest request;
+    request.topology = "tree";
+    request.size = "13";
+    request.branches = 3;
+    request.job = "farm";
+    request.host = "node";
+    const std::string text = generate::generate(request, known_kinds(problems)).text;
     CHECK(text.starts_with("/* A tree of 13, each with up to 3 below it: 13 processors, 12 links between them, at "
                            "most 4 of one, diameter 4.\n   A farm: "));
     CHECK(text.find("\n   placedpar generate tree --size 13 --branches 3 --job farm --host node */\n") != text.npos);

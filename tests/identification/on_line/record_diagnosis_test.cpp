@@ -84,7 +84,7 @@ TEST_CASE("the standard error is honest: the truth is within two of them in nine
         within += std::abs(*boom.compliance_in3_per_psi - 0.0086) <= 2 * boom.standard_error_in3_per_psi + step;
         const double unit = boom.whole->units.compliance_in3_per_psi;
         whole_within += std::abs(boom.whole->compliance_in3_per_psi - 0.0086) <=
-                        2 * unit * boom.whole->deviation.standard_error(Way::compliance);
+                        2 * unit * boom.whole->deviation.standard_error(FaultHypothesis::compliance);
         CHECK(boom.standard_error_in3_per_psi < 0.25 * 0.0086);
     }
     CHECK(within >= 34);

@@ -165,10 +165,10 @@ TEST_CASE("a leak that the rest after a movement tells may be a quarter off") {
     REQUIRE(movement.rest_after.size() >= 4);
     const Deviation found =
         deviations(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086}}, movement).value().front();
-    CAPTURE(found.standard_error(Way::leak) / found.by[1]);
+    CAPTURE(found.standard_error(FaultHypothesis::leak) / found.by[1]);
     CHECK(found.by[1] > 1.2);
-    CHECK(found.standard_error(Way::leak) > 0.25 * found.by[1]);
-    CHECK(found.standard_error(Way::leak) < 0.28 * found.by[1]);
+    CHECK(found.standard_error(FaultHypothesis::leak) > 0.25 * found.by[1]);
+    CHECK(found.standard_error(FaultHypothesis::leak) < 0.28 * found.by[1]);
 }
 
 TEST_CASE("the compliance at rest may be a quarter of a unit off: so uncertain is the leak that a rest tells") {
@@ -183,7 +183,7 @@ TEST_CASE("the compliance at rest may be a quarter of a unit off: so uncertain i
     const WayUnits unit = WayUnits::of(compliance);
     const double leak_by_compliance = -unit.compliance_in3_per_psi * slope_psi_per_s / (unit.leak_in3_per_s_psi * psi);
     const double left = std::sqrt(matrix_of(found.covariance)(3, 3) -
-                                  std::pow(leak_by_compliance * found.standard_error(Way::compliance), 2));
+                                  std::pow(leak_by_compliance * found.standard_error(FaultHypothesis::compliance), 2));
     CAPTURE(left / leak_by_compliance);
     CHECK(left == test::nearly(0.25 * leak_by_compliance, 0.15));
 }
@@ -196,7 +196,7 @@ TEST_CASE("a leak that flow alone tells may be 1.25 units off, unless the areas 
         return deviations(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086, areas}}, movement)
             .value()
             .front()
-            .standard_error(Way::leak);
+            .standard_error(FaultHypothesis::leak);
     };
     CAPTURE(error(AreasFrom::areas));
     CAPTURE(error(AreasFrom::spool));

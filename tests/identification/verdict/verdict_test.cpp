@@ -39,7 +39,7 @@ TEST_CASE("the way that explains a deviation best, and how surely") {
     CHECK(verdict_of(off_by(0, 1, 0, 1), true, AreasFrom::spool).probability < 0.7);
     // As well one as the other.
     Deviation either = off_by(1, 1, 0, 0.1);
-    either.by[index_of(Way::leak_before)] = 0;
+    either.by[index_of(FaultHypothesis::leak_before)] = 0;
     CHECK(verdict_of(either, true, AreasFrom::spool).probability == test::nearly(0.5, 0.01));
 }
 
@@ -78,11 +78,11 @@ TEST_CASE("a leak that begins with the movement and an offset are one verdict, u
                          two_ways_of(WayMatrix::Identity() * 0.01 + 4 * unknown * unknown.transpose())};
     CHECK(verdict_of(flow, true, AreasFrom::spool).kind == VerdictKind::leak_or_offset);
     CHECK(verdict_of(flow, true, AreasFrom::servo).kind == VerdictKind::leak_or_offset);
-    CHECK(size_alone(Way::leak, flow).by == doctest::Approx(1).epsilon(0.1));
-    CHECK(size_alone(Way::offset, flow).by == test::nearly(0.5, 0.1));
-    CHECK(size_alone(Way::leak, flow).standard_error < 0.3);
+    CHECK(size_alone(FaultHypothesis::leak, flow).by == doctest::Approx(1).epsilon(0.1));
+    CHECK(size_alone(FaultHypothesis::offset, flow).by == test::nearly(0.5, 0.1));
+    CHECK(size_alone(FaultHypothesis::leak, flow).standard_error < 0.3);
     Deviation leak_before = flow;
-    leak_before.by[index_of(Way::leak_before)] = 1;
+    leak_before.by[index_of(FaultHypothesis::leak_before)] = 1;
     CHECK(verdict_of(leak_before, true, AreasFrom::spool).kind == VerdictKind::leak);
     // A rest that follows shows a leak, or none.
     const Deviation leak_after{{0, 1, 0, 0}, two_ways_of(WayMatrix::Identity() * 0.01)},

@@ -141,9 +141,9 @@ TEST_CASE("a state whose matrices have no inverse is refused") {
         }
     };
     refused("the information of a test has no inverse",
-            [](LinkJudge::State& judge) -> OfTwoWays& { return judge.from_itself.information; });
+            [](LinkJudge::State& judge) -> PerPairOfHypotheses& { return judge.from_itself.information; });
     refused("the information of a test has no inverse",
-            [](LinkJudge::State& judge) -> OfTwoWays& { return judge.from_kind.information; });
+            [](LinkJudge::State& judge) -> PerPairOfHypotheses& { return judge.from_kind.information; });
     refused("the covariance of a movement has no inverse",
-            [](LinkJudge::State& judge) -> OfTwoWays& { return judge.first.front().covariance; });
+            [](LinkJudge::State& judge) -> PerPairOfHypotheses& { return judge.first.front().covariance; });
 }

@@ -47,16 +47,17 @@ KeptAlarm alarm(const char* machine, const char* kind, int i) {
     return {machine, kind, "BU BO", "a sentence", 1e9 + i, 0.25 * i, std::nullopt, std::nullopt, std::nullopt};
 }
 
-Parcel parcel_of(int i) {
-    Parcel parcel;
+Transaction transaction_of(int i) {
+    Transaction transaction;
     const char* machine = i % 2 ? "a" : "b";
-    parcel.entries.push_back(KeptMessage{static_cast<std::uint64_t>(i), machine, fmt::format("{{\"message\":{}}}", i)});
-    parcel.entries.push_back(estimate(machine, i));
+    transaction.entries.push_back(
+        KeptMessage{static_cast<std::uint64_t>(i), machine, fmt::format("{{\"message\":{}}}", i)});
+    transaction.entries.push_back(estimate(machine, i));
     if (i % 7 == 5)
-        parcel.entries.push_back(KeptState{machine, static_cast<std::uint64_t>(i), std::string(3000, 'x')});
+        transaction.entries.push_back(KeptState{machine, static_cast<std::uint64_t>(i), std::string(3000, 'x')});
     if (i % 10 == 6)
-        parcel.entries.push_back(alarm(machine, i % 20 == 6 ? "leak" : "drift", i));
-    return parcel;
+        transaction.entries.push_back(alarm(machine, i % 20 == 6 ? "leak" : "drift", i));
+    return transaction;
 }
 
 /// Units 1 to 60 in transactions of two; the file is as a kill leaves it, in another folder.
@@ -64,8 +65,8 @@ void write_and_kill(const Scratch& from, const Scratch& to) {
     StateContent content;
     StateFile file(from / "state", "settings", most_history, content);
     for (int i = 1; i < 60; i += 2) {
-        std::vector<Parcel> parcels{parcel_of(i), parcel_of(i + 1)};
-        file.commit(parcels);
+        std::vector<Transaction> transactions{transaction_of(i), transaction_of(i + 1)};
+        file.commit(transactions);
     }
     to.write("state", from.read("state"));
 }
@@ -109,12 +110,12 @@ Files killed_in_commit(const Files& files, std::size_t bytes) {
     if (const pid_t child = ::fork(); child == 0) {
         StateContent content;
         StateFile file(scratch / "state", "settings", most_history, content);
-        std::vector<Parcel> parcels;
+        std::vector<Transaction> transactions;
         for (int i = 61; i < 1000; ++i)
-            parcels.push_back(parcel_of(i));
+            transactions.push_back(transaction_of(i));
         const FullDisk disk(bytes);
         std::signal(SIGXFSZ, SIG_DFL);
-        file.commit(parcels);
+        file.commit(transactions);
         ::_exit(0);
     } else {
         int status = 0;
@@ -264,11 +265,12 @@ TEST_CASE("a machine that is forgotten leaves nothing but its messages") {
     {
         StateContent content;
         StateFile file(scratch / "state", "settings", most_history, content);
-        std::vector<Parcel> parcels{parcel_of(1), parcel_of(2), parcel_of(5), parcel_of(6)};
-        parcels[2].entries[0] = KeptMessage{3, "a", "x"};
-        parcels[3].entries[0] = KeptMessage{4, "b", "x"};
-        file.commit(parcels);
-        std::vector<Parcel> forget{{{KeptMessage{5, "a", forget_text}, ForgottenMachine{"a"}}}};
+        std::vector<Transaction> transactions{transaction_of(1), transaction_of(2), transaction_of(5),
+                                              transaction_of(6)};
+        transactions[2].entries[0] = KeptMessage{3, "a", "x"};
+        transactions[3].entries[0] = KeptMessage{4, "b", "x"};
+        file.commit(transactions);
+        std::vector<Transaction> forget{{{KeptMessage{5, "a", forget_text}, ForgottenMachine{"a"}}}};
         file.commit(forget);
     }
     Everything everything(scratch / "state");
@@ -283,19 +285,19 @@ TEST_CASE("after a loss all begins anew, and alarms that went meanwhile are clea
     Scratch scratch;
     StateContent content;
     StateFile file(scratch / "state", "settings", most_history, content);
-    std::vector<Parcel> parcels{parcel_of(1)};
-    parcels[0].entries.push_back(alarm("a", "leak", 1));
-    file.commit(parcels);
+    std::vector<Transaction> transactions{transaction_of(1)};
+    transactions[0].entries.push_back(alarm("a", "leak", 1));
+    file.commit(transactions);
     {
         FullDisk disk(1);
-        std::vector<Parcel> lost{parcel_of(2)};
+        std::vector<Transaction> lost{transaction_of(2)};
         CHECK_THROWS_AS(file.commit(lost), store::DatabaseError);
     }
-    Parcel anew{{OpenAlarms{{alarm("b", "drift", 3)}, 5}, KeptState{"b", 7, "s"}}, 7};
+    Transaction anew{{OpenAlarms{{alarm("b", "drift", 3)}, 5}, KeptState{"b", 7, "s"}}, 7};
     file.commit(std::span(&anew, 1));
     CHECK(file.history().open_alarms() == std::vector<KeptAlarm>{alarm("b", "drift", 3)});
     CHECK(file.history().alarms("a", 10).at(0).cleared_at == 5);
-    std::vector<Parcel> next{{{KeptMessage{8, "b", "x"}}}};
+    std::vector<Transaction> next{{{KeptMessage{8, "b", "x"}}}};
     file.commit(next);
 }
 
@@ -305,11 +307,11 @@ TEST_CASE("a file that is removed again while it is made anew loses nothing of i
         Scratch scratch;
         StateContent content;
         StateFile file(scratch / "state", "settings", most_history, content);
-        std::vector<Parcel> parcels{parcel_of(1)};
-        file.commit(parcels);
+        std::vector<Transaction> transactions{transaction_of(1)};
+        file.commit(transactions);
         std::filesystem::remove(scratch / "state");
-        CHECK_THROWS_AS(file.commit(parcels), store::DatabaseError);
-        Parcel anew{{OpenAlarms{{}, 5}, KeptState{"b", 7, "s"}}, 7};
+        CHECK_THROWS_AS(file.commit(transactions), store::DatabaseError);
+        Transaction anew{{OpenAlarms{{}, 5}, KeptState{"b", 7, "s"}}, 7};
         {
             const int watch = ::inotify_init();
             ::inotify_add_watch(watch, (scratch / "").c_str(), IN_MOVED_TO);

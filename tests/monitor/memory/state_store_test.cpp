@@ -42,10 +42,10 @@ struct Running {
     Diagnoses diagnoses = none();
     StateStore store;
     std::mutex mutex;
-    std::vector<Progress> told;
+    std::vector<WriteProgress> told;
 
     explicit Running(const std::filesystem::path& path) : store(path, diagnoses, 100) {
-        store.start([this](Progress progress) {
+        store.start([this](WriteProgress progress) {
             std::lock_guard lock(mutex);
             told.push_back(std::move(progress));
         });
@@ -65,9 +65,9 @@ struct Running {
     void settle() {
         for (bool done = store.last_ticket() == 0; !done; std::this_thread::yield()) {
             std::lock_guard lock(mutex);
-            for (const Progress& progress : told)
+            for (const WriteProgress& progress : told)
                 store.note(progress);
-            done = !told.empty() && told.back().parcels >= store.last_ticket();
+            done = !told.empty() && told.back().transactions >= store.last_ticket();
         }
     }
 };

@@ -17,7 +17,7 @@ Clock::time_point at(int s) { return Clock::time_point(std::chrono::seconds(s));
 constexpr std::size_t limit = 256;
 
 /// Connections of one peer come until all places are taken, or no more are let in; gives how many it has.
-std::size_t crowd_in(std::vector<Place>& places, const std::string& peer, std::size_t attempts, bool known = false) {
+std::size_t crowd_in(std::vector<Occupant>& places, const std::string& peer, std::size_t attempts, bool known = false) {
     for (std::size_t i = 0; i < attempts; ++i) {
         if (places.size() >= limit) {
             auto victim = gives_way(places, peer, false);
@@ -27,7 +27,7 @@ std::size_t crowd_in(std::vector<Place>& places, const std::string& peer, std::s
         }
         places.push_back({peer, known, false, 0, at(static_cast<int>(i))});
     }
-    return static_cast<std::size_t>(std::ranges::count(places, peer, &Place::peer));
+    return static_cast<std::size_t>(std::ranges::count(places, peer, &Occupant::peer));
 }
 
 bool always(const std::string&) { return true; }
@@ -36,29 +36,29 @@ bool never(const std::string&) { return false; }
 } // namespace
 
 TEST_CASE("two peers that have all places make room for a third, until all have alike") {
-    std::vector<Place> places;
+    std::vector<Occupant> places;
     CHECK(crowd_in(places, "flooder", 128) == 128);
     CHECK(crowd_in(places, "other flooder", 128) == 128);
     CHECK(crowd_in(places, "third", 1) == 1);
     CHECK(crowd_in(places, "third", 1000) == 85);
     CHECK(crowd_in(places, "flooder", 1000) + crowd_in(places, "other flooder", 1000) == 171); // none is won back
-    CHECK(std::ranges::count(places, std::string("third"), &Place::peer) == 85);
+    CHECK(std::ranges::count(places, std::string("third"), &Occupant::peer) == 85);
     CHECK(places.size() == limit);
 }
 
 TEST_CASE("no peer takes what is kept, though all else is taken") {
-    std::vector<Place> places;
+    std::vector<Occupant> places;
     crowd_in(places, "site", 100, true);
     crowd_in(places, "flooder", 1000);
     CHECK(crowd_in(places, "site", 1000) == 100 + 78); // its strangers have as many as the flooder's
     CHECK(crowd_in(places, "flooder", 1000) == 78);
-    CHECK(std::ranges::count(places, true, &Place::kept) == 100);
+    CHECK(std::ranges::count(places, true, &Occupant::kept) == 100);
 }
 
 TEST_CASE("of one peer the idle goes first, then what has fewest samples, then what was silent longest") {
-    std::vector<Place> places{{"p", false, false, 0, at(3)}, {"p", false, false, 0, at(2)},
-                              {"p", false, false, 9, at(1)}, {"p", false, true, 9, at(9)},
-                              {"q", false, true, 0, at(0)},  {"p", true, true, 0, at(0)}};
+    std::vector<Occupant> places{{"p", false, false, 0, at(3)}, {"p", false, false, 0, at(2)},
+                                 {"p", false, false, 9, at(1)}, {"p", false, true, 9, at(9)},
+                                 {"q", false, true, 0, at(0)},  {"p", true, true, 0, at(0)}};
     CHECK(gives_way(places, "new", false) == 3);
     places.erase(places.begin() + 3);
     CHECK(gives_way(places, "new", false) == 1);

@@ -92,7 +92,7 @@ TEST_CASE("a stretch as bytes") {
     stretch.add(Slice{2, Activity::inputting, Time{110}, Time{115}, true, "", 0, {{"c", "p"}}});
     stretch.add(Slice{1, Activity::computing, Time{100}, Time{300}, false, "w"});
     std::string channel = "c";
-    stretch.add(Passage{channel, 1, 2, Time{105}, Time{110}});
+    stretch.add(MessageArrow{channel, 1, 2, Time{105}, Time{110}});
     PackedStretch packed = stretch.pack();
     CHECK(packed.end == Time{300});
     CHECK(packed.entries == 3);

@@ -38,7 +38,7 @@ struct Notes final : TraceWriter {
             line += fmt::format(", {} with {}", awaited.channel, awaited.partner);
         lines.push_back(line + (s.awaits_timer ? ", timer" : ""));
     }
-    void write(const Passage& p) override {
+    void write(const MessageArrow& p) override {
         lines.push_back(fmt::format("{}: {} at {} to {} at {}", p.channel, tracks.all()[p.from].name, p.left / 1ns,
                                     tracks.all()[p.to].name, p.arrived / 1ns));
     }

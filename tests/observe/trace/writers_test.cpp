@@ -90,7 +90,7 @@ TEST_CASE("Perfetto: a message is a flow from slice to slice") {
     Tracks tracks(on_one_node({"p", "q"}));
     const std::string channel = "c";
     std::string text = written<PerfettoTrace>(tracks, [&](TraceWriter& writer) {
-        writer.write(Passage{channel, 1, 2, Time{10}, Time{20}});
+        writer.write(MessageArrow{channel, 1, 2, Time{10}, Time{20}});
     });
     CHECK(has(text, R"({"ph":"s","name":"c","cat":"message","id":1,"pid":1,"tid":3,"ts":0.000010})"));
     CHECK(has(text, R"({"ph":"f","bp":"e","name":"c","cat":"message","id":1,"pid":1,"tid":4,"ts":0.000020})"));

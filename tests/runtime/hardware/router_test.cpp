@@ -82,7 +82,7 @@ TEST_CASE("two channels each way over one link: every message arrives, in the or
 }
 
 TEST_CASE(
-    "an outputter goes on only after its message was input, and a late inputter does not stop the other channel") {
+    "an outputter goes on only after its message was input, and a late inputter record not stop the other channel") {
     TwoNodes nodes;
     Channel<int> late("late", nodes.carrier(true)), prompt("prompt", nodes.carrier(true));
     Time late_output{}, late_input{}, prompt_output{};
@@ -109,8 +109,8 @@ TEST_CASE("the stated price: a packet each way on the link, two handlings on eac
     nodes.simulation.process(
         "inputs", [&] { c.in().input(), input = now(); }, &nodes.b);
     CHECK(nodes.simulation.run().ending == Ending::completed);
-    CHECK(nodes.link.from_a_to_b().bytes_carried() == Packet::header_bytes + 100);
-    CHECK(nodes.link.from_b_to_a().bytes_carried() == Packet::header_bytes);
+    CHECK(nodes.link.from_a_to_b().bytes_carried() == RouterPacket::header_bytes + 100);
+    CHECK(nodes.link.from_b_to_a().bytes_carried() == RouterPacket::header_bytes);
     // a: the sender handles the packet and outputs it, the receiver inputs the acknowledge and handles it, and
     // the program outputs: 200 + 19, 19 + 200 and 19 cycles, and the receiver asks for a second packet, 19.
     // The sender's start interrupts the program once at most.
@@ -128,7 +128,7 @@ TEST_CASE("the stated price: a packet each way on the link, two handlings on eac
     CHECK(output - input <= back_on_link + (200 + 3 * 19) * cycle);
 }
 
-TEST_CASE("a router that has nothing to do does not keep a run from completing") {
+TEST_CASE("a router that has nothing to do record not keep a run from completing") {
     TwoNodes nodes;
     Channel<int> c("c", nodes.carrier(true));
     nodes.simulation.process(
@@ -337,7 +337,7 @@ TEST_CASE("hundreds of channels on a torus of 256 processors and a hypercube of 
             c.put_on(machine.route(way));
             Text text{random.below(1000), 1 + random.below(600)};
             std::size_t packets = (text.bytes + 255) / 256;
-            bytes += (way.size() - 1) * (text.bytes + 2 * packets * Packet::header_bytes); // and acknowledges
+            bytes += (way.size() - 1) * (text.bytes + 2 * packets * RouterPacket::header_bytes); // and acknowledges
             packets_passed_on += (way.size() - 2) * 2 * packets;
             machine.simulation.process(
                 "sends", [&c, text] { c.out().output(text); }, machine.processors[from]);

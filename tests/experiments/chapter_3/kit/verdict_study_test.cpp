@@ -28,7 +28,7 @@ std::vector<TestedFault> called(const std::vector<TestedFault>& faults, AlarmKin
 }
 
 /// The readings of the boom's pressure in a movement.
-std::vector<double> pressures(const Digger& digger, const PlantFault& fault, double compliance_factor,
+std::vector<double> pressures(const SimulatedExcavator& digger, const PlantFault& fault, double compliance_factor,
                               std::uint64_t number) {
     return digger.movement(fault, compliance_factor, number).of(Link::boom, Sensor::inlet_pressure);
 }
@@ -63,7 +63,7 @@ TEST_CASE("a leak that begins and an offset need not be told apart where no rest
 }
 
 TEST_CASE("a movement is decided by its number and the machine by its seed") {
-    const Digger digger(low_plant, AreasFrom::spool, 1), other(low_plant, AreasFrom::spool, 2);
+    const SimulatedExcavator digger(low_plant, AreasFrom::spool, 1), other(low_plant, AreasFrom::spool, 2);
     CHECK(pressures(digger, no_fault(), 1, 4) == pressures(digger, no_fault(), 1, 4));
     CHECK(pressures(digger, no_fault(), 1, 4) != pressures(digger, no_fault(), 1, 5));
     CHECK(pressures(digger, no_fault(), 1, 4) != pressures(other, no_fault(), 1, 4));
@@ -73,7 +73,7 @@ TEST_CASE("a movement is decided by its number and the machine by its seed") {
 }
 
 TEST_CASE("a sample has the readings of its instant, by the control system's clock") {
-    const Digger digger(low_machine, AreasFrom::servo, 1);
+    const SimulatedExcavator digger(low_machine, AreasFrom::servo, 1);
     const Record movement = digger.movement(no_fault(), 1, 1);
     const ExcavatorSample sample = digger.sample(movement, 10, 100);
     CHECK(sample.time_s == 100 + movement.time_s[10]);
@@ -85,14 +85,14 @@ TEST_CASE("a sample has the readings of its instant, by the control system's clo
 TEST_CASE("a logger of another rate reads the same movement more often") {
     RecordSource quick = low_plant;
     quick.period_s = logger_rates[1].period_s;
-    const Record slow_record = Digger(low_plant, AreasFrom::spool, 1).movement(no_fault(), 1, 1),
-                 quick_record = Digger(quick, AreasFrom::spool, 1).movement(no_fault(), 1, 1);
+    const Record slow_record = SimulatedExcavator(low_plant, AreasFrom::spool, 1).movement(no_fault(), 1, 1),
+                 quick_record = SimulatedExcavator(quick, AreasFrom::spool, 1).movement(no_fault(), 1, 1);
     CHECK(quick_record.size() == doctest::Approx(4 * static_cast<double>(slow_record.size())).epsilon(0.05));
     CHECK(quick_record.time_s.back() == doctest::Approx(slow_record.time_s.back()).epsilon(0.05));
 }
 
 TEST_CASE("a long movement takes twelve seconds, most of them steady") {
-    const Record movement = Digger(low_plant, AreasFrom::spool, 1).movement(long_movement(low_plant), 1, 0);
+    const Record movement = SimulatedExcavator(low_plant, AreasFrom::spool, 1).movement(long_movement(low_plant), 1, 0);
     CHECK(movement.time_s.back() == doctest::Approx(12.1).epsilon(0.01));
     const std::vector<double>& psi = movement.of(Link::boom, Sensor::inlet_pressure);
     const auto [least, greatest] =

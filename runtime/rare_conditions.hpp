@@ -5,7 +5,7 @@
 namespace placedpar {
 
 /// Rare conditions of a run, kept as one bit set so that the kernel tests them all at once in each of its steps.
-class Circumstances {
+class RareConditions {
 public:
     enum Circumstance : unsigned {
         nobody_left = 1,  ///< every process of the program has ended

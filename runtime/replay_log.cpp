@@ -1,4 +1,4 @@
-#include "runtime/history.hpp"
+#include "runtime/replay_log.hpp"
 
 namespace placedpar {
 
@@ -14,31 +14,31 @@ std::uint64_t name_of(std::uint64_t maker, std::uint64_t number) {
 
 } // namespace
 
-void History::depart() {
-    departs_quietly();
-    throw Departure{};
+void ReplayLog::diverge() {
+    diverge_quietly();
+    throw ReplayDivergence{};
 }
 
-void History::departs_quietly() {
-    course_.departed = true;
-    course_.on_departure();
+void ReplayLog::diverge_quietly() {
+    course_.has_diverged = true;
+    course_.on_divergence();
 }
 
-void History::does_quietly(Action action, std::uint64_t what) {
+void ReplayLog::record_quietly(Action action, std::uint64_t what) {
     if (is_silent_)
         return;
     if (original_ && actions_ == original_->actions_)
-        departs_quietly();
+        diverge_quietly();
     note(action, what);
 }
 
-void History::does_what_is_not_noted() {
+void ReplayLog::record_unrepeatable() {
     course_.can_be_repeated = false;
     if (repeats())
-        departs_quietly();
+        diverge_quietly();
 }
 
-History& History::component() {
+ReplayLog& ReplayLog::component() {
     std::uint64_t name = name_of(name_, ++begun_);
     if (!original_) {
         constexpr std::size_t readings = 20; // as much as a history takes
@@ -46,24 +46,24 @@ History& History::component() {
         return components_.emplace_back(course_, name);
     }
     if (next_component_ == original_->components_.end())
-        depart();
+        diverge();
     return components_.emplace_back(course_, *next_component_++);
 }
 
-void History::components_have_ended() {
+void ReplayLog::components_have_ended() {
     if (original_ || !course_.can_be_repeated)
         components_.clear();
 }
 
-std::uint64_t History::next_channel() { return name_of(~name_, ++channels_); }
+std::uint64_t ReplayLog::next_channel() { return name_of(~name_, ++channels_); }
 
-void History::end() {
+void ReplayLog::end() {
     if (original_ && (actions_ != original_->actions_ || fingerprint_.value() != original_->fingerprint_.value()))
-        depart();
+        diverge();
 }
 
 /// Makes room for readings. If there is no room left, the run cannot be repeated, and nothing is recorded any more.
-void History::take_room(std::size_t readings) {
+void ReplayLog::take_room(std::size_t readings) {
     if (course_.room < readings)
         course_.can_be_repeated = false;
     if (!course_.can_be_repeated)
@@ -72,24 +72,24 @@ void History::take_room(std::size_t readings) {
         course_.room -= readings;
 }
 
-void History::note_seen(Action what, std::int64_t seen) {
+void ReplayLog::note_observation(Action what, std::int64_t seen) {
     take_room(1);
     if (course_.can_be_repeated)
         seen_.push_back({when_and_what(what), seen});
     note(what, 0);
 }
 
-std::int64_t History::saw_then(Action what) {
+std::int64_t ReplayLog::observed_then(Action what) {
     const bool asked_then =
         seen_again_ < original_->seen_.size() && original_->seen_[seen_again_].when_and_what == when_and_what(what);
-    if (asked_then && !course_.departed) {
+    if (asked_then && !course_.has_diverged) {
         note(what, 0);
         return original_->seen_[seen_again_++].value;
     }
     constexpr std::uint64_t very_often = 100'000; // as Kernel::unheeded_readings
     if (what != Action::now || ++asked_in_vain_ > very_often)
-        depart();
-    departs_quietly();
+        diverge();
+    diverge_quietly();
     return 0;
 }
 

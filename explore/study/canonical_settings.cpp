@@ -1,21 +1,21 @@
-#include "explore/study/spellings.hpp"
+#include "explore/study/canonical_settings.hpp"
 
 #include <set>
 #include <utility>
 
 namespace placedpar {
 
-Spellings::Spellings(StudyResults& results, const Study* study) : results_(results), study_(study) {
+CanonicalSettings::CanonicalSettings(StudyResults& results, const Study* study) : results_(results), study_(study) {
     results.for_each_setting([this](const Overrides& set) { differ_ |= of(set) != set; });
 }
 
-Overrides Spellings::of(Overrides set) {
+Overrides CanonicalSettings::of(Overrides set) {
     for (auto& [name, text] : set)
         text = spelt(name, text);
     return set;
 }
 
-const std::string& Spellings::spelt(const std::string& name, const std::string& text) {
+const std::string& CanonicalSettings::spelt(const std::string& name, const std::string& text) {
     auto [known, is_new] = known_[name].try_emplace(text);
     if (!is_new)
         return known->second;
@@ -25,7 +25,7 @@ const std::string& Spellings::spelt(const std::string& name, const std::string& 
     return known->second;
 }
 
-void Spellings::for_each(const std::function<void(const StudyRun&, const StudyOutcome&)>& tell) {
+void CanonicalSettings::for_each(const std::function<void(const StudyRun&, const StudyOutcome&)>& tell) {
     if (!differ_)
         return results_.for_each(tell);
     std::set<StudyRun> told;

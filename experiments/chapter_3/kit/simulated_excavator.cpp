@@ -1,4 +1,4 @@
-#include "experiments/chapter_3/kit/digger.hpp"
+#include "experiments/chapter_3/kit/simulated_excavator.hpp"
 
 #include "hydraulics/plant/record_scenario.hpp"
 #include "identification/on_line/record_samples.hpp"
@@ -73,12 +73,14 @@ void shorten_steps(Parameters& parameters, double period_s) {
 
 } // namespace
 
-Digger::Digger(const RecordSource& source, AreasFrom from, std::uint64_t seed)
+SimulatedExcavator::SimulatedExcavator(const RecordSource& source, AreasFrom from, std::uint64_t seed)
     : source_(source), from_(from), seed_(seed), parameters_(parameters_of(source, seed)) {}
 
-LinkSet Digger::links() const { return moves_two(source_) ? LinkSet{Link::bucket, Link::boom} : LinkSet{Link::boom}; }
+LinkSet SimulatedExcavator::links() const {
+    return moves_two(source_) ? LinkSet{Link::bucket, Link::boom} : LinkSet{Link::boom};
+}
 
-Record Digger::movement(const PlantFault& fault, double compliance_factor, std::uint64_t number) const {
+Record SimulatedExcavator::movement(const PlantFault& fault, double compliance_factor, std::uint64_t number) const {
     Parameters parameters = parameters_;
     RandomStream random(seed_, fmt::format("movement/{}", number));
     scatter(parameters, movement_scatter, random);
@@ -92,7 +94,7 @@ Record Digger::movement(const PlantFault& fault, double compliance_factor, std::
     });
 }
 
-ExcavatorSample Digger::sample(const Record& movement, std::size_t index, double begun_s) const {
+ExcavatorSample SimulatedExcavator::sample(const Record& movement, std::size_t index, double begun_s) const {
     PerLink<LinkReader> readers;
     readers.fill({from_});
     ExcavatorSample sample = sample_of(movement, index, links(), readers);

@@ -12,7 +12,7 @@
 namespace placedpar::monitor {
 
 /// Who is connected, and to which machine.
-class Roster {
+class ClientRegistry {
 public:
     void enter(Client& client);
     void leave(Client& client);

@@ -1,4 +1,4 @@
-#include "monitor/service/keeper.hpp"
+#include "monitor/service/persistence.hpp"
 
 #include "monitor/service/clock.hpp"
 
@@ -20,14 +20,14 @@ std::string going_on(const std::string& trouble) {
 
 } // namespace
 
-Keeper::Keeper(StateStore* store, Outbox& outbox, std::function<void(const std::string&)> complain)
+Persistence::Persistence(StateStore* store, Outbox& outbox, std::function<void(const std::string&)> complain)
     : store_(store), outbox_(outbox), complain_(std::move(complain)), trouble_(store ? store->trouble() : "") {
     if (!well())
         complain_(going_on(trouble_));
 }
 
-void Keeper::record(Client& from, const std::string& machine, std::string_view line, std::size_t generations,
-                    std::vector<Entry> history) {
+void Persistence::record(Client& from, const std::string& machine, std::string_view line, std::size_t generations,
+                         std::vector<Entry> history) {
     if (!store_)
         return;
     outbox_.wait_for(store_->record(machine, line, generations, std::move(history)));
@@ -35,22 +35,22 @@ void Keeper::record(Client& from, const std::string& machine, std::string_view l
     store_->relieve();
 }
 
-void Keeper::save(const identification::Diagnosis& diagnosis) {
+void Persistence::save(const identification::Diagnosis& diagnosis) {
     if (store_)
         outbox_.wait_for(store_->save(diagnosis));
 }
 
-void Keeper::forget(const std::string& machine) {
+void Persistence::forget(const std::string& machine) {
     if (store_)
         outbox_.wait_for(store_->forget(machine));
 }
 
-void Keeper::change_history(Entry entry) {
+void Persistence::change_history(Entry entry) {
     if (store_)
         outbox_.wait_for(store_->change_history(std::move(entry)));
 }
 
-bool Keeper::note(const Progress& progress) {
+bool Persistence::note(const WriteProgress& progress) {
     store_->note(progress);
     bool was_well = well();
     if (store_->complete())
@@ -65,7 +65,7 @@ bool Keeper::note(const Progress& progress) {
     return true;
 }
 
-void Keeper::tick(const AlarmBoard& alarms) {
+void Persistence::tick(const AlarmBoard& alarms) {
     if (!store_ || store_->keeping() || Clock::now() < next_attempt_)
         return;
     pause_ = std::min(2 * pause_, longest_pause);
@@ -73,7 +73,7 @@ void Keeper::tick(const AlarmBoard& alarms) {
     store_->write_anew(alarms.all(), now_at());
 }
 
-void Keeper::finish(const AlarmBoard& alarms) {
+void Persistence::finish(const AlarmBoard& alarms) {
     if (!store_)
         return;
     store_->write_anew(alarms.all(), now_at());

@@ -11,7 +11,7 @@
 namespace placedpar {
 
 /// Describes a wire, or a way over a bus, that the netlist names for a channel, and the place of that statement.
-struct ToldWire {
+struct StatedRoute {
     std::size_t connection;
     std::size_t begin; ///< the node where the channel enters it; nowhere: either
     Location at;
@@ -19,18 +19,18 @@ struct ToldWire {
 
 /// Holds the routes that the netlist states for channels: `place` with an end of a channel, or with its connection. All
 /// functions throw StatementRefused after reporting a placement that cannot be used.
-class ToldWires {
+class StatedRoutes {
 public:
     /// REQUIRES: the arguments outlive this object, and the connections are complete. `load` as of RouteSearch.
-    ToldWires(Completion&, const std::vector<std::size_t>& load);
+    StatedRoutes(Completion&, const std::vector<std::size_t>& load);
 
     /// Returns the stated wires of the channel in order; empty where the netlist states none.
-    std::vector<ToldWire> wires(std::size_t channel) const;
+    std::vector<StatedRoute> wires(std::size_t channel) const;
     /// Returns the wire that `place c1 on c2` states for the channel.
-    std::optional<ToldWire> by_connection(std::size_t channel) const;
+    std::optional<StatedRoute> by_connection(std::size_t channel) const;
 
 private:
-    struct Place {
+    struct StatedPlacement {
         const NetworkChannel& channel;
         const ChannelEnd& end;
         const std::vector<DraftPlacement>& all; ///< of this end
@@ -41,23 +41,23 @@ private:
         bool inputs() const { return &end == &channel.to; }
     };
 
-    std::vector<ToldWire> by_ends(const NetworkChannel&) const;
-    ToldWire wire_at(const Place&) const;
-    std::size_t connection_at(const Place&) const;
-    void require_own_link(const Place&) const;
-    std::size_t connection_to_edge(const Place&) const;
-    std::size_t connection_at_link(const Place&) const;
-    std::size_t connection_to_partner(const Place&) const;
-    std::size_t way_from_bus(const Place&) const;
+    std::vector<StatedRoute> by_ends(const NetworkChannel&) const;
+    StatedRoute wire_at(const StatedPlacement&) const;
+    std::size_t connection_at(const StatedPlacement&) const;
+    void require_own_link(const StatedPlacement&) const;
+    std::size_t connection_to_edge(const StatedPlacement&) const;
+    std::size_t connection_at_link(const StatedPlacement&) const;
+    std::size_t connection_to_partner(const StatedPlacement&) const;
+    std::size_t way_from_bus(const StatedPlacement&) const;
     std::optional<std::size_t> way_between(std::size_t one, std::size_t other) const;
     std::size_t way_over_bus(std::size_t wire) const;
     LinkEnd end_of_way(const LinkEnd& placed) const;
     std::size_t other_end(std::size_t connection, std::size_t node) const;
 
-    const DraftProcess& process_of(const Place& place) const { return c_.draft.processes[place.end.process]; }
-    std::string name_of(const Place& place) const { return process_of(place).name + "." + place.end.port; }
+    const DraftProcess& process_of(const StatedPlacement& place) const { return c_.draft.processes[place.end.process]; }
+    std::string name_of(const StatedPlacement& place) const { return process_of(place).name + "." + place.end.port; }
     const std::string& node_name(std::size_t node) const { return c_.network.nodes[node].name; }
-    std::string link_of(const Place& place) const { return link_name(c_.network.nodes, place.where()); }
+    std::string link_of(const StatedPlacement& place) const { return link_name(c_.network.nodes, place.where()); }
     [[noreturn]] void refuse(const Location&, std::string message, std::string hint = "",
                              std::vector<SecondPlace> others = {}) const;
 

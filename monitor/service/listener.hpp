@@ -22,19 +22,19 @@ struct Caller {
 };
 
 /// A place where connections come in: a port, or a socket in the file system.
-class Door {
+class Listener {
 public:
     using Socket = boost::asio::generic::stream_protocol::socket;
     using Acceptor = boost::asio::basic_socket_acceptor<boost::asio::generic::stream_protocol>;
 
     /// Throws UserError. `option` is what it is called on the command line: "--port".
-    static Door at_port(boost::asio::io_context& io, const std::string& address, std::uint16_t port,
-                        const std::string& option);
+    static Listener at_port(boost::asio::io_context& io, const std::string& address, std::uint16_t port,
+                            const std::string& option);
     /// Takes the place of a socket where nobody listens any more. Only this user and group may connect.
-    static Door at_path(boost::asio::io_context& io, const std::string& path);
-    ~Door();
-    Door(Door&&) = default;
-    Door& operator=(Door&&) = delete;
+    static Listener at_path(boost::asio::io_context& io, const std::string& path);
+    ~Listener();
+    Listener(Listener&&) = default;
+    Listener& operator=(Listener&&) = delete;
 
     /// From now on; `welcome` is given each connection. REQUIRES: the door stays where it is until it is closed and the
     /// loop has turned.
@@ -45,7 +45,7 @@ public:
     std::uint16_t port() const { return port_; }
 
 private:
-    Door(boost::asio::io_context& io, Acceptor acceptor) : acceptor_(std::move(acceptor)), retry_(io) {}
+    Listener(boost::asio::io_context& io, Acceptor acceptor) : acceptor_(std::move(acceptor)), retry_(io) {}
     void accept();
 
     Acceptor acceptor_;

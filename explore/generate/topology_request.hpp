@@ -7,7 +7,7 @@
 namespace placedpar::generate {
 
 /// The options that describe the wanted machine, as typed by the user.
-struct Wish {
+struct TopologyRequest {
     std::string topology;                ///< one of names_of_topologies()
     std::string size;                    ///< "8" processors, or "4x4"
     std::optional<std::size_t> branches; ///< branches of each node of a tree

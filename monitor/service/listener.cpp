@@ -1,4 +1,4 @@
-#include "monitor/service/door.hpp"
+#include "monitor/service/listener.hpp"
 
 #include "text/user_error.hpp"
 
@@ -40,7 +40,7 @@ tcp::endpoint tcp_end(const asio::generic::stream_protocol::endpoint& end) {
     return found;
 }
 
-Caller caller_of(Door::Socket& socket) {
+Caller caller_of(Listener::Socket& socket) {
     error_code error;
     auto end = socket.remote_endpoint(error);
     if (error)
@@ -88,7 +88,8 @@ bool is_loopback(const std::string& address) {
     return !error && plain_address(parsed).is_loopback();
 }
 
-Door Door::at_port(asio::io_context& io, const std::string& address, std::uint16_t port, const std::string& option) {
+Listener Listener::at_port(asio::io_context& io, const std::string& address, std::uint16_t port,
+                           const std::string& option) {
     error_code error;
     asio::ip::address parsed = asio::ip::make_address(address, error);
     if (error)
@@ -106,12 +107,12 @@ Door Door::at_port(asio::io_context& io, const std::string& address, std::uint16
     if (error)
         throw UserError(fmt::format("cannot listen on {} port {}: {}; another {}, or 0 for any free one", address, port,
                                     error.message(), option));
-    Door door(io, std::move(acceptor));
+    Listener door(io, std::move(acceptor));
     door.port_ = tcp_end(door.acceptor_.local_endpoint()).port();
     return door;
 }
 
-Door Door::at_path(asio::io_context& io, const std::string& path) {
+Listener Listener::at_path(asio::io_context& io, const std::string& path) {
     constexpr std::size_t longest = sizeof(sockaddr_un::sun_path) - 1;
     if (path.size() > longest)
         throw UserError(fmt::format("--unix {}: it has more than {} bytes; a shorter path", path, longest));
@@ -128,19 +129,19 @@ Door Door::at_path(asio::io_context& io, const std::string& path) {
         acceptor.listen(asio::socket_base::max_listen_connections, error);
     if (error)
         throw UserError(fmt::format("--unix {}: {}; another path", path, error.message()));
-    Door door(io, std::move(acceptor));
+    Listener door(io, std::move(acceptor));
     door.path_ = path;
     return door;
 }
 
-Door::~Door() { close(); }
+Listener::~Listener() { close(); }
 
-void Door::open(std::function<void(Socket, const Caller&)> welcome) {
+void Listener::open(std::function<void(Socket, const Caller&)> welcome) {
     welcome_ = std::move(welcome);
     accept();
 }
 
-void Door::accept() {
+void Listener::accept() {
     acceptor_.async_accept([this](const error_code& error, Socket socket) {
         if (!acceptor_.is_open())
             return;
@@ -158,7 +159,7 @@ void Door::accept() {
     });
 }
 
-void Door::close() {
+void Listener::close() {
     if (!acceptor_.is_open())
         return;
     error_code ignored;

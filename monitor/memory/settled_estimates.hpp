@@ -8,19 +8,19 @@
 namespace placedpar::monitor {
 
 /// Which estimates of a diagnosis are settled: what to compare with after the next message.
-class Settled {
+class SettledEstimates {
 public:
-    explicit Settled(const identification::Diagnosis& diagnosis);
+    explicit SettledEstimates(const identification::Diagnosis& diagnosis);
 
     /// The estimates that were settled and whose transients have ended since, with their standard errors.
     std::vector<KeptEstimate> ended(const identification::Diagnosis& diagnosis, double at) const;
 
 private:
-    struct Place {
+    struct SettledLink {
         hydraulics::LinkSet set;
         std::size_t link; ///< its place in the set
     };
-    std::vector<Place> settled_;
+    std::vector<SettledLink> settled_;
 };
 
 } // namespace placedpar::monitor

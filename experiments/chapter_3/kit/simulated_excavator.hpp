@@ -13,10 +13,10 @@ namespace placedpar {
 /// A simulated machine of its own, that an operator moves. All scatter is ours. From machine to machine: compliances by
 /// up to 10 %, friction, damping and the drain side by 20 %, the load by 10 %. From movement to movement: how far the
 /// valve is opened, how quickly and for how long, and the load by 5 %.
-class Digger {
+class SimulatedExcavator {
 public:
     /// `from`: what is read of the valves. Only a source with a servo-valve has both spool and servo.
-    Digger(const RecordSource& source, hydraulics::AreasFrom from, std::uint64_t seed);
+    SimulatedExcavator(const RecordSource& source, hydraulics::AreasFrom from, std::uint64_t seed);
 
     /// That move, in configuration a.
     hydraulics::LinkSet links() const;

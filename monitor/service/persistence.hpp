@@ -14,12 +14,12 @@ namespace placedpar::monitor {
 
 /// Has what happens kept, where there is a state file, and what is said wait for it. When something cannot be kept, the
 /// diagnosis goes on: it is worth more than its memory.
-class Keeper {
+class Persistence {
 public:
     using Clock = std::chrono::steady_clock;
 
     /// `store` may be null: nothing is kept. `complain` is given sentences for the operator.
-    Keeper(StateStore* store, Outbox& outbox, std::function<void(const std::string&)> complain);
+    Persistence(StateStore* store, Outbox& outbox, std::function<void(const std::string&)> complain);
 
     /// The client's message, which its machine has taken.
     void record(Client& from, const std::string& machine, std::string_view line, std::size_t generations,
@@ -33,7 +33,7 @@ public:
     const std::string& trouble() const { return trouble_; }
 
     /// What StateStore::start() has told. True: well() has changed.
-    bool note(const Progress& progress);
+    bool note(const WriteProgress& progress);
     /// Tries again, when it is time to, to keep everything. To be called a few times a second.
     void tick(const AlarmBoard& alarms);
     /// Keeps everything, so that the next start has nothing to do, and closes the file. Throws UserError.

@@ -10,10 +10,10 @@ namespace placedpar {
 
 /// Chooses one spelling for all values that mean the same: that of the study, if it has the value, or that of the first
 /// run.
-class Spellings {
+class CanonicalSettings {
 public:
     /// REQUIRES: both outlive it.
-    Spellings(StudyResults&, const Study*);
+    CanonicalSettings(StudyResults&, const Study*);
 
     /// Returns the same settings in the chosen spelling.
     Overrides of(Overrides set);

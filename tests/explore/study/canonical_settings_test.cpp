@@ -1,6 +1,6 @@
 // One spelling for settings that mean the same.
 
-#include "explore/study/spellings.hpp"
+#include "explore/study/canonical_settings.hpp"
 
 #include <doctest/doctest.h>
 
@@ -16,7 +16,7 @@ void keep_run(StudyResults& results, const std::string& slaves, std::uint64_t se
 }
 
 /// Each run as "slaves seed: rate".
-std::vector<std::string> told_by(Spellings& spellings) {
+std::vector<std::string> told_by(CanonicalSettings& spellings) {
     std::vector<std::string> told;
     spellings.for_each([&](const StudyRun& run, const StudyOutcome& outcome) {
         told.push_back(run.set.at("slaves") + " " + std::to_string(run.seed) + ": " +
@@ -34,10 +34,10 @@ TEST_CASE("settings are spelled as the study spells them, else as the first run 
     keep_run(results, "4+4", 1, 1);
     Study study;
     study.products = {{.axes = {read_axis("slaves=8,9")}}};
-    CHECK(Spellings(results, &study).of({{"slaves", "8.0"}}) == Overrides{{"slaves", "8"}});
-    CHECK(Spellings(results, nullptr).of({{"slaves", "8.0"}}) == Overrides{{"slaves", "4+4"}});
-    CHECK(Spellings(results, nullptr).of({{"slaves", "7.0"}}) == Overrides{{"slaves", "7.0"}});
-    CHECK(Spellings(results, nullptr).of({{"clock", "8.0"}}) == Overrides{{"clock", "8.0"}}); // of another name
+    CHECK(CanonicalSettings(results, &study).of({{"slaves", "8.0"}}) == Overrides{{"slaves", "8"}});
+    CHECK(CanonicalSettings(results, nullptr).of({{"slaves", "8.0"}}) == Overrides{{"slaves", "4+4"}});
+    CHECK(CanonicalSettings(results, nullptr).of({{"slaves", "7.0"}}) == Overrides{{"slaves", "7.0"}});
+    CHECK(CanonicalSettings(results, nullptr).of({{"clock", "8.0"}}) == Overrides{{"clock", "8.0"}}); // of another name
 }
 
 TEST_CASE("of runs that are the same, the one that was made in the spelling of the study is told") {
@@ -47,9 +47,9 @@ TEST_CASE("of runs that are the same, the one that was made in the spelling of t
     keep_run(results, "8.0", 2, 3);
     Study study;
     study.products = {{.axes = {read_axis("slaves=8")}}};
-    Spellings by_study(results, &study);
+    CanonicalSettings by_study(results, &study);
     CHECK(told_by(by_study) == Told{"8 1: 1", "8 2: 3"});
     study.products = {{.axes = {read_axis("slaves=8.0")}}};
-    Spellings by_other(results, &study);
+    CanonicalSettings by_other(results, &study);
     CHECK(told_by(by_other) == Told{"8.0 1: 2", "8.0 2: 3"});
 }

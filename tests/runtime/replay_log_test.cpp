@@ -3,10 +3,10 @@
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"
 #include "runtime/hardware/processor.hpp"
-#include "runtime/history.hpp"
 #include "runtime/kernel.hpp"
 #include "runtime/parallel.hpp"
 #include "runtime/recovery.hpp"
+#include "runtime/replay_log.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 #include "tests/seeds.hpp"
@@ -45,8 +45,8 @@ std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
 }
 
 struct Histories {
-    RunHistory course;
-    std::list<History> histories;
+    ReplaySession course;
+    std::list<ReplayLog> histories;
 };
 
 /// Sources, mergers that alternate between theirs, and a sink that alternates between these, each on a processor of its
@@ -101,8 +101,8 @@ public:
             process->keep(again_.histories.emplace_back(again_.course, *original++));
         try {
             Result result = run();
-            return again_.course.departed ? std::nullopt : std::optional(result);
-        } catch (const Departure&) {
+            return again_.course.has_diverged ? std::nullopt : std::optional(result);
+        } catch (const ReplayDivergence&) {
             return std::nullopt;
         }
     }
@@ -224,19 +224,19 @@ struct Recorded {
     /// False where it departs.
     template <class Body>
     bool repeats(Body body) const {
-        RunHistory again;
-        History history_again(again, history);
+        ReplaySession again;
+        ReplayLog history_again(again, history);
         Simulation simulation;
         simulation.process("p", [&] { body(); }).keep(history_again);
         try {
-            return simulation.run().ending == Ending::completed && !again.departed;
-        } catch (const Departure&) {
-            CHECK(again.departed);
+            return simulation.run().ending == Ending::completed && !again.has_diverged;
+        } catch (const ReplayDivergence&) {
+            CHECK(again.has_diverged);
             return false;
         }
     }
-    RunHistory course;
-    History history{course, 0};
+    ReplaySession course;
+    ReplayLog history{course, 0};
 };
 
 /// A PAR of one that outputs so many bytes and one that inputs.
@@ -247,8 +247,8 @@ void communicate(std::uint32_t bytes) {
 
 } // namespace
 
-TEST_CASE("what a program does once more with other messages is what it would have done on the machine") {
-    std::size_t repeated = 0, departed = 0;
+TEST_CASE("what a program record once more with other messages is what it would have done on the machine") {
+    std::size_t repeated = 0, has_diverged = 0;
     for (std::uint64_t seed : test::seeds(400, 1))
         for (bool depends : {false, true}) {
             INFO(test::replay(seed));
@@ -261,15 +261,15 @@ TEST_CASE("what a program does once more with other messages is what it would ha
                 REQUIRE(again);
                 CHECK(on_machine.fingerprint == first.fingerprint);
             }
-            ++(again ? repeated : departed);
+            ++(again ? repeated : has_diverged);
             if (again) {
                 CHECK(again->computed == on_machine.computed);
                 CHECK(on_machine.fingerprint == first.fingerprint);
                 CHECK(again->computed != first.computed);
             }
         }
-    CHECK(repeated > departed);
-    CHECK(departed > 50);
+    CHECK(repeated > has_diverged);
+    CHECK(has_diverged > 50);
 }
 
 TEST_CASE("keeping a history changes nothing") {
@@ -282,7 +282,7 @@ TEST_CASE("keeping a history changes nothing") {
     }
 }
 
-TEST_CASE("who does something else than he did departs") {
+TEST_CASE("who record something else than he did departs") {
     auto work = [](Cycles cycles, Time delay, std::uint32_t bytes) {
         compute(cycles, {.between_points = Cycles{5}});
         wait_for(delay);
@@ -305,7 +305,7 @@ TEST_CASE("who does something else than he did departs") {
     }
 }
 
-TEST_CASE("who alternates between other guards departs, and who does not chooses as he did") {
+TEST_CASE("who alternates between other guards departs, and who record not chooses as he did") {
     std::optional<std::size_t> chosen;
     auto alternate = [&](bool on_another, Time due) {
         Channel<int> never("never"), other("other");
@@ -427,7 +427,7 @@ TEST_CASE("who waits for the clock by asking departs in the end") {
 
 TEST_CASE("what is noted has an end: then it is not repeated") {
     Recorded recorded([] {
-        for (std::size_t i = 0; i <= RunHistory{}.room; ++i) {
+        for (std::size_t i = 0; i <= ReplaySession{}.room; ++i) {
             now();
             if (i % 1000 == 0)
                 compute(Cycles{1});

@@ -1,4 +1,4 @@
-#include "netlist/complete/told_wires.hpp"
+#include "netlist/complete/stated_routes.hpp"
 
 #include "netlist/language/syntax.hpp"
 
@@ -17,20 +17,20 @@ bool joins(const LinkConnection& wire, std::size_t one, std::size_t other) {
 
 } // namespace
 
-ToldWires::ToldWires(Completion& completion, const std::vector<std::size_t>& load)
+StatedRoutes::StatedRoutes(Completion& completion, const std::vector<std::size_t>& load)
     : c_(completion), wires_(completion.network.connections), load_(load) {
     for (std::size_t i = 0; i < wires_.size(); ++i)
         if (const auto& way = wires_[i].over_bus; way && way->wire != nowhere)
             ways_.emplace(way->wire, i);
 }
 
-std::vector<ToldWire> ToldWires::wires(std::size_t channel) const {
+std::vector<StatedRoute> StatedRoutes::wires(std::size_t channel) const {
     auto at_ends = by_ends(c_.network.channels[channel]);
     auto told = by_connection(channel);
     return told ? std::vector{*told} : at_ends;
 }
 
-std::optional<ToldWire> ToldWires::by_connection(std::size_t channel) const {
+std::optional<StatedRoute> StatedRoutes::by_connection(std::size_t channel) const {
     auto draft = c_.draft_channel[channel];
     auto placed = c_.draft.connection_placements.find(draft == nowhere ? nowhere : c_.draft.channels[draft].connection);
     if (placed == c_.draft.connection_placements.end())
@@ -39,11 +39,11 @@ std::optional<ToldWire> ToldWires::by_connection(std::size_t channel) const {
     auto found = c_.connection_named.find(wire);
     if (found == c_.connection_named.end())
         refuse(at, fmt::format("the connection \"{}\" wires no links", c_.draft.connections[wire].name));
-    return ToldWire{way_over_bus(found->second), nowhere, at};
+    return StatedRoute{way_over_bus(found->second), nowhere, at};
 }
 
-std::vector<ToldWire> ToldWires::by_ends(const NetworkChannel& channel) const {
-    std::vector<ToldWire> told;
+std::vector<StatedRoute> StatedRoutes::by_ends(const NetworkChannel& channel) const {
+    std::vector<StatedRoute> told;
     for (const auto* end : {&channel.from, &channel.to}) {
         auto placed = c_.draft.placements.find({end->process, end->port});
         if (end->at_edge() || placed == c_.draft.placements.end())
@@ -53,7 +53,7 @@ std::vector<ToldWire> ToldWires::by_ends(const NetworkChannel& channel) const {
                    fmt::format("the route of the channel \"{}\" is told at its input", channel.name),
                    "place the output on the link by which the channel leaves each processor on its way");
         for (std::size_t i = 0; i < placed->second.size(); ++i) {
-            ToldWire here = wire_at({channel, *end, placed->second, i});
+            StatedRoute here = wire_at({channel, *end, placed->second, i});
             bool again = end == &channel.to && !told.empty() && told.back().connection == here.connection;
             if (!again) // both ends may say the same
                 told.push_back(here);
@@ -62,14 +62,14 @@ std::vector<ToldWire> ToldWires::by_ends(const NetworkChannel& channel) const {
     return told;
 }
 
-ToldWire ToldWires::wire_at(const Place& place) const {
-    ToldWire told{connection_at(place), nowhere, place.at()};
+StatedRoute StatedRoutes::wire_at(const StatedPlacement& place) const {
+    StatedRoute told{connection_at(place), nowhere, place.at()};
     if (std::size_t node = end_of_way(place.where()).node; !place.where().at_edge())
         told.begin = place.inputs() ? other_end(told.connection, node) : node;
     return told;
 }
 
-std::size_t ToldWires::connection_at(const Place& place) const {
+std::size_t StatedRoutes::connection_at(const StatedPlacement& place) const {
     if (process_of(place).node == nowhere)
         throw StatementRefused{}; // reported
     if (place.where().at_edge())
@@ -83,7 +83,7 @@ std::size_t ToldWires::connection_at(const Place& place) const {
 }
 
 /// Requires that the route begins at the processor that holds the process.
-void ToldWires::require_own_link(const Place& place) const {
+void StatedRoutes::require_own_link(const StatedPlacement& place) const {
     const DraftProcess& process = process_of(place);
     if (end_of_way(place.where()).node != process.node)
         refuse(place.at(),
@@ -92,7 +92,7 @@ void ToldWires::require_own_link(const Place& place) const {
                "", {{"the process is placed here", process.placed}});
 }
 
-std::size_t ToldWires::connection_to_edge(const Place& place) const {
+std::size_t StatedRoutes::connection_to_edge(const StatedPlacement& place) const {
     std::size_t edge = place.where().node, node = process_of(place).node;
     auto found = std::ranges::find_if(wires_, [&](const auto& wire) { return joins(wire, edge, node); });
     if (found == wires_.end())
@@ -101,7 +101,7 @@ std::size_t ToldWires::connection_to_edge(const Place& place) const {
     return static_cast<std::size_t>(found - wires_.begin());
 }
 
-std::size_t ToldWires::connection_at_link(const Place& place) const {
+std::size_t StatedRoutes::connection_at_link(const StatedPlacement& place) const {
     auto found = c_.connection_at.find({place.where().node, place.where().link});
     if (found != c_.connection_at.end())
         return way_over_bus(found->second);
@@ -112,7 +112,7 @@ std::size_t ToldWires::connection_at_link(const Place& place) const {
 }
 
 /// Returns the connection that switches may make at the link and that leads to the channel's other process.
-std::size_t ToldWires::connection_to_partner(const Place& place) const {
+std::size_t StatedRoutes::connection_to_partner(const StatedPlacement& place) const {
     const ChannelEnd& partner = place.inputs() ? place.channel.from : place.channel.to;
     auto told = c_.draft.placements.find({partner.process, partner.port});
     std::optional<std::size_t> found;
@@ -133,7 +133,7 @@ std::size_t ToldWires::connection_to_partner(const Place& place) const {
 }
 
 /// From a master's place on a bus: the next place says where the way leads, or the receiver.
-std::size_t ToldWires::way_from_bus(const Place& place) const {
+std::size_t StatedRoutes::way_from_bus(const StatedPlacement& place) const {
     bool last = place.number + 1 == place.all.size();
     auto other = place.inputs() ? place.channel.from.node
                  : last         ? place.channel.to.node
@@ -150,7 +150,7 @@ std::size_t ToldWires::way_from_bus(const Place& place) const {
 }
 
 /// Returns the way to memory, if there is one; else the way by the adapter that the fewest channels use.
-std::optional<std::size_t> ToldWires::way_between(std::size_t one, std::size_t other) const {
+std::optional<std::size_t> StatedRoutes::way_between(std::size_t one, std::size_t other) const {
     std::optional<std::size_t> best;
     auto cost = [&](std::size_t i) {
         return std::pair(wires_[i].over_bus->wire != nowhere, load_[2 * i] + load_[2 * i + 1]);
@@ -162,26 +162,26 @@ std::optional<std::size_t> ToldWires::way_between(std::size_t one, std::size_t o
 }
 
 /// Where the wire leads to a link adapter, the way of which it is a part; else the wire.
-std::size_t ToldWires::way_over_bus(std::size_t wire) const {
+std::size_t StatedRoutes::way_over_bus(std::size_t wire) const {
     auto way = ways_.find(wire);
     return way == ways_.end() ? wire : way->second;
 }
 
 /// For a link adapter's link, returns the end at the master that uses the adapter.
-LinkEnd ToldWires::end_of_way(const LinkEnd& placed) const {
+LinkEnd StatedRoutes::end_of_way(const LinkEnd& placed) const {
     auto wire = c_.connection_at.find({placed.node, placed.link});
     auto way = wire == c_.connection_at.end() ? ways_.end() : ways_.find(wire->second);
     bool at_adapter = way != ways_.end() && wires_[way->second].b != placed;
     return at_adapter ? wires_[way->second].a : placed;
 }
 
-std::size_t ToldWires::other_end(std::size_t connection, std::size_t node) const {
+std::size_t StatedRoutes::other_end(std::size_t connection, std::size_t node) const {
     const LinkConnection& wire = wires_[connection];
     return (wire.a.node == node ? wire.b : wire.a).node;
 }
 
-void ToldWires::refuse(const Location& at, std::string message, std::string hint,
-                       std::vector<SecondPlace> others) const {
+void StatedRoutes::refuse(const Location& at, std::string message, std::string hint,
+                          std::vector<SecondPlace> others) const {
     c_.reporter.error(at, std::move(message), std::move(hint), std::move(others));
     throw StatementRefused{};
 }

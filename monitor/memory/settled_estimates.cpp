@@ -1,20 +1,20 @@
-#include "monitor/memory/settled.hpp"
+#include "monitor/memory/settled_estimates.hpp"
 
 namespace placedpar::monitor {
 
 using namespace hydraulics;
 using namespace identification;
 
-Settled::Settled(const Diagnosis& diagnosis) {
+SettledEstimates::SettledEstimates(const Diagnosis& diagnosis) {
     for (const auto& [set, population] : diagnosis.sets())
         for (std::size_t i = 0; i < population.state().estimates.size(); ++i)
             if (population.state().estimates[i].state().settled)
                 settled_.push_back({set, i});
 }
 
-std::vector<KeptEstimate> Settled::ended(const Diagnosis& diagnosis, double at) const {
+std::vector<KeptEstimate> SettledEstimates::ended(const Diagnosis& diagnosis, double at) const {
     std::vector<KeptEstimate> ended;
-    for (const Place& place : settled_) {
+    for (const SettledLink& place : settled_) {
         const LinkEstimate::State& e = diagnosis.sets().at(place.set).state().estimates[place.link].state();
         if (!e.settled)
             ended.push_back({diagnosis.name(), at, e.settled_time_s, std::string(name_of_set(place.set)),

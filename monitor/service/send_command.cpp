@@ -1,4 +1,4 @@
-#include "monitor/service/errand.hpp"
+#include "monitor/service/send_command.hpp"
 
 #include "monitor/service/token.hpp"
 #include "text/user_error.hpp"
@@ -34,9 +34,9 @@ std::string field_of(const json::value& answer) {
     return field.empty() ? "" : field + ": ";
 }
 
-class Errand {
+class CommandConnection {
 public:
-    explicit Errand(const ServicePlace& place) : socket_(io_) {
+    explicit CommandConnection(const ServicePlace& place) : socket_(io_) {
         name_ = place.unix_path.empty() ? fmt::format("{} port {}", place.address, place.port) : place.unix_path;
         boost::system::error_code error;
         if (!place.unix_path.empty())
@@ -84,7 +84,7 @@ void require_answer(const std::string& name, const std::string& line) {
 }
 
 std::string ask_service(const ServicePlace& place, const std::string& message) try {
-    Errand errand(place);
+    CommandConnection errand(place);
     if (!place.token_file.empty())
         errand.ask(json::serialize(json::object{{"type", "token"}, {"token", Token(place.token_file).word()}}));
     return errand.ask(message);

@@ -1,13 +1,13 @@
-#include "monitor/service/roster.hpp"
+#include "monitor/service/clients.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace placedpar::monitor {
 
-void Roster::enter(Client& client) { clients_.insert(&client); }
+void ClientRegistry::enter(Client& client) { clients_.insert(&client); }
 
-void Roster::leave(Client& client) {
+void ClientRegistry::leave(Client& client) {
     clients_.erase(&client);
     if (!client.hello)
         return;
@@ -19,20 +19,20 @@ void Roster::leave(Client& client) {
         control_.erase(machine);
 }
 
-Client* Roster::join(Client& client) {
+Client* ClientRegistry::join(Client& client) {
     of_machine_[client.hello->machine].insert(&client);
     if (client.hello->role != Role::control)
         return nullptr;
     return std::exchange(control_[client.hello->machine], &client);
 }
 
-const std::set<Client*>& Roster::of(const std::string& machine) const {
+const std::set<Client*>& ClientRegistry::of(const std::string& machine) const {
     static const std::set<Client*> nobody;
     auto found = of_machine_.find(machine);
     return found == of_machine_.end() ? nobody : found->second;
 }
 
-Client* Roster::control_of(const std::string& machine) const {
+Client* ClientRegistry::control_of(const std::string& machine) const {
     auto found = control_.find(machine);
     return found == control_.end() ? nullptr : found->second;
 }
@@ -43,20 +43,20 @@ bool stays(const Client* client) { return !client->leaving && !client->finishing
 
 } // namespace
 
-std::size_t Roster::staying(const std::string& machine) const {
+std::size_t ClientRegistry::staying(const std::string& machine) const {
     return static_cast<std::size_t>(std::ranges::count_if(of(machine), stays));
 }
 
-std::size_t Roster::size() const { return static_cast<std::size_t>(std::ranges::count_if(clients_, stays)); }
+std::size_t ClientRegistry::size() const { return static_cast<std::size_t>(std::ranges::count_if(clients_, stays)); }
 
-std::vector<Client*> Roster::those(const std::function<bool(const Client&)>& which) const {
+std::vector<Client*> ClientRegistry::those(const std::function<bool(const Client&)>& which) const {
     std::vector<Client*> found;
     std::ranges::copy_if(clients_, std::back_inserter(found),
                          [&](const Client* client) { return stays(client) && which(*client); });
     return found;
 }
 
-std::size_t Roster::queued_bytes() const {
+std::size_t ClientRegistry::queued_bytes() const {
     std::size_t bytes = 0;
     for (const Client* client : clients_)
         bytes += client->queued_bytes();
