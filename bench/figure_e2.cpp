@@ -56,7 +56,7 @@ void print_row(const char* what, long runs, const Figures& figures) {
 
 Study study_of(const std::string& setting, long seeds) {
     Study study;
-    study.netlist = fmt::format("{}/examples/04-figure-e2/figure-e2.cfs", PLACEDPAR_SOURCE_DIR);
+    study.netlist = fmt::format("{}/examples/thesis/figure-e2/figure-e2.cfs", PLACEDPAR_SOURCE_DIR);
     study.products.emplace_back();
     study.products.back().axes.push_back(read_axis(setting));
     study.seeds = static_cast<std::uint64_t>(seeds);

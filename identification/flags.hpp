@@ -27,9 +27,9 @@ void flag_spikes(Identified& identified, const hydraulics::Record& record,
                  std::span<const hydraulics::CircuitSample> samples);
 
 /// A spool offset that was calibrated from the record itself may really be a leak: both upset the same balance of
-/// flows, so that the calibration would hide the leak (examples/14-faults). Flags the boom's compliance where the
-/// offset exceeds the sensor's resolution plus three standard errors. Negative offsets are not flagged: no leak looks
-/// like one.
+/// flows, so that the calibration would hide the leak (examples/hydraulics/faults). Flags the boom's compliance where
+/// the offset exceeds the sensor's resolution plus three standard errors. Negative offsets are not flagged: no leak
+/// looks like one.
 void flag_calibration(Identified& identified, const SpoolOffset& found, double resolution_in);
 
 } // namespace placedpar::identification

@@ -92,7 +92,7 @@ void declare_identify_options(Options& command, IdentifyOptions& options) {
         "A line with ! says where a compliance should not be believed as it stands. A record may have any length, and "
         "come\n"
         "through a pipe (\"-\" is standard input).\n"
-        "What a record looks like: docs/records.md. Records to try: examples/records. (Installed: "
+        "What a record looks like: docs/guides/records.md. Records to try: examples/hydraulics/records. (Installed: "
         "share/doc/placedpar.)");
 }
 

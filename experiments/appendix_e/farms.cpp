@@ -80,7 +80,7 @@ NamedPlot farm_plot(const StudyReplay& study, Replay& replay) {
 }
 
 Replay replay_farms(const ReplayContext& context) {
-    const StudyReplay study(context, "36-farms/farms.toml");
+    const StudyReplay study(context, "genetic/farms/farms.toml");
     Replay replay = study.replay();
     replay.plots = {farm_plot(study, replay)};
     replay.comparisons.push_back(under_way_table(study));

@@ -19,8 +19,8 @@ const ProcessInstance& master_of(const Network& network) {
 /// Which constant is what, with the values that the netlist gave.
 std::string print_constants(const ReplayContext& context) {
     auto load = [&](const Overrides& overrides) {
-        return load_network(context.examples / "03-table-e1" / "cluster.cfs", overrides, known_problems(context.seed),
-                            context.warn);
+        return load_network(context.examples / "thesis/table-e1" / "cluster.cfs", overrides,
+                            known_problems(context.seed), context.warn);
     };
     Network at_120 = load({}), at_30 = load({{"reading", "30"}});
     auto value = [](const Network& network, const char* parameter) {
@@ -42,7 +42,7 @@ std::string print_constants(const ReplayContext& context) {
 
 /// The constants that its notes name are those of the netlist.
 Replay replay_table_e1(const ReplayContext& context) {
-    Replay replay = StudyReplay(context, "03-table-e1/table-e1.toml").replay();
+    Replay replay = StudyReplay(context, "thesis/table-e1/table-e1.toml").replay();
     replay.constants = print_constants(context);
     return replay;
 }

@@ -30,7 +30,7 @@ std::string print_where_it_goes(const StudyReplay& study, const char* individual
 }
 
 Replay replay_table_e2(const ReplayContext& context) {
-    const StudyReplay study(context, "04-figure-e2/table-e2.toml");
+    const StudyReplay study(context, "thesis/figure-e2/table-e2.toml");
     Replay replay = study.replay();
     study.table(replay, "reading 120: Table E.1 was measured with 120 individuals")
         .notes.insert(0, print_where_it_goes(study, "120"));

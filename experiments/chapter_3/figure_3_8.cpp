@@ -83,7 +83,7 @@ constexpr std::array<Curve, 3> curves{{{"identified C", 1}, {"half of it", 0.5},
 constexpr double significant_psi = 80;
 
 /// One of the other motions, and how far off an "excellent" simulation of it may be: the mean of 400 records simulated
-/// with the compliance that is identified, and four of their standard deviations (docs/hydraulics.md).
+/// with the compliance that is identified, and four of their standard deviations (docs/reference/hydraulics.md).
 struct OtherMotion {
     double deg_per_s, simple_psi, measured_psi;
 

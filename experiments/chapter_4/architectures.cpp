@@ -109,7 +109,7 @@ void order_by_alpha(const StudyReplay& study, Comparison& table) {
 }
 
 Replay replay_architectures(const ReplayContext& context) {
-    const StudyReplay study(context, "66-architectures/overtaking.toml");
+    const StudyReplay study(context, "explore/architectures/overtaking.toml");
     Replay replay = study.replay();
     for (Comparison& each : replay.comparisons)
         order_by_alpha(study, each);

@@ -83,7 +83,7 @@ public:
             return found->second;
         context_.progress(fmt::format("alpha {}, {} processors", point.alpha, point.processors));
         RunReport report =
-            run_to_the_end(context_.examples / "65-pipeline" / "pipeline.cfs", overrides_of(point), context_);
+            run_to_the_end(context_.examples / "explore/pipeline" / "pipeline.cfs", overrides_of(point), context_);
         fingerprint_.mix(report.result.fingerprint);
         return runs_.emplace(point, std::move(report)).first->second;
     }

@@ -11,7 +11,7 @@ namespace {
 constexpr double whole_transient_s = .4;
 
 Replay replay_real_time(const ReplayContext& context) {
-    const StudyReplay study(context, "66-architectures/real-time.toml");
+    const StudyReplay study(context, "explore/architectures/real-time.toml");
     Replay replay = study.replay();
     Comparison& times = study.table(replay, "Section 4.4: a transient of 0.4 s has 20 samples, 5 generations each");
     std::string in_time;

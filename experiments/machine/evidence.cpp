@@ -80,8 +80,8 @@ Constant of_the_toolset(const Network& ping_pong) {
 
 std::vector<Constant> every_constant(const ReplayContext& context, const std::vector<Constant>& of_experiments) {
     std::vector<Constant> all = hardware::constants();
-    all.push_back(of_the_toolset(network_of(context, "38-poznan/ping-pong.cfs")));
-    for (const Constant& each : of_the_thesis(network_of(context, "03-table-e1/cluster.cfs")))
+    all.push_back(of_the_toolset(network_of(context, "machine/poznan/ping-pong.cfs")));
+    for (const Constant& each : of_the_thesis(network_of(context, "thesis/table-e1/cluster.cfs")))
         all.push_back(each);
     std::ranges::copy(of_experiments, std::back_inserter(all));
     return all;

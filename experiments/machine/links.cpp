@@ -73,7 +73,7 @@ public:
 private:
     double simulated(const LinkRate& rate) {
         context_.progress(rate.name);
-        RunReport report = run_to_the_end(context_.examples / "37-links" / "link.cfs", rate.link, context_);
+        RunReport report = run_to_the_end(context_.examples / "machine/links" / "link.cfs", rate.link, context_);
         fingerprint_.mix(report.result.fingerprint);
         double there = report.measured("receiver[0]", "rate");
         return rate.link.contains("both_ways") ? there + report.measured("receiver[1]", "rate") : there;

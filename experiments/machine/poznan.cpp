@@ -33,7 +33,7 @@ private:
     double half_round_trip_us(int words, int switches) {
         constexpr int rounds = 20;
         context_.progress(fmt::format("{} words through {} switches", words, switches));
-        RunReport report = run_to_the_end(context_.examples / "38-poznan" / "ping-pong.cfs",
+        RunReport report = run_to_the_end(context_.examples / "machine/poznan" / "ping-pong.cfs",
                                           {{"words", std::to_string(words)},
                                            {"rounds", std::to_string(rounds)},
                                            {"switches", std::to_string(switches)}},

@@ -135,7 +135,7 @@ private:
 
     double microseconds_a_byte(const std::string& switches) {
         RunReport report =
-            run_to_the_end(context_.examples / "37-links" / "link.cfs", {{"switches", switches}}, context_);
+            run_to_the_end(context_.examples / "machine/links" / "link.cfs", {{"switches", switches}}, context_);
         fingerprint_.mix(report.result.fingerprint);
         return 1e3 / report.measured("receiver[0]", "rate");
     }

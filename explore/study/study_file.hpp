@@ -6,7 +6,7 @@
 
 namespace placedpar {
 
-/// Reads a study from a file of TOML: see docs/studies.md. Its netlist and folders are relative to it. Throws
+/// Reads a study from a file of TOML: see docs/guides/studies.md. Its netlist and folders are relative to it. Throws
 /// RefusedInput with the position of each error.
 Study read_study(const std::string& path);
 

@@ -39,7 +39,7 @@ public:
                                                           {LinkFault::offset, -1}}};
     static constexpr double most_of_one = 6;
     /// Nothing that is suspected is raised wrongly more often than once in e^7 = 1100 movements (G. Lorden, Annals of
-    /// Mathematical Statistics 42, 1971); the rates of machines: examples/14-faults.
+    /// Mathematical Statistics 42, 1971); the rates of machines: examples/hydraulics/faults.
     static constexpr double raised_at = 7;
     /// A suspicion is dropped when its sum is back at 0, and none is worth more than this: three movements clear it.
     static constexpr double most = 13;

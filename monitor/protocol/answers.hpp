@@ -31,7 +31,7 @@ struct Load {
     double longest_turn_s = 0; ///< of the event loop: so long nobody was heard
 };
 
-/// What the monitor says, each one JSON object in one line with its newline; docs/monitor.md is the description.
+/// What the monitor says, each one JSON object in one line with its newline; docs/guides/monitor.md is the description.
 
 std::string welcome_line(const identification::Diagnosis& diagnosis, std::uint64_t seed);
 std::string configured_line(const identification::Diagnosis& diagnosis);

@@ -10,9 +10,9 @@
 
 namespace placedpar::monitor {
 
-/// What a control system may say to the monitor, one JSON object a line; docs/monitor.md is the description. What it
-/// says of its excavator becomes the plain types of identification/on_line/inputs.hpp. "Machine" is the protocol's word
-/// for an excavator under diagnosis.
+/// What a control system may say to the monitor, one JSON object a line; docs/guides/monitor.md is the description.
+/// What it says of its excavator becomes the plain types of identification/on_line/inputs.hpp. "Machine" is the
+/// protocol's word for an excavator under diagnosis.
 
 inline constexpr int protocol_version = 1;
 

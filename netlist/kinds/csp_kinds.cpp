@@ -45,7 +45,7 @@ private:
 // Each process passes a stated number of packets and then ends. Textbooks let these processes run for ever; here a
 // network of them ends, so that its run can be compared with another. A process that ends sooner than its neighbour
 // leaves the neighbour waiting: the report of the run lists it. A ring without a packet to begin with is a deadlock
-// from the start (examples/02-deadlock).
+// from the start (examples/csp/deadlock).
 
 /// `count` times: take a packet, compute, hand it on.
 template <class HandOn>

@@ -13,7 +13,8 @@ inline constexpr int deepest_nesting = 200;
 /// Limits the height of an expression's tree. The height of `1 + 1 + ...` is its length: 1000 operators are allowed.
 inline constexpr int highest_expression = 1001;
 
-/// Parses by recursive descent over the grammar of docs/netlist-language.md. After an error it goes on after the next
+/// Parses by recursive descent over the grammar of docs/reference/netlist-language.md. After an error it goes on after
+/// the next
 /// `;`, so that several errors are reported at once.
 class Parser {
 public:

@@ -108,8 +108,10 @@ std::vector<Constant> of_routers() {
     constexpr std::string_view group = "channels in packets";
     using enum Provenance;
     return {
-        {group, "header of a packet", RouterPacket::header_bytes, "bytes", ours, "a word: the channel, the kind of packet"},
-        {group, "a message's part in a packet, at most", RouterPacket::most_bytes, "bytes", ours, "short ones wait for one"},
+        {group, "header of a packet", RouterPacket::header_bytes, "bytes", ours,
+         "a word: the channel, the kind of packet"},
+        {group, "a message's part in a packet, at most", RouterPacket::most_bytes, "bytes", ours,
+         "short ones wait for one"},
         {group, "a packet sent, or received", in_cycles(RouterCosts{}.handling), "cycles", ours,
          "queueing, looking up the route, rescheduling; where the netlist gives none"},
         {group, "packets ahead of their acknowledges", Route::most_under_way, "packets", ours,

@@ -44,7 +44,7 @@ class Chapter4(unittest.TestCase):
 
     def test_speedup_with_and_without_a_pipeline(self):
         cells = self.cells("figures-4-6-4-7")
-        rows = [row for row in self.rows("65-pipeline/pipeline") if row["processors"] != "1"]
+        rows = [row for row in self.rows("explore/pipeline/pipeline") if row["processors"] != "1"]
         self.assertEqual(len(rows), 60)
         for row in rows:
             organisation = {"1": "not pipelined", "2": "pipelined"}[row["populations"]]
@@ -53,7 +53,7 @@ class Chapter4(unittest.TestCase):
 
     def test_speedup_of_both_architectures(self):
         cells = self.cells("architectures")
-        rows = self.rows("66-architectures/architectures")
+        rows = self.rows("explore/architectures/architectures")
         self.assertEqual(len(rows), 51)
         for row in rows:
             self.assert_same(row["figure"], cells["speedup on T800s", f"{row['architecture']}, {row['processors']} "
@@ -63,7 +63,7 @@ class Chapter4(unittest.TestCase):
         cells = self.cells("real-time")
         simulated = {row: seconds for (_, row, _), seconds in cells.items()}
         rates = {(row["islands"], row["processors"], row["calls"], row["clock"]): row["figure"]
-                 for row in self.rows("66-architectures/in-time")}
+                 for row in self.rows("explore/architectures/in-time")}
         self.assertEqual(len(rates), 24)
         for machine, row in ((("4", "16", "201", "20M"), "16 T800: 4 islands of 30, 3 slaves each"),
                              (("4", "16", "0", "20M"), "16 T800: occam's channels, no library"),

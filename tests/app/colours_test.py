@@ -9,8 +9,8 @@ import unittest
 
 from program import EXAMPLES, PROGRAM
 
-COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
-DEADLOCK = EXAMPLES / "02-deadlock" / "ring.cfs"
+COMMSTIME = EXAMPLES / "csp/commstime" / "commstime.cfs"
+DEADLOCK = EXAMPLES / "csp/deadlock" / "ring.cfs"
 COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
 

@@ -15,7 +15,7 @@ import trace_reader
 
 PROGRAM = os.environ["PLACEDPAR"]
 EXAMPLES = os.environ["PLACEDPAR_EXAMPLES"]
-FIGURE_E2 = os.path.join(EXAMPLES, "04-figure-e2", "figure-e2.cfs")
+FIGURE_E2 = os.path.join(EXAMPLES, "thesis/figure-e2", "figure-e2.cfs")
 
 # A message of one packet, over a processor that passes it on.
 CHAIN = """
@@ -86,7 +86,7 @@ class Explain(unittest.TestCase):
         self.assertGreater(len(netlists), 20)
         for netlist in netlists:
             with self.subTest(netlist):
-                if netlist.endswith(("thin.cfs", "tin.cfs", "46-own-policy/islands.cfs")):
+                if netlist.endswith(("thin.cfs", "tin.cfs", "genetic/own-policy/islands.cfs")):
                     continue  # they are for programs that have more kinds than this one
                 run, document = explained(netlist, "--no-what-if")
                 self.assertIn(run.returncode, (0, 2), run.stderr)
@@ -119,7 +119,7 @@ class Explain(unittest.TestCase):
         self.assertEqual(source["communicating_ps"], document["time_ps"] - sum(length for *_, length in parts[:2]) - instruction)
 
     def test_who_waits_for_a_fork_waits_for_who_has_it(self):
-        _, document = explained(os.path.join(EXAMPLES, "30-philosophers", "philosophers.cfs"), "--no-what-if")
+        _, document = explained(os.path.join(EXAMPLES, "csp/philosophers", "philosophers.cfs"), "--no-what-if")
         spent = collections.Counter()
         for part in document["critical_path"]:
             spent[part["subject"].split("[")[0]] += part["end_ps"] - part["begin_ps"]
@@ -158,7 +158,7 @@ class Explain(unittest.TestCase):
         self.assertRegex(run.stdout, r"bus left twice as fast  \[--set left.bytecycle=155 --set left.cycle=300 --set left.grant=100\]")
 
     def test_a_bus_alone_is_not_asked_about_twice(self):
-        netlist = os.path.join(EXAMPLES, "43-busy-bus", "busy-bus.cfs")
+        netlist = os.path.join(EXAMPLES, "machine/busy-bus", "busy-bus.cfs")
         _, document = explained(netlist)
         answers = {what["what"]: what for what in document["what_if"]}
         self.assertEqual(sorted(what for what in answers if "bus" in what),
@@ -188,7 +188,7 @@ class Explain(unittest.TestCase):
             self.assertEqual(half["time_ps"], time_of_what_if(netlist, half))
 
     def test_the_path_goes_over_the_bus_and_what_is_slower_is_so_for_a_reason(self):
-        run, document = explained(os.path.join(EXAMPLES, "43-busy-bus", "busy-bus.cfs"))
+        run, document = explained(os.path.join(EXAMPLES, "machine/busy-bus", "busy-bus.cfs"))
         spent = collections.Counter()
         for part in document["critical_path"]:
             spent[part["step"]] += part["end_ps"] - part["begin_ps"]
@@ -261,7 +261,7 @@ class Explain(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             netlist, part = pathlib.Path(folder) / "netlist.cfs", pathlib.Path(folder) / "part.inc"
             netlist.write_text('#include "part.inc"\n', encoding="utf-8")
-            text = pathlib.Path(EXAMPLES, "01-commstime", "commstime.cfs").read_text(encoding="utf-8")
+            text = pathlib.Path(EXAMPLES, "csp/commstime", "commstime.cfs").read_text(encoding="utf-8")
             part.write_text(text, encoding="utf-8")
             for option in ("--json", "--page"):
                 run = subprocess.run([PROGRAM, "explain", netlist, "--no-what-if", option, part], capture_output=True,
@@ -271,14 +271,14 @@ class Explain(unittest.TestCase):
                 self.assertEqual(part.read_text(encoding="utf-8"), text)
 
     def test_what_is_refused_is_told(self):
-        _, document = explained(os.path.join(EXAMPLES, "43-busy-bus", "busy-bus.cfs"))
+        _, document = explained(os.path.join(EXAMPLES, "machine/busy-bus", "busy-bus.cfs"))
         refused = {what["what"]: what["refused"] for what in document["what_if"] if "refused" in what}
         self.assertIn("bytes none", refused)
         self.assertIn("bytes", refused["bytes none"])
 
     def test_what_the_tables_say_of_the_machine_is_in_the_json(self):
-        for example, counts in (("04-figure-e2/figure-e2.cfs", {"processors": 16, "links": 32, "buses": 0}),
-                                ("43-busy-bus/busy-bus.cfs", {"processors": 4, "links": 0, "buses": 1})):
+        for example, counts in (("thesis/figure-e2/figure-e2.cfs", {"processors": 16, "links": 32, "buses": 0}),
+                                ("machine/busy-bus/busy-bus.cfs", {"processors": 4, "links": 0, "buses": 1})):
             run, document = explained(os.path.join(EXAMPLES, example), "--no-what-if")
             self.assertEqual({sort: len(document[sort]) for sort in counts}, counts)
             whole = document["time_ps"]
@@ -291,7 +291,7 @@ class Explain(unittest.TestCase):
                     self.assertIn(told, {" ".join(line.replace("its masters waited", "").split()) for line in shown})
 
     def test_why_nothing_is_tried_is_told(self):
-        deadlock = os.path.join(EXAMPLES, "02-deadlock", "ring.cfs")
+        deadlock = os.path.join(EXAMPLES, "csp/deadlock", "ring.cfs")
         for netlist, options, ending in ((deadlock, (), "deadlock"),
                                          (FIGURE_E2, ("--until", "1ms"), "stopped at the time limit")):
             run, document = explained(netlist, *options)
@@ -303,8 +303,8 @@ class Explain(unittest.TestCase):
             self.assertNotIn("not_tried", document)
 
     def test_one_more_is_tried_of_what_makes_processes_or_processors(self):
-        for example, expected in (("04-figure-e2/figure-e2.cfs", {"clusters": "", "slaves": ""}),
-                                  ("35-islands/islands.cfs", {"islands": "a power of two", "processors": "the subscript 9"})):
+        for example, expected in (("thesis/figure-e2/figure-e2.cfs", {"clusters": "", "slaves": ""}),
+                                  ("genetic/islands/islands.cfs", {"islands": "a power of two", "processors": "the subscript 9"})):
             _, document = explained(os.path.join(EXAMPLES, example))
             tried = {what["what"].split()[3].rstrip(":"): what for what in document["what_if"] if what["what"].startswith("one more")}
             self.assertEqual(set(tried), set(expected))
@@ -312,7 +312,7 @@ class Explain(unittest.TestCase):
                 self.assertIn(refusal, tried[val].get("refused", ""))
 
     def test_a_process_alone_is_varied_where_it_shares_its_processor(self):
-        _, document = explained(os.path.join(EXAMPLES, "32-matrix", "matrix.cfs"))
+        _, document = explained(os.path.join(EXAMPLES, "csp/matrix", "matrix.cfs"))
         answers = {what["what"]: what for what in document["what_if"]}
         times = [answer["time_ps"] for what, answer in answers.items() if what.startswith("what ")]
         self.assertTrue(times)

@@ -9,8 +9,8 @@ import unittest
 
 from program import CLUSTER, EXAMPLES, FIGURE_E2, PROGRAM, fingerprint, placedpar
 
-RECORD = EXAMPLES / "records" / "boom-4deg.csv"
-COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
+RECORD = EXAMPLES / "hydraulics" / "records" / "boom-4deg.csv"
+COMMSTIME = EXAMPLES / "csp/commstime" / "commstime.cfs"
 
 
 class Files(unittest.TestCase):
@@ -50,7 +50,7 @@ class Files(unittest.TestCase):
             self.assertEqual(run.stdout, "")
 
     def test_what_show_prints_loads_again_to_the_same_network(self):
-        for netlist in (CLUSTER, FIGURE_E2, EXAMPLES / "01-commstime" / "commstime.cfs"):
+        for netlist in (CLUSTER, FIGURE_E2, EXAMPLES / "csp/commstime" / "commstime.cfs"):
             copy = self.folder / "shown.cfs"
             copy.write_text(placedpar("show", netlist).stdout, encoding="utf-8")
             self.assertEqual(placedpar("check", copy).stdout.split("hash ")[1],

@@ -15,7 +15,7 @@ from program import EXAMPLES, PROGRAM
 from results_file import opened, renew_checksums
 
 EVIL = b"evil\x1b[1;31m\xff\xc2\x9b\x7f"  # the sequence of a colour of ours, a byte that is no UTF-8, a control character of two bytes
-COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
+COMMSTIME = EXAMPLES / "csp/commstime" / "commstime.cfs"
 NETLIST = EVIL + b".cfs"
 REFUSED = EVIL + b" refused.cfs"
 RECORD = EVIL + b".csv"
@@ -137,7 +137,7 @@ class Hostile(unittest.TestCase):
         clean(first.stdout)
 
     def test_without_standard_error_the_exit_codes_are_the_same(self):
-        for command in COMMANDS + [["sweep", NETLIST, "count=x"], ["run", EXAMPLES / "02-deadlock" / "ring.cfs"]]:
+        for command in COMMANDS + [["sweep", NETLIST, "count=x"], ["run", EXAMPLES / "csp/deadlock" / "ring.cfs"]]:
             with self.subTest(command=command):
                 code = self.done(*command).returncode
                 with open("/dev/full", "wb") as full:

@@ -11,7 +11,7 @@ import unittest
 
 from program import EXAMPLES, PROGRAM, placedpar
 
-RECORDS = EXAMPLES / "records"
+RECORDS = EXAMPLES / "hydraulics" / "records"
 STEP = RECORDS / "boom-4deg.csv"
 TRUTH = 0.0086
 SECONDS = 60
@@ -155,7 +155,7 @@ class Movements(unittest.TestCase):
 
     def test_what_is_of_the_thesis_way_is_refused(self):
         for option in (["--samples", 9], ["--rising"], ["--coding", "gray"], ["--offset", "auto"],
-                       ["--on", EXAMPLES / "03-table-e1" / "cluster.cfs"]):
+                       ["--on", EXAMPLES / "thesis/table-e1" / "cluster.cfs"]):
             run = placedpar("identify", STEP, *option)
             self.assertEqual(run.returncode, 1)
             self.assertIn("needs --way thesis", run.stderr)

@@ -9,7 +9,7 @@ import unittest
 
 from program import CLUSTER, EXAMPLES, FIGURE_E2, placedpar
 
-RECORDS = EXAMPLES / "records"
+RECORDS = EXAMPLES / "hydraulics" / "records"
 STEP = RECORDS / "boom-4deg.csv"
 TRUTH = 0.0086
 

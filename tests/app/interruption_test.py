@@ -14,7 +14,7 @@ import unittest
 
 from program import EXAMPLES, FIGURE_E2, PROGRAM
 
-LONG = ["run", str(EXAMPLES / "01-commstime" / "commstime.cfs"), "--set", "count=1000000000"]
+LONG = ["run", str(EXAMPLES / "csp/commstime" / "commstime.cfs"), "--set", "count=1000000000"]
 
 
 def wait_until_it_listens(process, number, seconds=20):
@@ -42,7 +42,7 @@ def long_examples(folder):
     """The examples with so many generations that an experiment takes its time."""
     examples = pathlib.Path(folder) / "examples"
     shutil.copytree(EXAMPLES, examples)
-    for name in ("03-table-e1/cluster.cfs", "04-figure-e2/software.inc"):
+    for name in ("thesis/table-e1/cluster.cfs", "thesis/figure-e2/software.inc"):
         text = (examples / name).read_text(encoding="utf-8")
         assert text.count("(population = population,") == 1
         (examples / name).write_text(text.replace("(population", "(trials = 20000, population"), encoding="utf-8")

@@ -7,7 +7,7 @@ import unittest
 from program import EXAMPLES, placedpar
 
 TABLE = f"""
-netlist = "{EXAMPLES / '01-commstime' / 'commstime.cfs'}"
+netlist = "{EXAMPLES / 'csp/commstime' / 'commstime.cfs'}"
 measure = "time"
 [[table]]
 name = "as it was measured"

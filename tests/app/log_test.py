@@ -14,7 +14,7 @@ import xml.etree.ElementTree
 
 from program import CLUSTER, EXAMPLES, FIGURE_E2, PROGRAM, fingerprint, placedpar
 
-COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
+COMMSTIME = EXAMPLES / "csp/commstime" / "commstime.cfs"
 COLUMNS = ["seed", "generation", "time_ms", "process", "from", "quantity", "value"]
 
 

@@ -5,8 +5,8 @@ import unittest
 
 from program import EXAMPLES, placedpar
 
-NETLIST = str(EXAMPLES / "01-commstime" / "commstime.cfs")
-CLUSTER = str(EXAMPLES / "03-table-e1" / "cluster.cfs")
+NETLIST = str(EXAMPLES / "csp/commstime" / "commstime.cfs")
+CLUSTER = str(EXAMPLES / "thesis/table-e1" / "cluster.cfs")
 
 
 class ManySeeds(unittest.TestCase):

@@ -16,7 +16,7 @@ import xml.etree.ElementTree
 
 from program import EXAMPLES, PROGRAM, placedpar
 
-MACHINE = EXAMPLES / "71-best-machine" / "machine.cfs"
+MACHINE = EXAMPLES / "explore/best-machine" / "machine.cfs"
 
 # Links of one transputer to another are wired beyond the four that there are: a constraint that the netlist states.
 NETLIST = """

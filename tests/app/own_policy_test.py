@@ -1,4 +1,4 @@
-"""The program of examples/46-own-policy: policies of its own in every command, and all commands but those of the thesis and the monitor."""
+"""The program of examples/genetic/own-policy: policies of its own in every command, and all commands but those of the thesis and the monitor."""
 
 import pathlib
 import re
@@ -8,7 +8,7 @@ import unittest
 
 from program import EXAMPLES, PROGRAM, placedpar
 
-NETLIST = str(EXAMPLES / "46-own-policy" / "islands.cfs")
+NETLIST = str(EXAMPLES / "genetic/own-policy" / "islands.cfs")
 OWN = str(pathlib.Path(PROGRAM).resolve().parent / "own_policy")
 
 

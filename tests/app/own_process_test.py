@@ -1,4 +1,4 @@
-"""The program of examples/40-own-process: a kind of its own, and the whole command line for netlists."""
+"""The program of examples/csp/own-process: a kind of its own, and the whole command line for netlists."""
 
 import json
 import pathlib
@@ -11,7 +11,7 @@ import unittest
 from program import EXAMPLES, PROGRAM, fingerprint
 from trace_reader import JsonTrace
 
-FOLDER = EXAMPLES / "40-own-process"
+FOLDER = EXAMPLES / "csp/own-process"
 NETLIST = str(FOLDER / "thin.cfs")
 OWN = str(pathlib.Path(PROGRAM).resolve().parent / "own_process")
 

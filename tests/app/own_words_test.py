@@ -11,7 +11,7 @@ import unittest
 
 from program import EXAMPLES, FIGURE_E2, PROGRAM, placedpar
 
-RING = EXAMPLES / "02-deadlock" / "ring.cfs"
+RING = EXAMPLES / "csp/deadlock" / "ring.cfs"
 VALUES = {"TIME": "1ms"}
 
 

@@ -16,9 +16,9 @@ from cut_texts import check_nothing_is_cut
 from page_reader import Page, data_of
 from program import EXAMPLES, FIGURE_E2, fingerprint, placedpar
 
-COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
-PHILOSOPHERS = EXAMPLES / "30-philosophers" / "philosophers.cfs"
-ISLANDS = EXAMPLES / "39-through-routing" / "islands.cfs"
+COMMSTIME = EXAMPLES / "csp/commstime" / "commstime.cfs"
+PHILOSOPHERS = EXAMPLES / "csp/philosophers" / "philosophers.cfs"
+ISLANDS = EXAMPLES / "machine/through-routing" / "islands.cfs"
 
 # What is in sight after loading and after each change of the width; the zoom has to agree, or its next step leads elsewhere.
 WIDTHS = """
@@ -329,7 +329,7 @@ class Pages(unittest.TestCase):
     @unittest.skipUnless(CHROMIUM, "no browser")
     def test_no_text_is_cut_off(self):
         """The last boxes of these drawings end near the right edge, and their shares stand beyond them."""
-        for netlist in (FIGURE_E2, COMMSTIME, ISLANDS, EXAMPLES / "65-pipeline" / "pipeline.cfs", EXAMPLES / "33-farm" / "farm.cfs"):
+        for netlist in (FIGURE_E2, COMMSTIME, ISLANDS, EXAMPLES / "explore/pipeline" / "pipeline.cfs", EXAMPLES / "csp/farm" / "farm.cfs"):
             self.page(netlist)
             for view, text in (("machine", "number of a link"), ("software", "of the sender's port")):
                 check_nothing_is_cut(self, self.chromium, f"{(self.folder / 'run.html').as_uri()}#view={view}", text)

@@ -108,7 +108,7 @@ class Drawing:
         return found
 
 
-FARM = EXAMPLES / "36-farms" / "farm.cfs"
+FARM = EXAMPLES / "genetic/farms" / "farm.cfs"
 
 
 def xml(text):
@@ -339,7 +339,7 @@ class Pictures(unittest.TestCase):
     def test_the_software_is_processes_and_channels(self):
         star = ["--set", "links=3"]
         netlists = [(FARM, star), (FARM, []), (FARM, ["--set", "slaves=15", "--set", "links=3", "--set", "branches=3"]),
-                    (EXAMPLES / "04-figure-e2" / "figure-e2.cfs", [])]
+                    (EXAMPLES / "thesis/figure-e2" / "figure-e2.cfs", [])]
         for path, settings in netlists:
             done = placedpar("show", path, "--format", "svg", "--software", *settings)
             self.assertEqual(done.returncode, 0, done.stderr)
@@ -362,14 +362,14 @@ class Pictures(unittest.TestCase):
         self.assertEqual(done.stderr, "placedpar: --software is for the drawing: --format svg --software\n")
 
     def test_graphviz_draws_its_own_form(self):
-        done = subprocess.run(["dot", "-Tsvg"], input=self.shown(EXAMPLES / "04-figure-e2" / "figure-e2.cfs", "dot"),
+        done = subprocess.run(["dot", "-Tsvg"], input=self.shown(EXAMPLES / "thesis/figure-e2" / "figure-e2.cfs", "dot"),
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=True)
         self.assertEqual(done.stderr, "")
         titles = [each.text for each in ElementTree.fromstring(done.stdout).iter(f"{SVG}title")]
         self.assertEqual(sum("--" in title for title in titles), 20)
 
     def test_the_legend_says_what_occurs(self):
-        text = self.shown(EXAMPLES / "04-figure-e2" / "figure-e2.cfs", "svg")
+        text = self.shown(EXAMPLES / "thesis/figure-e2" / "figure-e2.cfs", "svg")
         for words in ("transputer with its processes", "workstation", "wire that carries channels"):
             self.assertIn(f">{words}<", text)
         self.assertNotIn("crossbar", text)
@@ -380,7 +380,7 @@ class Pictures(unittest.TestCase):
 
     def test_no_kind_of_device_is_drawn_in_a_style_of_texts(self):
         """Its name is a class of its own, whatever words it is made of."""
-        text = self.shown(EXAMPLES / "42-figure-d1" / "figure-d1.cfs", "svg")
+        text = self.shown(EXAMPLES / "machine/figure-d1" / "figure-d1.cfs", "svg")
         groups = [each.get("class").split() for each in ElementTree.fromstring(text).findall(f"{SVG}g")]
         kinds = [words[1:] for words in groups if words[0] in ("node", "legend")]
         self.assertIn(["link-adapter"], kinds)

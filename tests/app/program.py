@@ -6,8 +6,8 @@ import subprocess
 
 PROGRAM = os.environ["PLACEDPAR"]
 EXAMPLES = pathlib.Path(os.environ["PLACEDPAR_EXAMPLES"])
-CLUSTER = EXAMPLES / "03-table-e1" / "cluster.cfs"
-FIGURE_E2 = EXAMPLES / "04-figure-e2" / "figure-e2.cfs"
+CLUSTER = EXAMPLES / "thesis/table-e1" / "cluster.cfs"
+FIGURE_E2 = EXAMPLES / "thesis/figure-e2" / "figure-e2.cfs"
 
 
 def placedpar(*arguments, environment=None, folder=None):

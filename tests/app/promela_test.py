@@ -10,7 +10,7 @@ import unittest
 from program import EXAMPLES, placedpar
 
 SHUFFLES = 24
-PHILOSOPHERS = EXAMPLES / "30-philosophers" / "philosophers.cfs"
+PHILOSOPHERS = EXAMPLES / "csp/philosophers" / "philosophers.cfs"
 
 
 def can_get_stuck(netlist, *settings):
@@ -57,10 +57,10 @@ class Models(unittest.TestCase):
         return stuck
 
     def test_the_examples(self):
-        for stuck, *example in ((False, EXAMPLES / "01-commstime" / "commstime.cfs", "--set", "count=3"),
-                                (True, EXAMPLES / "02-deadlock" / "ring.cfs"),
+        for stuck, *example in ((False, EXAMPLES / "csp/commstime" / "commstime.cfs", "--set", "count=3"),
+                                (True, EXAMPLES / "csp/deadlock" / "ring.cfs"),
                                 (False, PHILOSOPHERS, "--set", "meals=1"), (True, PHILOSOPHERS, "--set", "butler=0"),
-                                (False, EXAMPLES / "34-bounded-buffer" / "buffer.cfs", "--set", "count=3")):
+                                (False, EXAMPLES / "csp/bounded-buffer" / "buffer.cfs", "--set", "count=3")):
             self.assertEqual(self.check_agreement(*example), stuck, example)
 
     def test_a_fifth_seat_is_a_danger_that_runs_do_not_meet(self):
@@ -81,7 +81,7 @@ class Models(unittest.TestCase):
 
 class Refusals(unittest.TestCase):
     def test_a_kind_that_says_nothing_in_promela_is_named(self):
-        run = placedpar("show", EXAMPLES / "04-figure-e2" / "figure-e2.cfs", "--format", "promela")
+        run = placedpar("show", EXAMPLES / "thesis/figure-e2" / "figure-e2.cfs", "--format", "promela")
         self.assertEqual((run.returncode, run.stdout), (1, ""))
         self.assertIn('"host" is a ga.host, which does not say in Promela what it communicates; these do: csp.buffer',
                       run.stderr)

@@ -7,7 +7,7 @@ import unittest
 
 from program import CLUSTER, EXAMPLES, fingerprint, placedpar
 
-STEP = EXAMPLES / "records" / "boom-4deg.csv"
+STEP = EXAMPLES / "hydraulics" / "records" / "boom-4deg.csv"
 PIPE = """T800 (memory = size) root;
 #INCLUDE "LIB\\SECOND.INC"
 connect root.link[0] to host;

@@ -8,7 +8,7 @@ import unittest
 
 from program import EXAMPLES, placedpar
 
-RECORDS = EXAMPLES / "records"
+RECORDS = EXAMPLES / "hydraulics" / "records"
 SCENARIOS = ("scenario-a", "scenario-b", "two-links", "links", "excavator")
 
 

@@ -59,7 +59,7 @@ class Replay(unittest.TestCase):
         examples = pathlib.Path(self.folder) / "examples"
         shutil.copytree(EXAMPLES, examples)
         renamed = re.sub(r"(?<!\.)\bmaster\b", "chief", CLUSTER.read_text(encoding="utf-8"))
-        (examples / "03-table-e1" / "cluster.cfs").write_text(renamed, encoding="utf-8")
+        (examples / "thesis/table-e1" / "cluster.cfs").write_text(renamed, encoding="utf-8")
         run = placedpar("replay", "table-e1", environment={"PLACEDPAR_EXAMPLES": str(examples)})
         self.assertEqual(run.returncode, 1, run.stderr)
         self.assertIn('unknown measure "master.', run.stderr)

@@ -7,7 +7,7 @@ import unittest
 
 from program import EXAMPLES, placedpar
 
-DEADLOCK = EXAMPLES / "02-deadlock" / "ring.cfs"
+DEADLOCK = EXAMPLES / "csp/deadlock" / "ring.cfs"
 ALONE = """T800 t;
 process p, c;
 use "csp.producer" for p;

@@ -7,8 +7,8 @@ import unittest
 
 from program import CLUSTER, EXAMPLES, fingerprint, placedpar
 
-RECORD = EXAMPLES / "records" / "boom-4deg.csv"
-COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
+RECORD = EXAMPLES / "hydraulics" / "records" / "boom-4deg.csv"
+COMMSTIME = EXAMPLES / "csp/commstime" / "commstime.cfs"
 
 
 class Set(unittest.TestCase):

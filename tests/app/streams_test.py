@@ -10,9 +10,9 @@ import unittest
 from program import CLUSTER, EXAMPLES, PROGRAM, placedpar
 from trace_reader import JsonTrace
 
-RECORD = EXAMPLES / "records" / "boom-4deg.csv"
-COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
-DEADLOCK = EXAMPLES / "02-deadlock" / "ring.cfs"
+RECORD = EXAMPLES / "hydraulics" / "records" / "boom-4deg.csv"
+COMMSTIME = EXAMPLES / "csp/commstime" / "commstime.cfs"
+DEADLOCK = EXAMPLES / "csp/deadlock" / "ring.cfs"
 
 
 class Streams(unittest.TestCase):

@@ -19,8 +19,8 @@ from interruption_test import wait_until_it_listens
 from program import EXAMPLES, FIGURE_E2, PROGRAM, fingerprint, placedpar
 from results_file import opened, renew_checksums
 
-RING = EXAMPLES / "02-deadlock" / "ring.cfs"
-COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
+RING = EXAMPLES / "csp/deadlock" / "ring.cfs"
+COMMSTIME = EXAMPLES / "csp/commstime" / "commstime.cfs"
 LONG = ["sweep", str(FIGURE_E2), "slaves=0..3", "--seeds", "12", "--measure", "master.T_exe"]
 
 
@@ -172,7 +172,7 @@ class Sweep(InFolder):
 
 class BadInput(InFolder):
     def test_what_a_process_measures_its_kind_describes(self):
-        machine = EXAMPLES / "71-best-machine" / "machine.cfs"
+        machine = EXAMPLES / "explore/best-machine" / "machine.cfs"
         arguments = [machine, "samples=6", "accuracy=0.1", "--results", "kept"]
         self.sweep(*arguments)
         names = figures_of(self.folder / "kept")
@@ -180,7 +180,7 @@ class BadInput(InFolder):
         self.sweep(*arguments, *(word for name in names for word in ("--measure", name)))
 
     def test_a_measure_that_no_run_has_is_not_a_misspelling(self):
-        machine = EXAMPLES / "71-best-machine" / "machine.cfs"
+        machine = EXAMPLES / "explore/best-machine" / "machine.cfs"
         too_short = [machine, "samples=6", "accuracy=0.00001", "--results", "kept"]
         self.sweep(*too_short)
         for measure, about in (("host.accurate_after", "time after which the fittest estimate stays accurate; absent if the last "

@@ -13,8 +13,8 @@ import unittest
 from program import CLUSTER, EXAMPLES, FIGURE_E2, PROGRAM, fingerprint, placedpar
 from trace_reader import JsonTrace, VcdTrace, measure
 
-COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
-DEADLOCK = EXAMPLES / "02-deadlock" / "ring.cfs"
+COMMSTIME = EXAMPLES / "csp/commstime" / "commstime.cfs"
+DEADLOCK = EXAMPLES / "csp/deadlock" / "ring.cfs"
 SHARED_LINK = """T800 a; T800 b; connect a.link[1] to b.link[0];
 process p; process q; process c; process d;
 use "csp.producer" for p; use "csp.producer" for q; use "csp.consumer" for c; use "csp.consumer" for d;

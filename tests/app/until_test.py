@@ -8,8 +8,8 @@ import unittest
 from program import CLUSTER, EXAMPLES, FIGURE_E2, fingerprint, placedpar
 from trace_reader import JsonTrace
 
-COMMSTIME = EXAMPLES / "01-commstime" / "commstime.cfs"
-DEADLOCK = EXAMPLES / "02-deadlock" / "ring.cfs"
+COMMSTIME = EXAMPLES / "csp/commstime" / "commstime.cfs"
+DEADLOCK = EXAMPLES / "csp/deadlock" / "ring.cfs"
 MILLISECOND = 1_000_000_000  # picoseconds
 
 

@@ -31,18 +31,18 @@ RunReport run_example(const std::string& file, const Overrides& overrides = {}, 
 double milliseconds(const RunReport& report) { return in_milliseconds(report.result.time); }
 
 RunReport run_farm(const std::string& deal, int workers, std::uint64_t seed = 1) {
-    return run_example("33-farm/farm.cfs", {{"deal", "\"" + deal + "\""}, {"workers", std::to_string(workers)}}, seed);
+    return run_example("csp/farm/farm.cfs", {{"deal", "\"" + deal + "\""}, {"workers", std::to_string(workers)}}, seed);
 }
 
 RunReport run_buffer(int capacity) {
-    return run_example("34-bounded-buffer/buffer.cfs", {{"capacity", std::to_string(capacity)}});
+    return run_example("csp/bounded-buffer/buffer.cfs", {{"capacity", std::to_string(capacity)}});
 }
 
 } // namespace
 
 TEST_CASE("philosophers starve in a circle; with a butler all of them eat") {
-    CHECK(run_example("30-philosophers/philosophers.cfs").result.ending == Ending::completed);
-    RunReport starved = run_example("30-philosophers/philosophers.cfs", {{"butler", "0"}});
+    CHECK(run_example("csp/philosophers/philosophers.cfs").result.ending == Ending::completed);
+    RunReport starved = run_example("csp/philosophers/philosophers.cfs", {{"butler", "0"}});
     REQUIRE(starved.result.ending == Ending::stuck);
     CHECK(starved.result.deadlock->cycle.size() == 10); // each philosopher waits for a fork, which waits for the next
 }
@@ -50,14 +50,14 @@ TEST_CASE("philosophers starve in a circle; with a butler all of them eat") {
 TEST_CASE("so they do at a table of any size") {
     for (const char* n : {"2", "3", "4", "6", "7", "12"}) {
         CAPTURE(n);
-        CHECK(run_example("30-philosophers/philosophers.cfs", {{"n", n}}).result.ending == Ending::completed);
-        CHECK(run_example("30-philosophers/philosophers.cfs", {{"n", n}, {"butler", "0"}}).result.ending ==
+        CHECK(run_example("csp/philosophers/philosophers.cfs", {{"n", n}}).result.ending == Ending::completed);
+        CHECK(run_example("csp/philosophers/philosophers.cfs", {{"n", n}, {"butler", "0"}}).result.ending ==
               Ending::stuck);
     }
 }
 
 TEST_CASE("the sieve finds the primes up to 100") {
-    RunReport report = run_example("31-sieve/sieve.cfs");
+    RunReport report = run_example("csp/sieve/sieve.cfs");
     REQUIRE(report.result.ending == Ending::completed);
     const int primes[] = {2,  3,  5,  7,  11, 13, 17, 19, 23, 29, 31, 37, 41,
                           43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89, 97};
@@ -67,15 +67,15 @@ TEST_CASE("the sieve finds the primes up to 100") {
 }
 
 TEST_CASE("a sieve with more processes than primes ends too, and one with fewer lets numbers through") {
-    RunReport more = run_example("31-sieve/sieve.cfs", {{"last", "10"}, {"primes", "6"}});
+    RunReport more = run_example("csp/sieve/sieve.cfs", {{"last", "10"}, {"primes", "6"}});
     CHECK(more.result.ending == Ending::completed);
     CHECK(more.measured("sieve[3]", "prime") == 7);
     CHECK(more.measured("sieve[4]", "prime") == 0);
-    CHECK(run_example("31-sieve/sieve.cfs", {{"primes", "4"}}).measured("sieve[3]", "passed") == 21); // primes over 7
+    CHECK(run_example("csp/sieve/sieve.cfs", {{"primes", "4"}}).measured("sieve[3]", "passed") == 21); // primes over 7
 }
 
 TEST_CASE("the mesh multiplies vectors by its matrix") {
-    RunReport report = run_example("32-matrix/matrix.cfs");
+    RunReport report = run_example("csp/matrix/matrix.cfs");
     REQUIRE(report.result.ending == Ending::completed);
     for (int k = 0; k < 3; ++k)
         for (int j = 0; j < 3; ++j) {

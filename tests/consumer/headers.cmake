@@ -27,8 +27,8 @@ foreach(header ${doors} ${inside})
     endif()
 endforeach()
 
-file(GLOB pages ${TREE}/README.md ${TREE}/docs/*.md ${TREE}/*/README.md ${TREE}/CONTRIBUTING.md ${TREE}/examples/*/README.md
-    ${TREE}/examples/*/*.?pp)
+file(GLOB pages ${TREE}/README.md ${TREE}/docs/*/*.md ${TREE}/*/README.md ${TREE}/CONTRIBUTING.md ${TREE}/examples/*/*/README.md
+    ${TREE}/examples/*/*/*.?pp)
 foreach(page ${pages})
     file(READ ${page} text)
     string(REGEX MATCHALL "placedpar/[a-z0-9_/]+\\.hpp" named "${text}")

@@ -40,7 +40,7 @@ PROLOGUE = """#include "app/program.hpp"
 
 def pages(tree):
     """Every document, relative to the tree."""
-    found = {path for pattern in ("*.md", "docs/*.md", "examples/*/README.md", "*/README.md") for path in tree.glob(pattern)}
+    found = {path for pattern in ("*.md", "docs/**/*.md", "examples/**/README.md", "*/README.md") for path in tree.glob(pattern)}
     return sorted(path.relative_to(tree) for path in found)
 
 

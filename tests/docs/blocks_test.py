@@ -9,7 +9,7 @@ import unittest.mock
 import blocks
 
 
-def wrong(page, name="docs/page.md", **files):
+def wrong(page, name="docs/guides/page.md", **files):
     """What is said of a tree with one page; without a compiler, C++ blocks are only taken out."""
     with tempfile.TemporaryDirectory() as folder:
         tree = pathlib.Path(folder)
@@ -27,7 +27,7 @@ def fenced(info, text):
 class Blocks(unittest.TestCase):
     def test_a_language_that_nothing_checks_is_refused(self):
         for info in ("", "r", "c++", "occam", "cpp two words"):
-            self.assertIn('docs/page.md:2: nothing checks a block of the language', wrong(fenced(info, "x"))[0], info)
+            self.assertIn('docs/guides/page.md:2: nothing checks a block of the language', wrong(fenced(info, "x"))[0], info)
         for info in ("console", "text", "monitor"):
             self.assertEqual(wrong(fenced(info, "$ x")), [])
 
@@ -38,7 +38,7 @@ class Blocks(unittest.TestCase):
     def test_cpp_with_the_name_of_a_file_is_compiled_too(self):
         page = fenced("cpp a.cpp", "int x;") + fenced("console", "$ placedpar check a.cpp")
         with unittest.mock.patch("blocks.wrong_cpp", side_effect=lambda tree, compiler, of_pages: of_pages):
-            self.assertEqual(wrong(page), [(pathlib.Path("docs/page.md"), [(2, "int x;\n")])])
+            self.assertEqual(wrong(page), [(pathlib.Path("docs/guides/page.md"), [(2, "int x;\n")])])
 
     def test_shell_and_python_are_parsed(self):
         self.assertEqual(wrong(fenced("sh", "for i in 1 2; do echo $i; done") + fenced("python", "x = [1]")), [])
@@ -49,10 +49,10 @@ class Blocks(unittest.TestCase):
 
     def test_the_blocks_of_a_page_share_a_namespace_and_know_their_lines(self):
         page = [(7, "#include <placedpar/app/program.hpp>\n#include <cmath>\nint main() {}\n"), (20, "int x;\n")]
-        includes, body = blocks.source_of("docs/page.md", 3, page)
+        includes, body = blocks.source_of("docs/guides/page.md", 3, page)
         self.assertEqual(includes, ['#include "app/program.hpp"', "#include <cmath>"])
-        self.assertEqual(body, ["namespace page_3 {", "using namespace ::placedpar;", '#line 7 "docs/page.md"', "", "",
-                                "int main_of_the_page() {}", '#line 20 "docs/page.md"', "int x;", "}"])
+        self.assertEqual(body, ["namespace page_3 {", "using namespace ::placedpar;", '#line 7 "docs/guides/page.md"', "", "",
+                                "int main_of_the_page() {}", '#line 20 "docs/guides/page.md"', "int x;", "}"])
 
     def test_what_the_compiler_refuses_is_refused(self):
         tree = pathlib.Path("/")

@@ -78,15 +78,15 @@ class Documents(unittest.TestCase):
             outcome(console("true"))
 
     def test_the_copy_has_the_page_and_the_examples_and_all_of_a_tree_that_is_named(self):
-        for command, present in (("cat docs/page.md examples/a.cfs", {"docs/page.md", "examples/a.cfs"}),
-                                 ("ls .", {"docs/page.md", "examples/a.cfs", "room/b.cpp"})):
+        for command, present in (("cat docs/guides/page.md examples/a.cfs", {"docs/guides/page.md", "examples/a.cfs"}),
+                                 ("ls .", {"docs/guides/page.md", "examples/a.cfs", "room/b.cpp"})):
             with tempfile.TemporaryDirectory() as folder:
                 source, tree = pathlib.Path(folder) / "source", pathlib.Path(folder) / "tree"
-                for name, text in (("docs/page.md", console(f"$ {command}")), ("examples/a.cfs", ""), ("room/b.cpp", ""),
+                for name, text in (("docs/guides/page.md", console(f"$ {command}")), ("examples/a.cfs", ""), ("room/b.cpp", ""),
                                    ("build/c.o", "")):
                     (source / name).parent.mkdir(parents=True, exist_ok=True)
                     (source / name).write_text(text)
-                document.copy_for("docs/page.md", source, tree)
+                document.copy_for("docs/guides/page.md", source, tree)
                 self.assertEqual({str(path.relative_to(tree)) for path in tree.rglob("*") if path.is_file()}, present)
 
 

@@ -172,7 +172,7 @@ def command_faults(listed, tree, programs):
 
 
 def pages_with_figures(tree):
-    return sorted([*tree.glob("*.md"), *tree.glob("docs/**/*.md"), *tree.glob("examples/*/README.md")])
+    return sorted([*tree.glob("*.md"), *tree.glob("docs/**/*.md"), *tree.glob("examples/**/README.md")])
 
 
 def main(tree, programs=None, listing=LISTED):

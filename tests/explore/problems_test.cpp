@@ -29,7 +29,7 @@ struct CountedBoom {
     CountedBoom& operator=(const CountedBoom&) = delete;
 };
 
-const std::filesystem::path cluster = PLACEDPAR_SOURCE_DIR "/examples/03-table-e1/cluster.cfs";
+const std::filesystem::path cluster = PLACEDPAR_SOURCE_DIR "/examples/thesis/table-e1/cluster.cfs";
 
 void no_warning(const std::string& warning) { FAIL(warning); }
 

@@ -37,14 +37,14 @@ def rows(text, count=40):
 
 SEEDS = {
     "netlist": lambda: files("examples/**/*.cfs", "tests/netlist/refusals/**/*.cfs"),
-    "record": lambda: [rows(text) for text in files("examples/records/*.csv")] + texts_of("tests/hydraulics/data/record*.cpp"),
+    "record": lambda: [rows(text) for text in files("examples/hydraulics/records/*.csv")] + texts_of("tests/hydraulics/data/record*.cpp"),
     "machine": lambda: [rows(text, 12) for text in files("hydraulics/data/excavator.csv")],
     "policies": lambda: texts_of("tests/gaprocs/policies/*.cpp") + matches(r'= "([a-z(][^"\n]+)"', "examples/**/*.cfs"),
     "strings": lambda: texts_of("tests/gaprocs/representation/*.cpp"),
     "texts": lambda: texts_of("tests/text/*.cpp"),
-    "study": lambda: files("examples/**/*.toml") + matches(r"^```toml[^\n]*\n(.*?)^```", "docs/*.md", "examples/**/*.md"),
+    "study": lambda: files("examples/**/*.toml") + matches(r"^```toml[^\n]*\n(.*?)^```", "docs/**/*.md", "examples/**/*.md"),
     "results": lambda: [],
-    "message": lambda: matches(r'\{"type".*?\}(?=[\n\'"`)])', "docs/monitor.md", "tests/monitor/**/*.cpp"),
+    "message": lambda: matches(r'\{"type".*?\}(?=[\n\'"`)])', "docs/guides/monitor.md", "tests/monitor/**/*.cpp"),
     "state": lambda: [],
     "options": lambda: [b"n=3\nt[0].link[0] silent (from = 20ms)\ncsp.sink=csp.sink", b"t.memory=2M\n\n"] + texts_of("tests/netlist/elaborate/overrides_test.cpp"),
     "diagnosis": lambda: [],
@@ -53,13 +53,13 @@ SEEDS = {
     "searches": lambda: files("examples/**/*.cfs"),
     "wish": lambda: [b"torus\n4x4\n\n\nislands", b"tree\n7\n3\n\nfarm", b"chordal-ring\n8\n\n3\nislands", b"hypercube\n8\n\n\nga.island"],
     "scenario": lambda: [b"bulk_modulus=4.1e-11 m^3/Pa", b"duration=3 s"] + texts_of("tests/app/record_test.py"),
-    "answer": lambda: matches(r'\{"type".*?\}(?=[\n\'"`)])', "docs/monitor.md", "tests/monitor/**/*.cpp"),
+    "answer": lambda: matches(r'\{"type".*?\}(?=[\n\'"`)])', "docs/guides/monitor.md", "tests/monitor/**/*.cpp"),
     "places": lambda: [b"127.0.0.1", b"::1", b"::ffff:127.0.0.1", b"localhost", b"0.0.0.0", b"monitor.sock", b"fe80::1%lo"],
     "request": lambda: [f"{line} HTTP/1.{minor}\r\nHost: 127.0.0.1\r\n{fields}\r\n".encode() for minor in (0, 1)
                         for line in ("GET /", "HEAD /metrics", "GET /history?machine=digger%207", "POST /sight")
                         for fields in ("", "Authorization: Basic dXNlcjpwYXNzd29yZA==\r\n", "Content-Length: 3\r\n",
                                        "Connection: close\r\nTransfer-Encoding: chunked\r\n")],
-    "command": lambda: [b"\n".join(line.split()) for line in matches(r"^\$ placedpar ([^|<>$`\n]+)$", "docs/*.md", "examples/**/*.md")],
+    "command": lambda: [b"\n".join(line.split()) for line in matches(r"^\$ placedpar ([^|<>$`\n]+)$", "docs/**/*.md", "examples/**/*.md")],
     "arguments": lambda: texts_of("tests/explore/**/*.cpp", "tests/report/*.cpp"),
 }
 

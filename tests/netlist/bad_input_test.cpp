@@ -152,7 +152,7 @@ TEST_CASE("at most twenty errors") {
           "... 980 further errors not shown\n");
 }
 
-TEST_CASE("bounds are where docs/netlist-language.md says: what is just within is read") {
+TEST_CASE("bounds are where docs/reference/netlist-language.md says: what is just within is read") {
     auto read = [](const std::string& text) { return read_netlist_text(text, small_catalogue()).network.has_value(); };
     auto array = [](int depth) { return "val a " + repeated("{", depth) + "1" + repeated("}", depth) + ";"; };
     auto nested = [](const std::string& open, const std::string& inner, const std::string& close, int depth) {

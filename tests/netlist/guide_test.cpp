@@ -14,7 +14,7 @@ using namespace placedpar;
 namespace {
 
 std::vector<std::string> netlists_of_the_guide() {
-    std::ifstream in(std::string(PLACEDPAR_SOURCE_DIR) + "/docs/netlist-language.md");
+    std::ifstream in(std::string(PLACEDPAR_SOURCE_DIR) + "/docs/reference/netlist-language.md");
     std::vector<std::string> netlists;
     bool inside = false;
     for (std::string line; std::getline(in, line);) {

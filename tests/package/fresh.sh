@@ -32,7 +32,7 @@ on() { chroot "$root" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIA
 on apt-get update -qq
 on sh -c 'apt-get install -qq -y --no-install-recommends /srv/placedpar_*.deb >/dev/null'
 on placedpar replay table-e1 >/dev/null
-on placedpar run /usr/share/doc/placedpar/examples/04-figure-e2/figure-e2.cfs >/dev/null
+on placedpar run /usr/share/doc/placedpar/examples/thesis/figure-e2/figure-e2.cfs >/dev/null
 on sh -c 'program=$(sed -n "s/^ExecStart=\"\([^\"]*\)\".*/\1/p" /usr/lib/systemd/system/placedpar-monitor.service) && "$program" --version'
 on sh -c 'test -s /usr/share/doc/placedpar/copyright && test -s /usr/share/man/man1/placedpar.1'
 

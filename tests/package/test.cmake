@@ -31,14 +31,14 @@ must(dpkg-deb -x ${rooms} ${root})
 unset(ENV{PLACEDPAR_EXAMPLES})
 must(${root}/usr/bin/placedpar replay table-e1)
 foreach(file usr/share/man/man1/placedpar.1 usr/share/bash-completion/completions/placedpar usr/share/zsh/site-functions/_placedpar
-        usr/share/doc/placedpar/README.md usr/share/doc/placedpar/copyright usr/share/doc/placedpar/docs/monitor.md
+        usr/share/doc/placedpar/README.md usr/share/doc/placedpar/copyright usr/share/doc/placedpar/docs/guides/monitor.md
         usr/share/doc/libplacedpar-dev/copyright usr/lib/cmake/PlacedPar/PlacedParConfig.cmake
         usr/include/placedpar/runtime/simulation.hpp usr/lib/libplacedpar_runtime.a)
     if(NOT EXISTS ${root}/${file})
         message(FATAL_ERROR "No package holds ${file}")
     endif()
 endforeach()
-if(NOT EXISTS ${root}/usr/share/doc/placedpar/examples/records)
+if(NOT EXISTS ${root}/usr/share/doc/placedpar/examples/hydraulics/records)
     message(FATAL_ERROR "Beside the documents there are no examples")
 endif()
 file(STRINGS ${root}/usr/lib/systemd/system/placedpar-monitor.service unit REGEX "^ExecStart=\"/usr/bin/placedpar\" ")

@@ -42,7 +42,7 @@ class Refusals(unittest.TestCase):
         self.refused("has 25 characters: a name has at most 24", "kind", "a" * 25)
 
     def test_names_that_are_taken(self):
-        self.refused("examples/31-sieve is there already: take another name", "kind", "sieve")
+        self.refused("examples/csp/sieve is there already: take another name", "kind", "sieve")
         self.refused('"buffer" is taken: classics/bounded_buffer.cpp:', "kind", "buffer")
         self.refused('"transputer" is taken: netlist/kinds/devices.hpp:', "device", "transputer")
         self.refused('"clock" is a word of netlists, or a name', "device", "clock")

@@ -55,7 +55,8 @@ class Insertion:
 class Piece:
     """What one of the tools writes besides its templates, and which names are taken."""
 
-    example: str  # what its example's line in README.md says
+    topic: str    # the folder of examples that its example goes to
+    example: str  # what the line of its example says in the index of that folder
     insertions: list
     taken: list  # (files, pattern): the name is taken where the pattern is found in one of the files
     reserved: set = dataclasses.field(default_factory=set)  # besides those of C++
@@ -68,17 +69,19 @@ TYPE = (r"[a-z].*\.[ch]pp", r"\b(?:class|struct|enum|namespace|concept|using) (?
 FUNCTION = (r"[a-z].*\.hpp", r"(?m)^(?:[\w:<>,]+[ &*]+)+@snake@\(")
 PIECES = {
     "kind": Piece(
+        "csp",
         "csp.@snake@: packets that are counted on their way",
         [Insertion("classics/kinds.hpp", END_OF_NAMESPACE, "std::vector<ProcessKind> @snake@_kinds(); ///< csp.@snake@\n"),
          Insertion("classics/kinds.cpp", "})\n        for (auto& kind : kinds)", ", @snake@_kinds()")],
         [(r"[a-z].*\.cpp", r'"csp\.@snake@"'), (r"classics/.*", r"\b@snake@_kinds\b")],
         next="placedpar kinds csp.@snake@"),
     "device": Piece(
+        "machine",
         "@article@ @words@, which executes a process at a time, beside a transputer",
         [Insertion("netlist/kinds/devices.hpp", "\n/// All of them.\n",
                    "/// Executes one process at a time: runtime/hardware/@snake@.hpp.\nDeviceKind @snake@();\n"),
          Insertion("netlist/kinds/devices.hpp", "};\n\n} // namespace placedpar", ", @snake@"),
-         Insertion("docs/netlist-language.md", "\n| attribute | of | meaning | default |",
+         Insertion("docs/reference/netlist-language.md", "\n| attribute | of | meaning | default |",
                    "| `@snake@` | @article@ @words@: four links, executes one process at a time |\n"),
          Insertion("runtime/README.md", "| the host's side of it |",
                    "| @article@ @words@: executes one process at a time | `hardware/@snake@` |\n")],
@@ -86,6 +89,7 @@ PIECES = {
         NETLIST_WORDS | NAMES_IN_NETLISTS,
         next="placedpar kinds @snake@"),
     "problem": Piece(
+        "genetic",
         "@kebab@: a valley of several numbers, and a genetic algorithm that searches for its bottom",
         [Insertion("explore/problems.cpp", '#include "problems/plant/plant_family.hpp"\n', '#include "problems/@snake@.hpp"\n'),
          Insertion("explore/problems.cpp", "    for (const ProblemFamily& family : own_problems())\n",
@@ -95,6 +99,7 @@ PIECES = {
         [TYPE, (r"(?:problems|explore)/.*\.[ch]pp", r'"@kebab@"')],
         next="placedpar kinds @kebab@"),
     "experiment": Piece(
+        "thesis",
         "the experiment @kebab@: what a link carries one way, beside the databook",
         [],
         [(r"experiments/.*\.cpp", r'\b@snake@_experiment\b|\.name = "@kebab@"')],
@@ -120,19 +125,13 @@ def check_name(name, piece):
         raise Refusal(f'"{name}" is {where}: take another, such as "my-{name}"')
 
 
-def free_number(top):
-    """Of an example: the least from 47 that no folder begins with."""
-    used = {path.name.partition("-")[0] for path in (top / "examples").iterdir()}
-    return next(str(number) for number in range(47, 1000) if str(number) not in used)
-
-
-def words_for(name, top):
+def words_for(name, topic):
     """What the placeholders stand for."""
     words = name.replace("-", " ")
     article = "an" if name[0] in "aeiou" else "a"
     return {"kebab": name, "snake": name.replace("-", "_"), "Pascal": "".join(word.capitalize() for word in name.split("-")),
             "words": words, "Title": words[0].upper() + words[1:], "article": article, "Article": article.capitalize(),
-            "example": f"{free_number(top)}-{name}"}
+            "example": f"{topic}/{name}"}
 
 
 def words_for_experiment(folder, top):
@@ -149,9 +148,8 @@ def words_for_experiment(folder, top):
 
 def check_taken(piece, words, top):
     """Throws Refusal where the tree has something of that name."""
-    beside = [path for path in (top / "examples").iterdir() if path.name.partition("-")[2] == words["kebab"]]
-    if beside:
-        raise Refusal(f'examples/{beside[0].name} is there already: take another name than "{words["kebab"]}"')
+    if (top / "examples" / words["example"]).exists():
+        raise Refusal(f'examples/{words["example"]} is there already: take another name than "{words["kebab"]}"')
     names = tree.names(top)
     for files, pattern in piece.taken:
         wanted = re.compile(filled(pattern, words))
@@ -178,9 +176,9 @@ def new_files(what, words, top):
 
 def changed_files(piece, words, top):
     """{path: text} of the files that name the new piece from now on."""
-    row = f"| [{words['example']}](examples/{words['example']}/README.md) | {filled(piece.example, words)} |\n"
+    row = Insertion(f"examples/{piece.topic}/README.md", "\n\nBack to the [README]", f"\n| [@kebab@](@kebab@/README.md) | {piece.example} |")
     changed = {}
-    for insertion in [*piece.insertions, Insertion("README.md", "| [records](examples/records/README.md) |", row)]:
+    for insertion in [*piece.insertions, row]:
         try:
             text = changed.get(insertion.file) or (top / insertion.file).read_text(encoding="utf-8")
         except OSError as error:
@@ -234,7 +232,7 @@ def make(what, name, folder="machine", top=TOP):
     """Makes the piece; what it wrote, and the words of its name. Throws Refusal."""
     piece = PIECES[what]
     check_name(name, piece)
-    words = words_for(name, top)
+    words = words_for(name, piece.topic)
     if what == "experiment":
         words |= words_for_experiment(folder, top)
     check_taken(piece, words, top)

@@ -13,8 +13,8 @@ must(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR} -B ${SCRATCH}/build
 must(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 must(${SCRATCH}/build/consumer)
 
-# The programs of docs/own-processes.md, docs/own-problem.md and docs/own-policy.md, as the pages say.
-foreach(example 40-own-process/thin 41-own-problem/tin 46-own-policy/islands)
+# The programs of docs/guides/own-processes.md, docs/guides/own-problem.md and docs/guides/own-policy.md, as the pages say.
+foreach(example csp/own-process/thin genetic/own-problem/tin genetic/own-policy/islands)
     cmake_path(GET example PARENT_PATH folder)
     string(REGEX REPLACE "^[0-9]+-own-(.*)$" "own_\\1" program ${folder})
     must(${CMAKE_COMMAND} -G Ninja -S ${SCRATCH}/installed/share/placedpar/examples/${folder} -B ${SCRATCH}/${program}

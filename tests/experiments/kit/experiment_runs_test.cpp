@@ -28,15 +28,15 @@ Ending ending_of(const test::ReplayInMemory& replay, const char* netlist) {
 
 TEST_CASE("a run that comes to its end is reported, one that is stuck or interrupted is not") {
     test::ReplayInMemory replay(0);
-    CHECK(ending_of(replay, "01-commstime/commstime.cfs") == Ending::completed);
-    CHECK(ending_of(replay, "02-deadlock/ring.cfs") == Ending::stuck);
+    CHECK(ending_of(replay, "csp/commstime/commstime.cfs") == Ending::completed);
+    CHECK(ending_of(replay, "csp/deadlock/ring.cfs") == Ending::stuck);
     replay.interruption.request();
-    CHECK(ending_of(replay, "01-commstime/commstime.cfs") == Ending::interrupted);
+    CHECK(ending_of(replay, "csp/commstime/commstime.cfs") == Ending::interrupted);
     CHECK(replay.warned.empty());
 }
 
 TEST_CASE("a netlist that is refused with a setting throws what is wrong with it") {
     test::ReplayInMemory replay(0);
-    CHECK_THROWS_WITH_AS(run_to_the_end(own_examples / "01-commstime/commstime.cfs", {{"cuont", "5"}}, replay.context),
+    CHECK_THROWS_WITH_AS(run_to_the_end(own_examples / "csp/commstime/commstime.cfs", {{"cuont", "5"}}, replay.context),
                          doctest::Contains("\"cuont\""), RefusedInput);
 }

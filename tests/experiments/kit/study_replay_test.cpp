@@ -22,7 +22,7 @@ namespace {
 /// A folder of examples with a study of a netlist of this project, which goes with it.
 class EditedStudy {
 public:
-    explicit EditedStudy(const std::string& text, const std::string& netlist = "01-commstime/commstime.cfs") {
+    explicit EditedStudy(const std::string& text, const std::string& netlist = "csp/commstime/commstime.cfs") {
         std::filesystem::create_directories(folder_);
         std::ofstream(folder_ / "edited.toml")
             << fmt::format("netlist = \"{}/examples/{}\"\n{}", PLACEDPAR_SOURCE_DIR, netlist, text);
@@ -136,7 +136,7 @@ TEST_CASE("what a replay shows beside its study's tables has to be in the study"
 TEST_CASE("a replay whose machine is stuck has nothing to show") {
     const std::string table = "[[table]]\nname = \"ring\"\ncolumns = [{name = \"all\", set = {n = 3}}]\n"
                               "rows = [{name = \"time\", figure = \"time\"}]\n";
-    const EditedStudy stuck("measure = \"time\"\n" + table, "02-deadlock/ring.cfs");
+    const EditedStudy stuck("measure = \"time\"\n" + table, "csp/deadlock/ring.cfs");
     test::ReplayInMemory in_memory(0, stuck.folder());
     CHECK_THROWS_WITH_AS(StudyReplay(in_memory.context, "edited.toml").replay(),
                          doctest::Contains("did not come to its end: placedpar run shows where it stands"),

@@ -57,8 +57,8 @@ void check_same_tables(const CriticalPath& a, const CriticalPath& b) {
 
 TEST_CASE("what the path can no longer lead over is forgotten, and the path is the same") {
     for (const auto& [name, most] :
-         {std::pair("04-figure-e2/figure-e2.cfs", 32'000), std::pair("43-busy-bus/busy-bus.cfs", 1000),
-          std::pair("39-through-routing/farm.cfs", 32'000)}) {
+         {std::pair("thesis/figure-e2/figure-e2.cfs", 32'000), std::pair("machine/busy-bus/busy-bus.cfs", 1000),
+          std::pair("machine/through-routing/farm.cfs", 32'000)}) {
         CAPTURE(name);
         Network network = example(name);
         CriticalPath all = path_of(network, most_path_points),
@@ -71,7 +71,7 @@ TEST_CASE("what the path can no longer lead over is forgotten, and the path is t
 
 TEST_CASE("a path that is too long is given up, and the tables stay") {
     for (const std::string name :
-         {"04-figure-e2/figure-e2.cfs", "43-busy-bus/busy-bus.cfs", "01-commstime/commstime.cfs"}) {
+         {"thesis/figure-e2/figure-e2.cfs", "machine/busy-bus/busy-bus.cfs", "csp/commstime/commstime.cfs"}) {
         CAPTURE(name);
         Network network = example(name);
         CriticalPath all = path_of(network, most_path_points), given_up = path_of(network, 100);
@@ -82,7 +82,7 @@ TEST_CASE("a path that is too long is given up, and the tables stay") {
 }
 
 TEST_CASE("in the place of a path that was given up stands what to do") {
-    Network network = example("01-commstime/commstime.cfs");
+    Network network = example("csp/commstime/commstime.cfs");
     Explanation explanation;
     explanation.path_too_long = true;
     const std::string why =

@@ -43,7 +43,7 @@ std::vector<std::string> names_in(const StudyFigures& figures) {
 PossibleMeasures of_a_farm() {
     const ProblemRegistry problems = known_problems(0);
     const Catalogue kinds = known_kinds(problems);
-    const ReadResult read = read_netlist(std::string(PLACEDPAR_SOURCE_DIR) + "/examples/36-farms/farm.cfs", kinds);
+    const ReadResult read = read_netlist(std::string(PLACEDPAR_SOURCE_DIR) + "/examples/genetic/farms/farm.cfs", kinds);
     INFO(render(read));
     REQUIRE(read.network);
     PossibleMeasures possible;

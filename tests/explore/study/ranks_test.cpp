@@ -68,7 +68,7 @@ private:
 
 Study three_runs() {
     Study study;
-    study.netlist = fmt::format("{}/examples/01-commstime/commstime.cfs", PLACEDPAR_SOURCE_DIR);
+    study.netlist = fmt::format("{}/examples/csp/commstime/commstime.cfs", PLACEDPAR_SOURCE_DIR);
     study.products = {{.axes = {read_axis("count=5,6,7")}}};
     return study;
 }

@@ -55,17 +55,17 @@ std::uint64_t check_worker(const Study& study) {
 TEST_CASE("the runs of one combination come to what each comes to alone, and take the machine once") {
     const std::uint64_t seeds = test::sanitized ? 2 : 3;
     for (const auto& each : std::vector<std::pair<std::string, std::vector<std::string>>>{
-             {"04-figure-e2/figure-e2.cfs", {"slaves=0,2", "host.samples=12"}},
-             {"36-farms/farm.cfs",
+             {"thesis/figure-e2/figure-e2.cfs", {"slaves=0,2", "host.samples=12"}},
+             {"genetic/farms/farm.cfs",
               {"split=individuals,demand,evaluations", "sending=in turn,at once", "results=chain,ready", "links=2",
                "samples=6"}},
-             {"35-islands/islands.cfs", {"schedule=broadcast,sequential", "host.samples=10"}},
-             {"39-through-routing/islands.cfs", {"host.samples=10"}},
-             {"22-plant-on-transputers/islands.cfs", {"host.samples=40"}},
-             {"62-coarse-fine/pair.cfs", {"host.samples=33"}},
-             {"42-figure-d1/figure-e2-on-d1.cfs", {"slaves=1", "host.samples=6"}},
-             {"43-busy-bus/busy-bus.cfs", {"messages=5"}},
-             {"01-commstime/commstime.cfs", {"count=9"}}}) {
+             {"genetic/islands/islands.cfs", {"schedule=broadcast,sequential", "host.samples=10"}},
+             {"machine/through-routing/islands.cfs", {"host.samples=10"}},
+             {"genetic/plant-on-transputers/islands.cfs", {"host.samples=40"}},
+             {"genetic/coarse-fine/pair.cfs", {"host.samples=33"}},
+             {"machine/figure-d1/figure-e2-on-d1.cfs", {"slaves=1", "host.samples=6"}},
+             {"machine/busy-bus/busy-bus.cfs", {"messages=5"}},
+             {"csp/commstime/commstime.cfs", {"count=9"}}}) {
         Study study = study_of("examples/" + each.first, each.second, seeds);
         CAPTURE(study.netlist);
         CHECK(check_worker(study) == study.count() / seeds * (seeds - 1));
@@ -74,8 +74,8 @@ TEST_CASE("the runs of one combination come to what each comes to alone, and tak
 
 TEST_CASE("a worker reads the files of its netlist once") {
     const auto netlist = std::filesystem::temp_directory_path() / fmt::format("placedpar-once-{}.cfs", ::getpid());
-    std::filesystem::copy_file(fmt::format("{}/examples/01-commstime/commstime.cfs", PLACEDPAR_SOURCE_DIR), netlist);
-    Study study = study_of("examples/01-commstime/commstime.cfs", {"count=9", "linkspeed=5M,10M,20M"}, 1);
+    std::filesystem::copy_file(fmt::format("{}/examples/csp/commstime/commstime.cfs", PLACEDPAR_SOURCE_DIR), netlist);
+    Study study = study_of("examples/csp/commstime/commstime.cfs", {"count=9", "linkspeed=5M,10M,20M"}, 1);
     study.netlist = netlist.string();
     std::vector<std::string> alone;
     Interruption never;
@@ -88,27 +88,27 @@ TEST_CASE("a worker reads the files of its netlist once") {
 }
 
 TEST_CASE("what depends on how processes take turns is not repeated") {
-    CHECK(check_worker(study_of("examples/35-islands/islands.cfs", {"schedule=asynchronous", "host.samples=10"}, 2)) ==
-          0);
-    CHECK(check_worker(study_of("examples/42-figure-d1/figure-e2-on-d1.cfs",
+    CHECK(check_worker(
+              study_of("examples/genetic/islands/islands.cfs", {"schedule=asynchronous", "host.samples=10"}, 2)) == 0);
+    CHECK(check_worker(study_of("examples/machine/figure-d1/figure-e2-on-d1.cfs",
                                 {"slaves=1", "host.samples=6", "host.accuracy=0.1"}, 2)) == 0);
-    CHECK(check_worker(study_of("examples/42-figure-d1/figure-e2-on-d1.cfs",
+    CHECK(check_worker(study_of("examples/machine/figure-d1/figure-e2-on-d1.cfs",
                                 {"slaves=1", "host.samples=6", "broadcast=TRUE"}, 2)) == 0); // messages are compared
-    CHECK(check_worker(study_of("examples/30-philosophers/philosophers.cfs", {"meals=2"}, 2)) == 0);
+    CHECK(check_worker(study_of("examples/csp/philosophers/philosophers.cfs", {"meals=2"}, 2)) == 0);
 }
 
 TEST_CASE("a run that ends early is not repeated, and one with a single seed is not recorded") {
-    Study study = study_of("examples/01-commstime/commstime.cfs", {}, 3);
+    Study study = study_of("examples/csp/commstime/commstime.cfs", {}, 3);
     study.until = std::chrono::microseconds{50};
     CHECK(check_worker(study) == 0);
-    CHECK(check_worker(study_of("examples/02-deadlock/ring.cfs", {}, 3)) == 0);
-    CHECK(check_worker(study_of("examples/01-commstime/commstime.cfs", {"count=5,6"}, 1)) == 0);
+    CHECK(check_worker(study_of("examples/csp/deadlock/ring.cfs", {}, 3)) == 0);
+    CHECK(check_worker(study_of("examples/csp/commstime/commstime.cfs", {"count=5,6"}, 1)) == 0);
 }
 
 TEST_CASE("an interruption ends a run that is repeated") {
     Interruption never, at_once;
     at_once.request();
-    Study study = study_of("examples/01-commstime/commstime.cfs", {}, 2);
+    Study study = study_of("examples/csp/commstime/commstime.cfs", {}, 2);
     StudyWorker worker(study);
     REQUIRE(worker.outcome_of(*study.at(0), never));
     CHECK_FALSE(worker.outcome_of(*study.at(1), at_once));
@@ -118,7 +118,7 @@ TEST_CASE("an interruption ends a run that is repeated") {
 }
 
 TEST_CASE("a netlist of a study is found wherever those that can be read lie, also where sizes are round") {
-    const std::string netlist = "examples/04-figure-e2/figure-e2.cfs";
+    const std::string netlist = "examples/thesis/figure-e2/figure-e2.cfs";
     // A population of 1 is refused, at every thousandth combination.
     CHECK_NOTHROW(
         readable_network(study_of(netlist, {"slaves=0..999", "population=1..1000", "master.trials=1..1000"}, 1)));
@@ -129,7 +129,8 @@ TEST_CASE("a netlist of a study is found wherever those that can be read lie, al
 TEST_CASE("a study of which nothing can be read is refused as its first netlist is") {
     std::string said;
     try {
-        readable_network(study_of("examples/04-figure-e2/figure-e2.cfs", {"slavs=0..999", "population=1..1000"}, 1));
+        readable_network(
+            study_of("examples/thesis/figure-e2/figure-e2.cfs", {"slavs=0..999", "population=1..1000"}, 1));
     } catch (const UserError& refused) {
         said = refused.what();
     }
@@ -139,7 +140,7 @@ TEST_CASE("a study of which nothing can be read is refused as its first netlist 
 
 TEST_CASE("a measure that no run has is refused before the runs between the first and the last are made") {
     Interruption never;
-    Study study = study_of("examples/36-farms/farm.cfs", {"slaves=1..3", "samples=6"}, 1);
+    Study study = study_of("examples/genetic/farms/farm.cfs", {"slaves=1..3", "samples=6"}, 1);
     study.measures = {"master.generation"};
     StudyResults results(StudySource{});
     CHECK_THROWS_WITH_AS(StudySweep(study, results).try_measures(never),

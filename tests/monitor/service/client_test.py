@@ -1,4 +1,4 @@
-"""The client of examples/20-monitor, told records in every unit that docs/records.md promises."""
+"""The client of examples/hydraulics/monitor, told records in every unit that docs/guides/records.md promises."""
 
 import csv
 import os
@@ -11,7 +11,7 @@ import unittest
 from service import SECONDS, ServiceTest, boom
 
 ROOT = pathlib.Path(os.environ["PLACEDPAR_DOCUMENT"]).parent.parent
-EXAMPLE = ROOT / "examples" / "20-monitor"
+EXAMPLE = ROOT / "examples" / "hydraulics/monitor"
 # How many of each unit are one of the room's.
 OF_ONE = {"psi": 1, "Pa": 6894.757293168, "kPa": 6.894757293168, "MPa": 0.006894757293168, "bar": 0.06894757293168,
           "deg": 1, "rad": 0.017453292519943295, "in": 1, "mm": 25.4, "cm": 2.54, "m": 0.0254, "V": 1, "mV": 1000,
@@ -19,9 +19,9 @@ OF_ONE = {"psi": 1, "Pa": 6894.757293168, "kPa": 6.894757293168, "MPa": 0.006894
 
 
 def promised():
-    """Of each sensor, the units in the table of docs/records.md."""
+    """Of each sensor, the units in the table of docs/guides/records.md."""
     units = {}
-    page = (ROOT / "docs" / "records.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "guides" / "records.md").read_text(encoding="utf-8")
     for line in page.partition("| link | sensor |")[2].partition("\n\n")[0].splitlines():
         cells = [cell.strip() for cell in line.split("|")]
         for sensor in re.findall(r"`(\w+)`", cells[2] if len(cells) > 2 else ""):

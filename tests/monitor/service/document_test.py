@@ -1,4 +1,4 @@
-"""What docs/monitor.md says is said and answered, is."""
+"""What docs/guides/monitor.md says is said and answered, is."""
 
 import json
 import os

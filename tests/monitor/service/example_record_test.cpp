@@ -17,7 +17,7 @@ using namespace placedpar::hydraulics;
 namespace {
 
 Record example(const char* name) {
-    std::ifstream in(std::string(PLACEDPAR_SOURCE_DIR "/examples/20-monitor/") + name);
+    std::ifstream in(std::string(PLACEDPAR_SOURCE_DIR "/examples/hydraulics/monitor/") + name);
     ReadRecord read = read_record(std::string(std::istreambuf_iterator<char>(in), {}));
     REQUIRE(read.record);
     return *read.record;
