@@ -1,7 +1,7 @@
 #pragma once
 
 #include "explore/generate/distances.hpp"
-#include "explore/generate/request.hpp"
+#include "explore/generate/topology_request.hpp"
 #include "netlist/kinds/catalogue.hpp"
 
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "explore/generate/request.hpp"
+#include "explore/generate/topology_request.hpp"
 
 #include <cstddef>
 #include <string>

@@ -1,4 +1,4 @@
-#include "monitor/service/clients.hpp"
+#include "monitor/service/client_registry.hpp"
 
 #include <algorithm>
 #include <utility>

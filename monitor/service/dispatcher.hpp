@@ -1,7 +1,7 @@
 #pragma once
 
 #include "monitor/memory/diagnoses.hpp"
-#include "monitor/service/clients.hpp"
+#include "monitor/service/client_registry.hpp"
 #include "monitor/service/load_meter.hpp"
 #include "monitor/service/metrics.hpp"
 #include "monitor/service/peers.hpp"
