@@ -26,11 +26,11 @@ constexpr double by_spool_in3_per_psi = 0.005, by_voltage_in3_per_psi = 0.0086;
 constexpr double shown_s = 1.2; // of the plots
 
 /// One of the thesis's two experiments.
-struct Experiment {
+struct ThesisExperiment {
     const char* name;
     AreasFrom from;
 };
-constexpr Experiment ways[]{
+constexpr ThesisExperiment thesis_experiments[]{
     {.name = "1: spool", .from = AreasFrom::spool},
     {.name = "2: voltage", .from = AreasFrom::servo},
 };
@@ -93,7 +93,7 @@ double within_percent_of(const std::vector<double>& found, double truth, double 
 }
 
 /// What the Error does while the search is active.
-void add_errors(Comparison& comparison, const Experiment& way, const BoomData& data, std::uint64_t seed) {
+void add_errors(Comparison& comparison, const ThesisExperiment& way, const BoomData& data, std::uint64_t seed) {
     BoomModel model = model_of(data, way.from);
     auto identified = identify_boom(data, model, rising_way(), seed);
     auto generations = watch_search(data, identified.samples, rising_way(), seed);
@@ -105,7 +105,7 @@ void add_errors(Comparison& comparison, const Experiment& way, const BoomData& d
 }
 
 /// The thesis's "decreasing monotonically", where noise does not hide it: of the best of all codes in every window.
-void add_clean_errors(Comparison& comparison, const Experiment& way, const BoomData& clean) {
+void add_clean_errors(Comparison& comparison, const ThesisExperiment& way, const BoomData& clean) {
     auto least = least_errors(clean, samples_while_rising(clean, model_of(clean, way.from)), rising_way());
     comparison.add(plain_cell("Error without noise, best code, first", way.name, "in^3/s", least.front(), 2));
     comparison.add(plain_cell("  last window", way.name, "in^3/s", least.back(), 2));
@@ -118,8 +118,8 @@ struct Allowed {
     double record, median;
 };
 
-void add_found(Comparison& comparison, const Experiment& way, const std::vector<BoomData>& motions, const Seeds& seeds,
-               const Allowed& allowed) {
+void add_found(Comparison& comparison, const ThesisExperiment& way, const std::vector<BoomData>& motions,
+               const Seeds& seeds, const Allowed& allowed) {
     BoomModel model = model_of(motions.front(), way.from);
     double truth = motions.front().boom.inlet_compliance_in3_per_psi;
     auto one = identify_boom(motions.front(), model, rising_way(), seeds.front());
@@ -136,9 +136,9 @@ void add_found(Comparison& comparison, const Experiment& way, const std::vector<
 Comparison simple_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
     Comparison comparison{.name = fmt::format("{}: what both experiments find", simple.name), .against = "true"};
     BoomData clean = measure(motion_of(simple_clean, by_voltage_in3_per_psi), seeds.front());
-    for (const Experiment& way : ways)
+    for (const ThesisExperiment& way : thesis_experiments)
         add_found(comparison, way, motions, seeds, {0.12, 0.03});
-    for (const Experiment& way : ways) {
+    for (const ThesisExperiment& way : thesis_experiments) {
         add_errors(comparison, way, motions.front(), seeds.front());
         add_clean_errors(comparison, way, clean);
     }
@@ -150,10 +150,10 @@ Comparison simple_comparison(const std::vector<BoomData>& motions, const Seeds& 
 Comparison measured_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
     Comparison comparison{
         .name = fmt::format("{}: what both experiments find", measured.name), .against = "true", .judged = true};
-    for (const Experiment& way : ways)
+    for (const ThesisExperiment& way : thesis_experiments)
         add_found(comparison, way, motions, seeds,
                   way.from == AreasFrom::spool ? Allowed{0.12, 0.03} : Allowed{0.2, 0.1});
-    for (const Experiment& way : ways)
+    for (const ThesisExperiment& way : thesis_experiments)
         add_errors(comparison, way, motions.front(), seeds.front());
     return comparison;
 }
@@ -188,7 +188,8 @@ Comparison lag_comparison(const std::vector<BoomData>& motions, const Seeds& see
 }
 
 /// A row of the comparison of .005 and .0086: what one experiment finds with a model, beside what the thesis's found.
-void add_explained(Comparison& comparison, const std::string& row, const Experiment& way, double found, Origin origin) {
+void add_explained(Comparison& comparison, const std::string& row, const ThesisExperiment& way, double found,
+                   Origin origin) {
     double figure = way.from == AreasFrom::spool ? by_spool_in3_per_psi : by_voltage_in3_per_psi;
     Cell cell = judged_cell(row, way.name, "in^3/psi", figure, found, 0.05 * figure, 5);
     cell.origin = origin;
@@ -202,8 +203,8 @@ double add_wrong_lag(Comparison& comparison, const Seeds& seeds) {
     auto motions = measure(motion_of(simple, by_spool_in3_per_psi), seeds);
     auto found = [&](const BoomModel& model) { return lower_median(found_in(motions, model, seeds)); };
     std::string row = fmt::format("true C .005, a_0 8 taken for {:.2f}", lag);
-    add_explained(comparison, row, ways[0], found(model_of(clean, AreasFrom::spool)), Origin::outcome);
-    add_explained(comparison, row, ways[1], found({AreasFrom::servo, lag, 0}), Origin::calibrated);
+    add_explained(comparison, row, thesis_experiments[0], found(model_of(clean, AreasFrom::spool)), Origin::outcome);
+    add_explained(comparison, row, thesis_experiments[1], found({AreasFrom::servo, lag, 0}), Origin::calibrated);
     return lag / clean.boom.spool_lag_per_s;
 }
 
@@ -217,8 +218,8 @@ double add_low_spool(Comparison& comparison, const Seeds& seeds) {
     // Taking too much off the readings is the same as a sensor that reads too low.
     BoomModel low_model = model_of(clean, AreasFrom::spool);
     low_model.spool_offset_in = -low;
-    add_explained(comparison, row, ways[0], found(low_model), Origin::calibrated);
-    add_explained(comparison, row, ways[1], found(model_of(clean, AreasFrom::servo)), Origin::outcome);
+    add_explained(comparison, row, thesis_experiments[0], found(low_model), Origin::calibrated);
+    add_explained(comparison, row, thesis_experiments[1], found(model_of(clean, AreasFrom::servo)), Origin::outcome);
     return -low;
 }
 
@@ -237,7 +238,7 @@ std::vector<NamedPlot> plots_of(const BoomData& data, std::uint64_t seed) {
     std::vector<NamedPlot> plots{
         {"figure-3-3",
          plot_of_record(fmt::format("Figure 3.3: data record, 4 deg/s, of the {}", measured.name), data, shown_s)}};
-    for (const Experiment& way : ways) {
+    for (const ThesisExperiment& way : thesis_experiments) {
         BoomModel model = model_of(data, way.from);
         auto identified = identify_boom(data, model, rising_way(), seed);
         auto generations = watch_search(data, identified.samples, rising_way(), seed);

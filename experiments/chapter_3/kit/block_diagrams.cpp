@@ -28,19 +28,19 @@ constexpr const char* head_of_wires =
     R"(<path d="M0 0L10 5L0 10z" fill="#16324a"/></marker>)";
 
 using picture::SvgPen;
-using Point = picture::Point;
+using Position = picture::Point;
 
 /// A box with its lines of text; wires end at the middle of its left side and begin at that of its right side.
 struct Block {
-    Point at; ///< top left
+    Position at; ///< top left
     double width;
     std::vector<std::string_view> lines;
     bool plant = false; ///< a machine, real or simulated
 
-    Point left(double down = block_height / 2) const { return {at.x, at.y + down}; }
-    Point right(double down = block_height / 2) const { return {at.x + width, at.y + down}; }
-    Point top() const { return {at.x + width / 2, at.y}; }
-    Point bottom() const { return {at.x + width / 2, at.y + block_height}; }
+    Position left(double down = block_height / 2) const { return {at.x, at.y + down}; }
+    Position right(double down = block_height / 2) const { return {at.x + width, at.y + down}; }
+    Position top() const { return {at.x + width / 2, at.y}; }
+    Position bottom() const { return {at.x + width / 2, at.y + block_height}; }
 };
 
 Block add(SvgPen& pen, const Block& block) {
@@ -57,10 +57,10 @@ Block add(SvgPen& pen, const Block& block) {
 
 /// Along the corners, with an arrow at the end; the signal's name stands above the stretch that begins at the
 /// corner of this number.
-void wire(SvgPen& pen, const std::vector<Point>& corners, std::string_view signal = "", std::size_t named_at = 0) {
+void wire(SvgPen& pen, const std::vector<Position>& corners, std::string_view signal = "", std::size_t named_at = 0) {
     pen.path(picture::svg_corners(corners), {{"class", "wire"}});
     if (!signal.empty())
-        pen.text(corners[named_at] + Point{7, -6}, "signal", signal);
+        pen.text(corners[named_at] + Position{7, -6}, "signal", signal);
 }
 
 std::string finish(SvgPen& pen, double height, const std::string& title) {

@@ -46,6 +46,6 @@ TEST_CASE("the constants said make up the times that are simulated") {
     CHECK(ns(link.acknowledge_latency()) == bits("from a byte to its acknowledge"));
     CHECK(ns(link.restart_latency()) ==
           bits("from an acknowledge to the next byte") + value_of("links", "besides, at any speed"));
-    const Packet packet{.route = nullptr, .acknowledge = true, .last = true, .hop = 0, .bytes = 0};
+    const RouterPacket packet{.route = nullptr, .acknowledge = true, .last = true, .hop = 0, .bytes = 0};
     CHECK(static_cast<double>(packet.wire_form().total()) == value_of("channels in packets", "header of a packet"));
 }
