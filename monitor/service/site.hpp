@@ -10,7 +10,7 @@
 
 namespace placedpar::monitor {
 
-/// What is where for browsers: "/" the page, "/sight" and "/history" what it asks, "/metrics" for Prometheus and
+/// What is where for browsers: "/" the page, "/snapshot" and "/history" what it asks, "/metrics" for Prometheus and
 /// "/healthz", which alone needs no token: 200 while all is kept, else 503.
 class Site {
 public:

@@ -82,7 +82,7 @@ def time_of_what_if(netlist, answer):
 
 class Explain(unittest.TestCase):
     def test_the_path_leads_without_a_gap_from_the_end_to_the_beginning(self):
-        netlists = sorted(glob.glob(os.path.join(EXAMPLES, "*", "*.cfs")))
+        netlists = sorted(glob.glob(os.path.join(EXAMPLES, "*", "*", "*.cfs")))
         self.assertGreater(len(netlists), 20)
         for netlist in netlists:
             with self.subTest(netlist):

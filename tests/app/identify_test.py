@@ -196,7 +196,7 @@ class Identification(unittest.TestCase):
         self.assertRegex(printed, r"(?m)^C_BOi: 0\.00(\d+) in\^3/psi natively, 0\.00\1 by the processes: the same$")
 
     def test_a_netlist_that_fixes_a_setting_otherwise_is_refused_with_its_place(self):
-        text = CLUSTER.read_text(encoding="utf-8").replace("../thesis", str(EXAMPLES / "thesis"))
+        text = CLUSTER.read_text(encoding="utf-8").replace('"../', f'"{EXAMPLES}/thesis/')
         fixed = self.file("fixed.cfs", text.replace("elite = elite,", "elite = elite, trials = 4,"))
         said = self.refused(STEP, "--on", fixed).splitlines()
         self.assertRegex(said[0], r'fixed\.cfs:\d+:\d+: error: trials = 4 for "master", but identify searches with 5$')

@@ -178,7 +178,7 @@ class Pictures(unittest.TestCase):
             self.assertTrue(ends <= set(drawing.boxes))
 
     def test_the_examples(self):
-        for path in sorted(EXAMPLES.glob("*/*.cfs")):
+        for path in sorted(EXAMPLES.glob("*/*/*.cfs")):
             if not path.parent.name.startswith("4"): # whose kind or problem only its own program has
                 with self.subTest(path=path.name):
                     self.check(path)

@@ -125,7 +125,7 @@ class Ranks(InFolder):
         self.assertFalse((self.folder / "best.sqlite").exists())
 
     def test_ranks_that_read_other_files_are_refused(self):
-        netlist = FIGURE_E2.read_text(encoding="utf-8").replace("../thesis/workload.inc", str(FIGURE_E2.parent / "../thesis/workload.inc"))
+        netlist = FIGURE_E2.read_text(encoding="utf-8").replace("../workload.inc", str(FIGURE_E2.parent.parent / "workload.inc"))
         for part in ("software.inc", "mapping.inc"):
             netlist = netlist.replace(f'"{part}"', f'"{FIGURE_E2.parent / part}"')
         for rank, text in ((0, netlist), (1, netlist.replace("val exchange_every 3", "val exchange_every 4"))):

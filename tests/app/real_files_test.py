@@ -96,7 +96,7 @@ class RealFiles(unittest.TestCase):
 
     def test_identify_takes_both(self):
         text = CLUSTER.read_text(encoding="utf-8").replace('"ga.slave"', '"SLAVE.LKU"')
-        text = text.replace("../thesis", "thesis")
+        text = text.replace('"../', '"thesis/')
         self.assertIn("SLAVE.LKU", text)
         self.write("sizes/cluster.inc", text)
         netlist = self.write("main.cfs", '#include "CLUSTER.INC"\n')

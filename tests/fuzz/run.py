@@ -56,7 +56,7 @@ SEEDS = {
     "answer": lambda: matches(r'\{"type".*?\}(?=[\n\'"`)])', "docs/guides/monitor.md", "tests/monitor/**/*.cpp"),
     "places": lambda: [b"127.0.0.1", b"::1", b"::ffff:127.0.0.1", b"localhost", b"0.0.0.0", b"monitor.sock", b"fe80::1%lo"],
     "request": lambda: [f"{line} HTTP/1.{minor}\r\nHost: 127.0.0.1\r\n{fields}\r\n".encode() for minor in (0, 1)
-                        for line in ("GET /", "HEAD /metrics", "GET /history?machine=digger%207", "POST /sight")
+                        for line in ("GET /", "HEAD /metrics", "GET /history?machine=digger%207", "POST /snapshot")
                         for fields in ("", "Authorization: Basic dXNlcjpwYXNzd29yZA==\r\n", "Content-Length: 3\r\n",
                                        "Connection: close\r\nTransfer-Encoding: chunked\r\n")],
     "command": lambda: [b"\n".join(line.split()) for line in matches(r"^\$ placedpar ([^|<>$`\n]+)$", "docs/**/*.md", "examples/**/*.md")],

@@ -129,7 +129,7 @@ class Flood(ServiceTest):
             each.close()
 
 
-def ask_page(port, fields, path=b"/sight", version=b"1.1"):
+def ask_page(port, fields, path=b"/snapshot", version=b"1.1"):
     """The status of a request with these fields."""
     with socket.create_connection(("127.0.0.1", port), SECONDS) as raw:
         raw.sendall(b"GET " + path + b" HTTP/" + version + b"\r\nConnection: close\r\n" + fields + b"\r\n")
@@ -146,7 +146,7 @@ class Hosts(ServiceTest):
                              ("localhost.evil.example", 421), ("192.0.2.1", 421), ("[::2]", 421),
                              ("notdigger.example", 421), ("", 400), ("a b", 400), ("[::1", 400), ("::1", 400),
                              ("localhost:port", 400), ("localhost:80:80", 400), ("user@localhost", 400)):
-            for path in (b"/", b"/sight", b"/healthz", b"/metrics"):
+            for path in (b"/", b"/snapshot", b"/healthz", b"/metrics"):
                 self.assertEqual(ask_page(port, b"Host: " + host.encode() + b"\r\n", path), status, host)
         self.assertEqual(ask_page(port, b""), 400)
         self.assertEqual(ask_page(port, b"Host: localhost\r\nHost: localhost\r\n"), 400)

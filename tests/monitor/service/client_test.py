@@ -10,7 +10,7 @@ import unittest
 
 from service import SECONDS, ServiceTest, boom
 
-ROOT = pathlib.Path(os.environ["PLACEDPAR_DOCUMENT"]).parent.parent
+ROOT = pathlib.Path(os.environ["PLACEDPAR_DOCUMENT"]).parents[2]
 EXAMPLE = ROOT / "examples" / "hydraulics/monitor"
 # How many of each unit are one of the room's.
 OF_ONE = {"psi": 1, "Pa": 6894.757293168, "kPa": 6.894757293168, "MPa": 0.006894757293168, "bar": 0.06894757293168,

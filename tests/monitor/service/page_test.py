@@ -48,11 +48,11 @@ class Page(ServiceTest):
         self.assertEqual((code, headers["Content-Type"]), (200, "text/html; charset=utf-8"))
         self.assertIn("default-src 'none'", headers["Content-Security-Policy"])
         self.assertEqual(re.findall(r"(?:src|href)=\"(?!data:)|@import|https?://(?!www.w3.org/2000/svg)", page), [])
-        sight = json.loads(self.fetch(service, "sight")[2])
-        machine, = sight["machines"]
-        self.assertEqual((machine["machine"], machine["samples"], sight["kept"]), ("digger", 120, True))
+        snapshot = json.loads(self.fetch(service, "snapshot")[2])
+        machine, = snapshot["machines"]
+        self.assertEqual((machine["machine"], machine["samples"], snapshot["kept"]), ("digger", 120, True))
         self.assertLess(abs(machine["estimates"][0]["settled"] / 0.0086 - 1), 0.05)
-        self.assertEqual({alarm["machine"] for alarm in sight["alarms"]}, {"digger"})
+        self.assertEqual({alarm["machine"] for alarm in snapshot["alarms"]}, {"digger"})
         history = json.loads(self.fetch(service, "history?machine=digger")[2])
         self.assertEqual(len(history["estimates"]), 3)
         for each in history["estimates"]:  # the standard error of each, the first not left out
@@ -92,8 +92,8 @@ class Page(ServiceTest):
     def test_nothing_can_be_changed_and_nonsense_is_answered(self):
         service = self.service("--http", 0)
         for method in ("POST", "PUT", "DELETE", "OPTIONS"):
-            self.assertEqual(self.fetch(service, "sight", method)[0], 405)
-        self.assertEqual(self.fetch(service, "sight", "HEAD")[0], 200)
+            self.assertEqual(self.fetch(service, "snapshot", method)[0], 405)
+        self.assertEqual(self.fetch(service, "snapshot", "HEAD")[0], 200)
         self.assertEqual(self.fetch(service, "passwd")[0], 404)
         self.assertEqual(self.fetch(service, "history")[0], 400)
         port = int(re.search(r":(\d+)/", service.page)[1])
@@ -118,7 +118,7 @@ class Page(ServiceTest):
         token.chmod(0o600)
         self.assertIn("--token-file FILE", self.refusal("--address", "0.0.0.0", "--unix", self.folder / "s", "--http", 0))
         service = self.service("--http", 0, "--token-file", token)
-        for path in ("", "sight", "metrics", "history?machine=x"):
+        for path in ("", "snapshot", "metrics", "history?machine=x"):
             code, headers, _ = self.fetch(service, path)
             self.assertEqual((code, headers["WWW-Authenticate"]), (401, 'Basic realm="placedpar monitor", Bearer'))
             for said, wanted in ((TOKEN, 200), (TOKEN[:-1] + "x", 401), ("", 401)):
@@ -126,7 +126,7 @@ class Page(ServiceTest):
                 basic = base64.b64encode(f"anybody:{said}".encode()).decode()
                 self.assertEqual(self.fetch(service, path, Authorization="Basic " + basic)[0], wanted)
         self.assertEqual(self.fetch(service, "healthz")[0], 200)
-        self.assertEqual(self.fetch(service, "sight", Authorization="bearer " + TOKEN)[0], 200)
+        self.assertEqual(self.fetch(service, "snapshot", Authorization="bearer " + TOKEN)[0], 200)
 
     def test_each_wrong_token_costs_a_connection_and_is_in_the_log(self):
         token = self.folder / "token"
@@ -135,7 +135,7 @@ class Page(ServiceTest):
         service = self.service("--http", 0, "--token-file", token)
         address = "127.0.0.1", int(re.search(r":(\d+)/", service.page)[1])
         with socket.create_connection(address, SECONDS) as raw:
-            raw.sendall(b"GET /sight HTTP/1.1\r\nHost: localhost\r\nAuthorization: Bearer wrong-horse-battery\r\n\r\n" * 3)
+            raw.sendall(b"GET /snapshot HTTP/1.1\r\nHost: localhost\r\nAuthorization: Bearer wrong-horse-battery\r\n\r\n" * 3)
             answers = b"".join(iter(lambda: raw.recv(4096), b""))
         self.assertEqual(answers.count(b"HTTP/1.1 401"), 1)
         self.assertRegex(service.stop()[1], r"Z placedpar monitor: 127.0.0.1 port \d+ has said a wrong token\n")
