@@ -49,7 +49,7 @@ public:
     CompliancesOf<Lanes<width>> parameters_of_several(const StringsInLanes<width, gray>& strings) const {
         return compliances_of<Lanes<width>>(strings);
     }
-    /// What the error takes of a sample.
+    /// Returns the terms of a sample that error_of() needs.
     hydraulics::CircuitTerms prepared(std::span<const double> sample) const;
     /// Returns the error of one set of compliances or, if T is an array type, of several sets at once.
     template <typename T>

@@ -57,8 +57,8 @@ Flag lower_bound_flag();
 Flag upper_bound_flag();
 Flag uncertain_flag(double compliance_in3_per_psi, double standard_error_in3_per_psi);
 
-/// Returns a flag unless the answer is confirmed. It is confirmed if least squares over as many samples as there are,
-/// plus or minus two standard errors, lies within 10 % of it. The limits are ours, tuned on simulated machines of all
+/// Returns a flag unless the answer is confirmed. It is confirmed if its distance from the reference, plus two standard
+/// errors of the reference, is at most 10 % of the reference. The limits are ours, tuned on simulated machines of all
 /// configurations. `samples` describes the samples of the reference in words.
 std::optional<Flag> unconfirmed_flag(double compliance_in3_per_psi, const LeastSquares& reference,
                                      std::string_view samples);

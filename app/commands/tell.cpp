@@ -25,7 +25,7 @@ struct TellOptions {
     std::size_t for_s = 8 * 3600;
 };
 
-/// One of what can be said, and how many words come with it.
+/// A command for the monitor and the number of words after it.
 struct Saying {
     const char* name;
     std::size_t least_words, most_words;
@@ -89,7 +89,7 @@ Action declare_tell(Options& command, const std::string&) {
 
 } // namespace
 
-/// Says one thing to a running monitor, and prints its answer, a line of JSON.
+/// Sends one message to a running monitor and prints its answer, a line of JSON.
 extern const Command tell_command{
     .name = "tell",
     .about = "Tells a running monitor to forget a machine, or that an alarm has been seen",

@@ -20,7 +20,7 @@ public:
         std::vector<hydraulics::AreasFrom> valves; ///< sources of the newest sample's areas
         std::vector<LinkJudge::State> judges;
         std::vector<std::size_t>
-            moving_shut; ///< samples, up to the newest, in which the valve is shut and oil flows in
+            moving_shut; ///< number of samples, up to the newest, in which the valve is shut but oil flows in
 
         friend bool operator==(const State&, const State&) = default;
     };
@@ -37,7 +37,7 @@ public:
     Judged take(const SetProblem& problem, const SetSample& sample, std::span<const hydraulics::AreasFrom> valves,
                 std::span<const double> health_in3_per_psi);
     /// Returns whether a piston has moved for half a second while its valve reads shut, and records it as impossible.
-    /// Must be called after take(), with the same sample.
+    /// Must be called before take(), with the same sample.
     bool note_moving_shut(const SetSample& sample, std::span<const double> health_in3_per_psi);
     /// Judges an unfinished movement after a gap in the samples or a change of configuration.
     Judged end_movement(const SetProblem& problem, std::span<const double> health_in3_per_psi);

@@ -96,7 +96,7 @@ public:
     static bool is_evidence(const Deviation& movement, hydraulics::AreasFrom valve);
     /// Adds a finished movement. A movement with impossible readings or without excitation is ignored.
     void take(const Deviation& movement, hydraulics::AreasFrom valve);
-    /// A reading that no machine gives: the verdict is sensor until a movement has none.
+    /// Records an impossible reading: the verdict is `sensor` until a movement has none.
     void note_impossible() { state_.impossible_now = state_.impossible = true; }
     /// Returns sound only if that is likelier than not, and a fault only if it exceeds its standard error.
     Verdict verdict() const;

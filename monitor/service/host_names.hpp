@@ -21,7 +21,8 @@ public:
     /// for a loopback address, or this computer's name for any other. Throws UserError if a name is not a host name.
     HostNames(const std::string& address, const std::vector<std::string>& further);
 
-    /// `here`: the address that the connection came in by, which is one, too.
+    /// Returns whether the host is accepted; `here` is the address by which the connection arrived, which is accepted
+    /// too.
     bool has(const std::string& host, const std::string& here) const { return host == here || names_.contains(host); }
 
 private:
