@@ -20,12 +20,12 @@ struct LinkMode {
     friend bool operator==(const LinkMode&, const LinkMode&) = default;
 };
 
-/// The differential equations of a scenario: for every link
-///   C_i P_i' = Q_i - A_i v - Q_l              B.2, 2.5
-///   C_o P_o' = A_o v + Q_l - Q_o              3.4, where there is a drain side
-///   M v' = A_i P_i - A_o P_o - F - friction,  x' = v
-///   spool' = a_0 (desired - spool)            A.2
-/// with the flows of all junctions at once (junction_flow.hpp). Solved by event_step.hpp.
+/// The differential equations of a scenario, which event_step.hpp solves. For every link:
+///   C_i P_i' = Q_i - A_i v - Q_l (B.2, 2.5);
+///   C_o P_o' = A_o v + Q_l - Q_o (3.4, if there is a drain side);
+///   M v' = A_i P_i - A_o P_o - F - friction, x' = v;
+///   spool' = a_0 (desired - spool) (A.2).
+/// The flows of all junctions are solved together (junction_flow.hpp).
 class ExcavatorDynamics {
 public:
     using State = std::vector<double>;

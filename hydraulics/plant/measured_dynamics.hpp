@@ -8,15 +8,15 @@
 
 namespace placedpar::hydraulics {
 
-/// The measured excavator as a system of ordinary differential equations:
+/// The differential equations of the measured excavator, which event_step.hpp solves. On either side of the piston a
+/// hose connects the valve and the cylinder.
 ///
-///   valve --- hose --- cylinder, on either side of the piston
-///   C_v P_v' = Q_i - q,  I q' = P_v - P_c - R q,  C_c P_c' = q - A_i v - Q_l          inlet
-///   C_c P_oc' = A_o v + Q_l - q_o,  I q_o' = P_oc - P_ov - R q_o,  C_v P_ov' = q_o - Q_o   drain
-///   M v' = A_i P_c - A_o P_oc - F_g - b v - friction(v, z),  Q_l = k_l (P_c - P_oc)
-///   spool' = a_0 (desired - spool)
+///   inlet: C_v P_v' = Q_i - q, I q' = P_v - P_c - R q, C_c P_c' = q - A_i v - Q_l;
+///   drain: C_c P_oc' = A_o v + Q_l - q_o, I q_o' = P_oc - P_ov - R q_o, C_v P_ov' = q_o - Q_o;
+///   piston: M v' = A_i P_c - A_o P_oc - F_g - b v - friction(v, z), Q_l = k_l (P_c - P_oc);
+///   spool: spool' = a_0 (desired - spool).
 ///
-/// with Q_i from the flow split 3.1 to 3.3, fed by the rippling pump, and Q_o by 3.4. Solved by event_step.hpp.
+/// Q_i comes from the flow split 3.1 to 3.3, fed by the rippling pump, and Q_o from 3.4.
 class MeasuredDynamics {
 public:
     enum Component : std::size_t {
