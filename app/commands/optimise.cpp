@@ -259,7 +259,7 @@ void add_search_size(Options& command, OptimiseOptions& options) {
                "machines of a generation");
     add_number(command, "--generations", options.generations, 1, StudySearch::most_generations, "how many are bred");
     command.add("--until", options.until, "stops a run at this moment of the machine's time");
-    add_jobs(command, options.jobs, "so many runs at once; as many as there are cores if nothing is said");
+    add_jobs(command, options.jobs, "number of parallel runs; default: number of cores");
 }
 
 Action declare_optimise(Options& command, const std::string&) {
@@ -268,9 +268,8 @@ Action declare_optimise(Options& command, const std::string&) {
     add_search_size(command, *options);
     command.add_flag("--random", options->random, "draws as many machines at random, to compare");
     command.add_flag("--exhaustive", options->exhaustive, "tries all machines out, to compare");
-    add_file(
-        command, "--results", options->results,
-        "where the runs are kept and looked for; the study's name with .sqlite, in this folder, if nothing is said");
+    add_file(command, "--results", options->results,
+             "file of the results, which is read and extended; default: the study's name with .sqlite, in this folder");
     add_file(command, "--csv", options->csv, "writes the best machines, or the front, as comma-separated values");
     add_file(command, "--svg", options->svg, "draws the search, or the front");
     command.add_flag("--yes", options->yes, "begins even very many runs without a question");

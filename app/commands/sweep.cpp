@@ -246,12 +246,11 @@ ExitCode sweep(const SweepOptions& typed) {
 }
 
 void add_size(Options& command, SweepOptions& options) {
-    add_count(command, "--seed", options.seed, "the first seed, 1 if nothing is said");
+    add_count(command, "--seed", options.seed, "the first seed; default: 1");
     add_count(command, "--seeds", options.seeds, "runs each combination with so many seeds, from the first on")
         .check(not_at_least_one);
     command.add("--until", options.until, "stops a run at this moment of the machine's time");
-    add_jobs(command, options.jobs,
-             "so many runs at once; as many as there are cores if nothing is said, one in each rank of mpirun");
+    add_jobs(command, options.jobs, "number of parallel runs; default: number of cores, or one in each rank of mpirun");
 }
 
 Action declare_sweep(Options& command, const std::string&) {
@@ -267,9 +266,8 @@ Action declare_sweep(Options& command, const std::string&) {
                      "what is to be known of the runs: time, master.T_exe, max(slave.T_c); as often as wanted");
     add_size(command, *options);
     add_read_options(command, options->read);
-    add_file(
-        command, "--results", options->results,
-        "where the runs are kept and looked for; the study's name with .sqlite, in this folder, if nothing is said");
+    add_file(command, "--results", options->results,
+             "file of the results, which is read and extended; default: the study's name with .sqlite, in this folder");
     command.add_flag("--yes", options->yes, "begins even very many runs without a question");
     command.add_flag("--any-version", options->any_version, "adds to results that another version of PlacedPar made");
     return [options] { return sweep(*options); };

@@ -50,10 +50,10 @@ std::string message_of(const TellOptions& options) {
     const std::vector<std::string>& words = options.words;
     const auto* saying = std::ranges::find(sayings, words[0], &Saying::name);
     if (saying == std::end(sayings))
-        refuse_words(fmt::format("\"{}\" cannot be said", words[0]));
+        refuse_words(fmt::format("\"{}\" is not a command for the monitor", words[0]));
     std::size_t more = words.size() - 1;
     if (more < saying->least_words || more > saying->most_words)
-        refuse_words(fmt::format("{} has {} words behind it", words[0], more));
+        refuse_words(fmt::format("{} is followed by {} words", words[0], more));
     json::object message{{"type", words[0]}};
     if (more >= 1)
         message["machine"] = words[1];

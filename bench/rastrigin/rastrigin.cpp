@@ -1,7 +1,7 @@
-// How many evaluations, and how many seconds, genetic algorithms need for Rastrigin's function in 20 dimensions to
-// 1e-6, by us and by others.
+// This program measures how many evaluations and seconds genetic algorithms, ours and others, need for Rastrigin's
+// function in 20 dimensions to 1e-6.
 //
-// usage: rastrigin [SEEDS [EVALUATIONS]]    at most so many evaluations in each run
+// usage: rastrigin [SEEDS [EVALUATIONS]]    at most EVALUATIONS evaluations in each run
 
 #include "bench/rastrigin/contest.hpp"
 #include "runtime/fingerprint.hpp"

@@ -46,8 +46,8 @@ void replay(Diagnoses& diagnoses, const KeptMessage& message, const fs::path& pa
     try {
         diagnoses.replay(message.machine, message.text);
     } catch (const std::exception& error) {
-        throw UserError(fmt::format("{}: message {} of \"{}\" cannot be taken again: {}", path.string(), message.number,
-                                    message.machine, error.what()));
+        throw UserError(fmt::format("{}: message {} of \"{}\" cannot be processed again: {}", path.string(),
+                                    message.number, message.machine, error.what()));
     }
 }
 
@@ -204,7 +204,7 @@ void StateStore::finish() {
     writer_.reset();
     file_.reset();
     if (!trouble.empty())
-        throw UserError(fmt::format("{}: what was known last cannot be written: {}", path_.string(), trouble));
+        throw UserError(fmt::format("{}: the latest state cannot be written: {}", path_.string(), trouble));
 }
 
 } // namespace placedpar::monitor

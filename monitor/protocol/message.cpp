@@ -127,7 +127,7 @@ Reading reading(FieldReader& fields) {
          bypass = fields.has("bypass_in2");
     if (spool + servo + (inlet || bypass) != 1)
         throw BadMessage(fields.path_of("spool_in"),
-                         spool + servo + (inlet || bypass) == 0 ? "nothing is said of the valve"
+                         spool + servo + (inlet || bypass) == 0 ? "the position of the valve is missing"
                                                                 : "the valve is described twice",
                          "one of spool_in, servo_V, or inlet_in2 with bypass_in2");
     if (spool)

@@ -46,7 +46,7 @@ void Dispatcher::enter(Client& client) {
             return;
         auto silent = clients_.those([&](const Client& each) { return counted(each) && !each.hello; });
         if (Client* other = giving_way(silent, client.caller.peer, true))
-            evict(*other, "others want to come in, and this connection has said no hello yet");
+            evict(*other, "the place is needed, and this connection has sent no hello yet");
     };
     require(limits_.clients_per_peer, of_peer);
     require(limits_.clients, [](const Client&) { return true; });
@@ -147,7 +147,7 @@ Diagnosis& Dispatcher::diagnosis_of(Client& client) const {
 Diagnosis& Dispatcher::controlled_by(Client& client) const {
     Diagnosis& diagnosis = diagnosis_of(client);
     if (client.hello->role != Role::control)
-        throw BadMessage("type", "a watcher may ask, not tell",
+        throw BadMessage("type", "a watcher may ask, but not send samples or changes",
                          "status, load, ping or bye; \"role\":\"control\" in hello");
     return diagnosis;
 }
@@ -157,15 +157,15 @@ void Dispatcher::check_token(Client& client, const std::string& token) {
         client.trusted = true;
         return;
     }
-    say_(fmt::format("{} has said a wrong token, or none", client.caller.name));
-    outbox_.send(client, error_line(client.lines(), BadMessage("token", "it is not the right one",
-                                                               "what stands in the file of --token-file")));
+    say_(fmt::format("{} sent a wrong token, or none", client.caller.name));
+    outbox_.send(client, error_line(client.lines(), BadMessage("token", "it is not the right token",
+                                                               "the word in the file of --token-file")));
     outbox_.finish(client);
 }
 
 void Dispatcher::require_trusted(const Client& client, const Message& message) const {
     if (!client.trusted && !std::holds_alternative<Hello>(message) && !std::holds_alternative<TokenOffer>(message))
-        throw BadMessage("token", "nobody knows who you are", "first {\"type\":\"token\",\"token\":\"...\"}");
+        throw BadMessage("token", "not authenticated", "send {\"type\":\"token\",\"token\":\"...\"} first");
 }
 
 void Dispatcher::require_allowance(const Client& client, const Hello& hello) {
@@ -340,7 +340,7 @@ void Dispatcher::answer(Client& client, const Forget& order, std::string_view) {
     if (!is_idle(order.machine))
         throw BadMessage("machine",
                          fmt::format("{} are connected to \"{}\"", clients_.staying(order.machine), order.machine),
-                         "a machine that nobody is connected to; a hello with \"anew\":true for one that is in use");
+                         "a machine without connections; a hello with \"anew\":true for one that is in use");
     forget(order.machine);
     say_(fmt::format("{}: forgotten, as {} has asked", order.machine, client.caller.name));
     outbox_.send(client, plain_line("forgotten", order.machine));

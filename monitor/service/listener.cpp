@@ -65,13 +65,13 @@ void clear_path(const std::string& path) {
     if (!fs::exists(fs::symlink_status(path)))
         return;
     if (!fs::is_socket(fs::symlink_status(path)))
-        throw UserError(fmt::format("--unix {}: there is something else, no socket; another path", path));
+        throw UserError(fmt::format("--unix {}: this is not a socket; choose another path", path));
     asio::io_context io;
     stream_protocol::socket socket(io);
     error_code error;
     socket.connect(stream_protocol::endpoint(path), error);
     if (error != asio::error::connection_refused)
-        throw UserError(fmt::format("--unix {}: somebody listens there already; another path", path));
+        throw UserError(fmt::format("--unix {}: a program listens there already; choose another path", path));
     fs::remove(path);
 }
 

@@ -49,7 +49,8 @@ std::string load_metrics(const Load& load) {
            metric("work_seconds_total", "counter", "Time spent on messages.", load.work_s) +
            metric("cpu_seconds_total", "counter", "Processor time of the thread that serves.", load.cpu_s) +
            metric("uptime_seconds", "gauge", "Since the start.", load.uptime_s) +
-           metric("longest_turn_seconds", "gauge", "The longest time that nobody was heard.", load.longest_turn_s);
+           metric("longest_turn_seconds", "gauge", "The longest time in which no client was served.",
+                  load.longest_turn_s);
 }
 
 std::string alarm_metrics(const std::vector<KeptAlarm>& alarms) {

@@ -15,7 +15,7 @@ namespace {
 constexpr std::chrono::seconds first_pause{1}, longest_pause{16};
 
 std::string going_on(const std::string& trouble) {
-    return fmt::format("{}; going on, but a restart would forget", trouble);
+    return fmt::format("{}; the service continues, but a restart would lose what was not written", trouble);
 }
 
 } // namespace

@@ -32,8 +32,8 @@ void Site::answer(const std::string& path, const std::string& query, bool truste
     if (path == "/healthz")
         reply(health());
     else if (!trusted)
-        reply(
-            {401, "text/plain; charset=utf-8", "the token is wanted: as a bearer's, or as the password of anybody\n"});
+        reply({401, "text/plain; charset=utf-8",
+               "token required, as Bearer, or as the Basic password with any user name\n"});
     else if (path == "/")
         reply({200, html_type, page_html});
     else if (path == "/snapshot")

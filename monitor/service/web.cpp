@@ -82,7 +82,7 @@ private:
         bool trusted = web_->trusts(authorization);
         guessed_ = !trusted && !authorization.empty();
         if (guessed_)
-            web_->say_(fmt::format("{} has said a wrong token", caller_.name));
+            web_->say_(fmt::format("{} sent a wrong token", caller_.name));
         web_->handler_(target.substr(0, mark), mark == target.npos ? "" : target.substr(mark + 1), trusted,
                        [self = shared_from_this()](WebAnswer answer) { self->answer(std::move(answer)); });
     }
@@ -96,9 +96,10 @@ private:
             return std::nullopt; // HTTP/1.0 has no such field, and no browser uses that version
         auto host = host_in(std::string_view(request[http::field::host]));
         if (count != 1 || !host)
-            return WebAnswer{400, plain, "one Host field is wanted, with a name or an address\n"};
+            return WebAnswer{400, plain, "expected one Host field, with a name or an address\n"};
         if (!web_->names_.has(*host, caller_.here))
-            return WebAnswer{421, plain, "the Host is another's; --host-name tells the monitor of names it has\n"};
+            return WebAnswer{421, plain,
+                             "the Host field has a name that is not the monitor's; --host-name adds a name\n"};
         return std::nullopt;
     }
 

@@ -20,7 +20,7 @@ enum class BoomPlant : unsigned char { simple, measured };
 /// A motion of the boom as its sensors recorded it, and the machine that moved. The experiments of 3.1 need nothing
 /// else.
 struct BoomData {
-    hydraulics::Record record; ///< of the boom: both pressures, angle, spool, servo-valve's voltage
+    hydraulics::Record record; ///< of the boom: both pressures, angle, spool, voltage of the servo-valve
     hydraulics::FlowConstants flow;
     hydraulics::LinkMechanics boom; ///< the true values
 };

@@ -63,7 +63,7 @@ struct Claim {
 };
 /// Returns "holds" if the whole interval is on the claimed side, "does not hold" if none of it is.
 std::string verdict(const Claim& claim);
-/// The medians with their intervals as cells, verdicts in the notes.
+/// Returns the medians with their intervals as cells, and the verdicts as notes.
 Comparison claims_comparison(std::string name, const std::vector<Claim>& claims);
 
 /// A row in a table of tracks: the study and the index of its track.
