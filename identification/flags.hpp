@@ -11,18 +11,18 @@ namespace placedpar::identification {
 /// - at a bound of the search: the true value may lie beyond it, and a spool offset can make it negative;
 /// - no excitation: the pressure hardly moves in the last window, so that noise decides;
 /// - inconsistent: the circuit's equations miss the flow by more than the bias allows (misfit), the two halves of the
-/// record disagree, the valve reading never changes, or the piston retracts while oil flows in;
+///   record disagree, the valve reading never changes, or the piston retracts while oil flows in;
 /// - impossible: a pressure below vacuum, or one that freezes and then jumps;
 /// - uncertain: the relative standard error of least squares exceeds uncertain_share. This flag is omitted if a bound
-/// or the lack of excitation has already been flagged.
+///   or the lack of excitation has already been flagged.
 ///
 /// `samples` are all samples used, `window` the last of them.
 void add_flags(Identified& identified, const CircuitProblem& problem, const hydraulics::FlowConstants& flow,
                std::span<const hydraulics::CircuitSample> samples, std::span<const hydraulics::CircuitSample> window,
                const IdentificationWay& way);
 
-/// Flags each link of whose readings, among those that the samples use, a single one stands out from its neighbours
-/// (spike.hpp).
+/// Flags each link with a reading that stands out from its neighbours (spike.hpp), among the readings that the samples
+/// use.
 void flag_spikes(Identified& identified, const hydraulics::Record& record,
                  std::span<const hydraulics::CircuitSample> samples);
 

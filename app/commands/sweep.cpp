@@ -173,8 +173,7 @@ bool make_missing_runs(const Study& study, const SweepOptions& options, StudyRes
     sweep.try_measures(interruption);
     missing = sweep.missing();
     SweepProgress progress(
-        asked,
-        asked.runs - std::min(missing.runs, asked.runs)); // the first runs have been made to find out what they measure
+        asked, asked.runs - std::min(missing.runs, asked.runs)); // the first runs were made to find the measures
     std::function<bool(bool)> serve;
     if (others) {
         others->begin(sweep, results.source());

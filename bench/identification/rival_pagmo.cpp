@@ -51,8 +51,7 @@ Answer genetic(const Transient& transient) {
 }
 
 Answer differential_evolution(const Transient& transient) {
-    return identify(transient,
-                    pagmo::de(generations, 0.8, 0.9, 2, 0, 0)); // no early end, so that the budget is the same
+    return identify(transient, pagmo::de(generations, 0.8, 0.9, 2, 0, 0)); // no early end: the same budget
 }
 
 } // namespace

@@ -24,9 +24,8 @@ struct NamedDrawing {
 
 /// The results of an experiment of the thesis.
 struct Replay {
-    std::vector<Comparison>
-        comparisons; ///< the first and those that are `judged` decide whether the experiment is within tolerance
-    std::string constants = {}; ///< text that states which constants were published, workload or calibrated
+    std::vector<Comparison> comparisons; ///< the first and those that are `judged` decide the result
+    std::string constants = {};          ///< text that states which constants were published, workload or calibrated
     std::vector<hardware::Constant> constant_table = {}; ///< the same as a list
     std::uint64_t fingerprint = 0;
     std::vector<NamedPlot> plots = {};       ///< drawn by --plots
@@ -41,22 +40,20 @@ Replay replay_of(std::vector<Comparison> comparisons, std::vector<NamedPlot> plo
 
 /// The environment of an experiment.
 struct ReplayContext {
-    std::filesystem::path examples; ///< the folder of the netlists
-    std::uint64_t seed;             ///< of every random stream
-    std::function<void(const std::string&)>
-        progress;               ///< receives progress messages; it may throw to end the experiment
-    WarningSink warn;           ///< receives the warnings of netlists
-    Interruption& interruption; ///< ends the runs of netlists
-    StudyResults& results;      ///< earlier results of a study; new ones are added
-    std::size_t seeds = 0;      ///< number of seeds of a study: see kit/seed_runs.hpp
+    std::filesystem::path examples;                   ///< the folder of the netlists
+    std::uint64_t seed;                               ///< of every random stream
+    std::function<void(const std::string&)> progress; ///< receives progress; may throw to end the experiment
+    WarningSink warn;                                 ///< receives the warnings of netlists
+    Interruption& interruption;                       ///< ends the runs of netlists
+    StudyResults& results;                            ///< earlier results of a study; new ones are added
+    std::size_t seeds = 0;                            ///< number of seeds of a study: see kit/seed_runs.hpp
 };
 
 /// The description of an experiment in its file: see experiments/README.md.
 struct Experiment {
     std::string_view name, about;
-    std::string_view
-        chapter; ///< chapter of the thesis, an appendix, or "machine"; experiments are listed in this order
-    int number;  ///< order within the chapter
+    std::string_view chapter; ///< of the thesis, an appendix, or "machine"; this is the order of the list
+    int number;               ///< order within the chapter
     Replay (*run)(const ReplayContext&);
     std::size_t seeds = 0; ///< of a study by kit/seed_runs.hpp; 0: the experiment is not a study
 };

@@ -181,8 +181,8 @@ void RecordReader::check_readings(const Column& column, Record& record, std::vec
 
 void RecordReader::check(Record& record, std::vector<Diagnostic>& faults) {
     RowBefore last{table_.rows.back(), record.time_s.back()}; // before its times are resampled
-    const auto time = std::ranges::find_if(
-        columns_, [](const Column& each) { return !each.sensor; }); // the time column determines the period
+    const auto time =
+        std::ranges::find_if(columns_, [](const Column& each) { return !each.sensor; }); // gives the period
     check_times(record, table_, {time->index, {table_.header.line, time->at}, *time->unit}, before_, faults);
     for (const Column& column : columns_)
         if (column.sensor && record.period_s > 0 && record.has(column.link, *column.sensor))

@@ -25,7 +25,7 @@ struct ExcavatorState {
 };
 
 /// The opening or shutting of a load check valve. Its time is as accurate as the integration, but not better than some
-/// 10 ns, because the pressure drop over the inlet is below its rounding error then.
+/// 10 ns, because nearer to the event the pressure drop over the inlet is smaller than its rounding error.
 struct CheckEvent {
     double time_s;
     Link link;

@@ -49,8 +49,7 @@ struct DiagnosisState {
     std::optional<double> sample_s; ///< middle of the last complete sample since the windows began
     hydraulics::PerLink<LinkTrack> tracks;
     std::map<hydraulics::LinkSet, PopulationSet::State> sets; ///< all sets ever used
-    hydraulics::PerLink<double>
-        health_in3_per_psi{}; ///< compliances in health: the control system's, or else those of the machine's kind
+    hydraulics::PerLink<double> health_in3_per_psi{};         ///< in health: the control system's, or its kind's
     hydraulics::PerLink<FrozenWatch> pressures, angles;
     std::map<hydraulics::LinkSet, SetWatch::State> watches; ///< one for each set ever used
     bool judged = false;       ///< whether a verdict may have changed since the alarms were last determined

@@ -24,10 +24,9 @@ struct LinkFinding {
     hydraulics::Link link;
     std::optional<double> compliance_in3_per_psi; ///< nullopt: the pressure never moved enough
     double standard_error_in3_per_psi = 0;        ///< of least squares on the window of the estimate
-    std::pair<double, double>
-        spread_in3_per_psi;                  ///< least and greatest of the best individuals of the last generations
-    std::vector<Flag> flags;                 ///< empty: nothing unusual
-    std::optional<WholeMovement> whole = {}; ///< nullopt: too few samples
+    std::pair<double, double> spread_in3_per_psi; ///< least and greatest of the last generations' best
+    std::vector<Flag> flags;                      ///< empty: nothing unusual
+    std::optional<WholeMovement> whole = {};      ///< nullopt: too few samples
 };
 
 /// The results of one movement. It lasts from the valves' opening to their closing, to a gap in the record, or for 4 s:

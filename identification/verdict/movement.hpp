@@ -27,10 +27,9 @@ class Movement {
 public:
     struct State {
         MovementSamples samples;
-        std::vector<JunctionSamples>
-            shut; ///< newest samples with shut valves; they count as rest if the valves stay shut for two samples more
-        std::size_t opened = 0; ///< samples since the valves opened
-        std::size_t closed = 0; ///< samples since not all valves were open, after a movement
+        std::vector<JunctionSamples> shut; ///< newest, with shut valves; rest, if two more such samples follow
+        std::size_t opened = 0;            ///< samples since the valves opened
+        std::size_t closed = 0;            ///< samples since not all valves were open, after a movement
 
         friend bool operator==(const State&, const State&) = default;
     };
@@ -38,8 +37,7 @@ public:
     /// Number of samples left out where the valve changes. A slope uses five samples, which must not span two states of
     /// the valve. One more is left out, since the path to a cylinder opens between samples and is judged by readings.
     static constexpr std::size_t slope_reach = 3;
-    static constexpr std::size_t slope_ahead =
-        2; ///< samples by which slopes reach ahead when the valves shut, which ends a movement
+    static constexpr std::size_t slope_ahead = 2;     ///< samples by which slopes reach beyond the end of a movement
     static constexpr double rest_s = 1;               ///< length of rest that is kept
     static constexpr double piece_s = 4;              ///< a longer movement is judged in pieces
     static constexpr double shut_for_s = 0.06;        ///< time shut after which a movement does not continue

@@ -26,9 +26,8 @@ struct Suspicion {
 /// Tests movement by movement whether a link deviates, with Page's cumulative sums (Biometrika 41, 1954). For each
 /// suspicion it adds up the logarithm of the likelihood ratio of the suspected deviation to none; the sum is never
 /// below 0. One movement adds at most `most_of_one`, because real errors have longer tails than the normal
-/// distribution; its information is reduced accordingly. At least two movements are therefore needed. The reference of
-/// the link is itself uncertain, with variance b. A sum s over movements with information I therefore counts as s / (1
-/// + I b).
+/// distribution; its information is reduced accordingly. At least two movements are therefore needed. A sum s
+/// over movements of information I counts as s / (1 + I b), where b is the variance of the link's reference.
 class SequentialTest {
 public:
     static constexpr std::array<Suspicion, 6> suspicions{{{LinkFault::compliance, 1},

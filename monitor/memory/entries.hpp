@@ -50,7 +50,7 @@ struct ForgottenMachine {
 };
 inline constexpr const char* forget_text = "forget";
 
-/// States that the saved states contain all messages up to this number.
+/// Reports that the saved states contain all messages up to this number.
 struct TrimmedMessages {
     std::uint64_t up_to;
 };

@@ -132,8 +132,7 @@ void create_state_file(const fs::path& path, const std::string& settings) {
     fs::path made = begin_file(path);
     try {
         store::Database database(made);
-        database.run(
-            "PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF"); // the file is synced before it gets its name
+        database.run("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF"); // it is synced before it has its name
         database.run(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", application_id, file_version));
         database.run(schema());
         store::Statement(database, "INSERT INTO ledger VALUES(1, ?1, 0, 0, 0, ?2)")

@@ -30,7 +30,7 @@ public:
         std::function<void(Connection&, std::string_view)> line;
         /// Returns the protocol's error line for the reason why the connection will be closed.
         std::function<std::string(const std::string& wrong, const std::string& right)> refusal;
-        /// Is called last, after the connection has closed.
+        /// Learns that the connection has closed; no handler is called after it.
         std::function<void(Connection&)> closed;
     };
 

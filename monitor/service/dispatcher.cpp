@@ -165,7 +165,7 @@ void Dispatcher::check_token(Client& client, const std::string& token) {
 
 void Dispatcher::require_trusted(const Client& client, const Message& message) const {
     if (!client.trusted && !std::holds_alternative<Hello>(message) && !std::holds_alternative<TokenOffer>(message))
-        throw BadMessage("token", "not authenticated", "send {\"type\":\"token\",\"token\":\"...\"} first");
+        throw BadMessage("token", "not authenticated", "{\"type\":\"token\",\"token\":\"...\"} first");
 }
 
 void Dispatcher::require_allowance(const Client& client, const Hello& hello) {

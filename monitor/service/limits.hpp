@@ -9,9 +9,8 @@ namespace placedpar::monitor {
 struct ServiceLimits {
     std::size_t clients = 256; ///< clients that have said hello; a quarter as many more may be about to
     std::size_t machines = 1000;
-    std::uint64_t known_samples =
-        1000; ///< samples that make a machine known, since a name and a few samples cost an attacker nothing
-    double known_s = 600; ///< least time from a machine's first sample to the one that makes it known
+    std::uint64_t known_samples = 1000; ///< that make a machine known: a few samples cost an attacker nothing
+    double known_s = 600;               ///< least time from a machine's first sample to the one that makes it known
     std::size_t clients_per_peer = 128, machines_per_peer = 500; ///< of the two limits above; see Caller for "peer"
     std::size_t takeovers_per_peer = 60; ///< times per minute that a peer may take over the control of a machine
     double newcomer_s = 600;             ///< time after which a machine without samples and connections is forgotten

@@ -15,7 +15,7 @@ class Outbox {
 public:
     /// Makes lines sent from now on wait for this ticket. REQUIRES: it is not less than any earlier ticket.
     void wait_for(std::uint64_t ticket) { promised_ = ticket; }
-    /// States that everything up to this ticket is on the disk or lost, and sends the lines that waited for it.
+    /// Records that everything up to this ticket is on the disk or lost, and sends the lines that waited for it.
     void release(std::uint64_t ticket);
 
     void send(Client& to, std::string line);

@@ -21,8 +21,7 @@ using boost::system::error_code;
 
 namespace {
 
-constexpr std::chrono::seconds most_patience{
-    30}; ///< most time for a request to arrive and for its answer to be read; ours
+constexpr std::chrono::seconds most_patience{30}; ///< for a request to arrive, or its answer to be read; ours
 constexpr std::uint32_t most_header_bytes = 8192;
 
 /// Allows content and requests from this service only, and forbids other pages to embed it.

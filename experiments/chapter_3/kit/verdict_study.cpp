@@ -116,8 +116,7 @@ LinkFault fault_of(const TestedFault& fault) {
         return LinkFault::compliance;
     if (fault.called != AlarmKind::leak)
         return LinkFault::offset;
-    return fault.fault.parameters.size() > 1 ? LinkFault::new_leak
-                                             : LinkFault::leak; // the second parameter is the time at which it begins
+    return fault.fault.parameters.size() > 1 ? LinkFault::new_leak : LinkFault::leak; // the second is its starting time
 }
 
 /// Returns one machine's figures: the movements until a false alarm (0: none), and the evidence of all_faults. For each
