@@ -85,8 +85,9 @@ void require_command(const DeclaredCommand& program, std::span<char*> words) {
         return;
     if (std::string meant = meant_by(program, words); !meant.empty())
         throw UserError(fmt::format("unknown command \"{}\"; did you mean {} {}?", name, program_name(), meant));
-    throw UserError(unknown_name(option ? "option" : "command", name, known,
-                                 fmt::format("say {} --help for those there are", program_name())));
+    throw UserError(
+        unknown_name(option ? "option" : "command", name, known,
+                     fmt::format("{} --help lists the {}s", program_name(), option ? "option" : "command")));
 }
 
 /// Throws UserError for arguments that no option takes.
@@ -100,7 +101,7 @@ void require_command(const DeclaredCommand& program, std::span<char*> words) {
     if (option != extras.end())
         throw UserError(unknown_name("option", option->substr(0, option->find('=')),
                                      declared(command).names_of_options(),
-                                     fmt::format("say {} --help for those there are", name)));
+                                     fmt::format("{} --help lists the options", name)));
     throw UserError(fmt::format("{} takes no further argument: \"{}\"", name, extras.empty() ? "" : extras.front()));
 }
 

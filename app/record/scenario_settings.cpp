@@ -63,7 +63,7 @@ const Parameter& parameter_called(const RecordScenario& scenario, const Paramete
     std::string nearest = did_you_mean(name, names);
     throw UserError(fmt::format(
         "--set {}: {} has no such parameter; {}", name, scenario.name,
-        nearest.empty() ? fmt::format("{} record {} --list shows those there are", program_name(), scenario.name)
+        nearest.empty() ? fmt::format("{} record {} --list shows its parameters", program_name(), scenario.name)
                         : nearest));
 }
 
