@@ -1,5 +1,5 @@
-// This program measures how many generations a second a genetic algorithm makes natively, ours in each vector width and
-// others, on the plant of chapter 5 with the same budget. It also measures how well they follow the plant.
+// This program measures how many generations a second a genetic algorithm makes natively: ours in each vector width,
+// and others. All search the plant of chapter 5 with the same budget. It also measures how well they follow the plant.
 //
 // usage: generations [SEEDS]
 

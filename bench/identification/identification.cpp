@@ -1,6 +1,6 @@
-// This program measures how fast a compliance is identified natively, by us and by others, on the same records with the
-// same budget, and how good the answers are. The machine of the thesis took 0.8 s for such a transient on sixteen T800s
-// and 10 s on one.
+// This program measures how fast a compliance is identified natively, by us and by others, and how good the answers
+// are. All use the same records and the same budget. The machine of the thesis took 0.8 s for such a transient on
+// sixteen T800s and 10 s on one.
 //
 // usage: identification [SEEDS]
 

@@ -6,9 +6,9 @@
 
 namespace placedpar::monitor {
 
-/// Writes messages for the operator, one a line with its time (UTC). It never blocks. A line that cannot be written at
-/// once (a pipe is not read, a terminal is stopped or a disk is full) is dropped and counted, and the count is reported
-/// when writing is possible again. Only one thread may use it at a time.
+/// Writes messages for the operator, one a line with its time (UTC). It never blocks: a pipe that is not read, a
+/// stopped terminal or a full disk makes it drop lines. It counts these and reports the count when writing is possible
+/// again. Only one thread may use it at a time.
 class Log {
 public:
     /// Writes to an open file, such as standard error; -1 discards everything.

@@ -33,9 +33,9 @@ constexpr std::size_t most_kept(std::size_t places) { return places - (places + 
 /// machine and takes any place that is not kept.
 std::optional<std::size_t> gives_way(std::span<const Occupant> places, const std::string& peer, bool preferred);
 
-/// The places of machines. A machine becomes known and keeps its place when it has sent many samples over some time, if
-/// the share of places that may be kept, in total and by its peer, is not used up. REQUIRES: every machine named in a
-/// call has been restored or introduced, and not forgotten since.
+/// The places of machines. A machine becomes known, and keeps its place, when it has sent many samples over some time.
+/// There must also be a place left of those that may be kept, in total and by its peer. REQUIRES: every machine named
+/// in a call has been restored or introduced, and not forgotten since.
 class MachinePlaces {
 public:
     using Clock = std::chrono::steady_clock;

@@ -46,9 +46,9 @@ double identified(const hydraulics::Record& record, hydraulics::AreasFrom from, 
 /// Returns the result of least squares over the rise, in in^3/psi. Throws if there are too few samples.
 double least_squares(const hydraulics::Record& record);
 
-/// Plots two things: the compliance estimated by the spool from one record of each machine, sample by sample, and the
-/// effect of a drift of the servo-valve on the compliance by spool and by voltage, for the first 5 records. REQUIRES:
-/// at least 5 seeds.
+/// Plots the compliance estimated by the spool from one record of each machine, sample by sample. A second panel plots
+/// the effect of a drift of the servo-valve on the compliance by spool and by voltage, for the first 5 records.
+/// REQUIRES: at least 5 seeds.
 Plot plot_of_faults(std::span<const PlantFault> faults, const RecordSource& source,
                     std::span<const std::uint64_t> seeds);
 
