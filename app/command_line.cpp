@@ -39,13 +39,13 @@ std::vector<Command>& commands_of_program() {
     return all;
 }
 
-/// A program with kinds of its own is another than placedpar, and of a version that it may say itself.
+/// Returns the version text. A program with its own kinds differs from placedpar and may have a version of its own.
 std::string version_of_program() {
     return program_name() == "placedpar" ? "placedpar " + version_text()
                                          : fmt::format("{} (PlacedPar {})", program_name(), version_text());
 }
 
-/// The command line as it was typed, wherever the program's file is.
+/// Returns the command line as typed, without the path of the program.
 std::string typed(int argc, char** argv) {
     std::string text = program_name();
     for (int i = 1; i < argc; ++i)
@@ -65,7 +65,7 @@ bool is_file(const std::string& name) {
     return lower_case(name).ends_with(".cfs") || std::filesystem::is_regular_file(name, error);
 }
 
-/// What is meant by words that are a command of other programs, or a netlist: what would be typed; "" for others.
+/// Returns what to type instead of words that are a command of other programs, or a netlist; "" for other words.
 std::string meant_by(const DeclaredCommand& program, std::span<char*> words) {
     std::string first = words.front();
     if (first == "help")
@@ -75,7 +75,7 @@ std::string meant_by(const DeclaredCommand& program, std::span<char*> words) {
     return is_file(first) && program.command("run") ? "run " + first : "";
 }
 
-/// CLI11 would miss a command before it looked at what is there instead.
+/// Throws UserError if the first word is not a command. CLI11 would report a missing command first.
 void require_command(const DeclaredCommand& program, std::span<char*> words) {
     std::string first = words.front();
     bool option = first.starts_with('-');
@@ -85,11 +85,12 @@ void require_command(const DeclaredCommand& program, std::span<char*> words) {
         return;
     if (std::string meant = meant_by(program, words); !meant.empty())
         throw UserError(fmt::format("unknown command \"{}\"; did you mean {} {}?", name, program_name(), meant));
-    throw UserError(unknown_name(option ? "option" : "command", name, known,
-                                 fmt::format("say {} --help for those there are", program_name())));
+    throw UserError(
+        unknown_name(option ? "option" : "command", name, known,
+                     fmt::format("{} --help lists the {}s", program_name(), option ? "option" : "command")));
 }
 
-/// Of arguments that no option takes. Throws UserError.
+/// Throws UserError for arguments that no option takes.
 [[noreturn]] void refuse_extras(const CLI::App& app) {
     auto chosen = app.get_subcommands();
     const CLI::App& command = chosen.empty() ? app : *chosen.front();
@@ -100,11 +101,11 @@ void require_command(const DeclaredCommand& program, std::span<char*> words) {
     if (option != extras.end())
         throw UserError(unknown_name("option", option->substr(0, option->find('=')),
                                      declared(command).names_of_options(),
-                                     fmt::format("say {} --help for those there are", name)));
+                                     fmt::format("{} --help lists the options", name)));
     throw UserError(fmt::format("{} takes no further argument: \"{}\"", name, extras.empty() ? "" : extras.front()));
 }
 
-/// Throws UserError for an option that takes one value and was given several.
+/// Throws UserError for an option that takes one value but was given several.
 void refuse_repeated(const CLI::App& app) {
     for (const CLI::App* command : app.get_subcommands())
         for (const CLI::Option* option : command->get_options())
@@ -114,7 +115,7 @@ void refuse_repeated(const CLI::App& app) {
                                             option->results().size(), fmt::join(option->results(), ", ")));
 }
 
-/// Parses the command line. What it chose is then in `chosen`, or it was wrong, or asked for help.
+/// Parses the command line, which selects the action. Prints help or an error and returns the exit code.
 ExitCode parse(CLI::App& app, int argc, char** argv) {
     try {
         app.parse(argc, argv);
@@ -138,7 +139,7 @@ void declare_all(CLI::App& app, const std::vector<Command>& commands, const std:
     app.require_subcommand(1);
 }
 
-/// Does as parse(), and throws UserError where the command is none.
+/// Parses as parse() does, and throws UserError for an unknown command.
 ExitCode read(CLI::App& app, int argc, char** argv) {
     if (argc > 1)
         require_command(declared(app), std::span(argv, static_cast<std::size_t>(argc)).subspan(1));
@@ -166,7 +167,7 @@ std::string why_it_is_terminated() {
     }
 }
 
-/// Reports an exception that left a destructor or a function that is noexcept, so that no handler can be reached.
+/// Reports an exception that left a destructor or a noexcept function, so that no handler can be reached.
 [[noreturn]] void report_termination() {
     const char* left = std::current_exception() ? "; it left a destructor or a function that is noexcept" : "";
     std::string what = fmt::format("{}: {}{}", what_is_running(), why_it_is_terminated(), left);
@@ -176,8 +177,8 @@ std::string why_it_is_terminated() {
     std::_Exit(static_cast<int>(ExitCode::bad_input));
 }
 
-/// Reports the exception that is being handled. A refusal by the system, such as of memory or of a file, is not a
-/// defect; any other exception but a UserError is.
+/// Reports the exception being handled. An error of the system, such as a lack of memory or of a file, is not a defect.
+/// Any other exception except UserError is.
 ExitCode report_error() {
     try {
         throw;
@@ -200,7 +201,7 @@ bool is_set(const char* variable) {
     return value && *value != '\0';
 }
 
-/// Colours are for terminals, and for users who do not forbid them (no-color.org).
+/// Enables colours on terminals, unless the user forbids them (no-color.org).
 void choose_paint() {
     const char* terminal = std::getenv("TERM");
     bool wanted = !is_set("NO_COLOR") && !(terminal && std::string_view(terminal) == "dumb");
@@ -232,7 +233,7 @@ int carry_out(Program program, int argc, char** argv, const std::function<void()
     Action chosen;
     declare_all(app, program.commands, typed(argc, argv), chosen);
     app.set_version_flag("-v,-V,--version", version_of_program());
-    app.footer( // last: a subcommand takes over the footer that its parent has when it is added
+    app.footer( // set last: a new subcommand inherits the footer that its parent has
         "The name of a file can be -: standard input or output.\n"
         "exit codes: 0 success, 1 wrong use or bad input, 2 deadlock, 3 a comparison missed its tolerance,\n"
         "            70 a defect of PlacedPar, 130 interrupted");

@@ -18,7 +18,7 @@ std::span<const LoggedGeneration> shown_of(const GenerationLog& log) {
     return log.compares() ? log.of_all() : log.of(0);
 }
 
-/// As many of the generations as there are columns, the last among them.
+/// Selects at most one generation per column, evenly spread, including the last.
 std::vector<LoggedGeneration> spread(std::span<const LoggedGeneration> generations, std::size_t columns) {
     std::size_t shown = std::min(generations.size(), columns);
     std::vector<LoggedGeneration> some;
@@ -27,10 +27,10 @@ std::vector<LoggedGeneration> spread(std::span<const LoggedGeneration> generatio
     return some;
 }
 
-/// Of the curve's axis.
+/// The scale of the curve.
 struct CurveAxis {
     double low, high;
-    /// 0 is the highest of so many rows.
+    /// Returns the row of a value; row 0 is the highest of `rows` rows.
     std::size_t row(double value, std::size_t rows) const {
         double height = high > low ? std::clamp((value - low) / (high - low), 0.0, 1.0) : 0.5;
         return rows - 1 - static_cast<std::size_t>(std::lround(height * static_cast<double>(rows - 1)));
@@ -53,7 +53,7 @@ CurveAxis axis_of(const std::vector<LoggedGeneration>& drawn, bool minimised) {
     return {quantile(values, 0.1), greatest};
 }
 
-/// '*' for the best, '.' for the mean.
+/// Draws '*' for the best and '.' for the mean.
 std::vector<std::string> curve_rows(const std::vector<LoggedGeneration>& drawn, const CurveAxis& range,
                                     std::size_t rows) {
     std::vector<std::string> lines(rows, std::string(drawn.size(), ' '));
@@ -64,7 +64,7 @@ std::vector<std::string> curve_rows(const std::vector<LoggedGeneration>& drawn, 
     return lines;
 }
 
-/// A row of bars, the highest for 1/2 and more, which is the diversity of strings drawn at random.
+/// Draws a row of bars; the highest bar is 1/2 and above, the diversity of random strings.
 std::string diversity_row(const std::vector<LoggedGeneration>& drawn) {
     constexpr std::array<const char*, 9> bars{" ", "▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
     std::string row;

@@ -8,13 +8,13 @@
 
 namespace placedpar {
 
-/// Where a run stands, in one line: "generation 80: best 3996.92, mean 3412.1, diversity 0.0312"; of all searches, or
-/// the first where they search for different things. "" before the first generation.
+/// Returns the state of a run in one line: "generation 80: best 3996.92, mean 3412.1, diversity 0.0312". It covers all
+/// searches, or only the first if their objectives differ. Returns "" before the first generation.
 std::string state_of(const GenerationLog&);
 
-/// Best and mean fitness over the generations so far, drawn with letters, and diversity below: lines of at most
-/// `columns` columns, of which `rows` are the curve. The tenth of all that is worst, as the first generations may be by
-/// far, is drawn on the last row of that end. Always as many lines. REQUIRES: columns >= 24, rows >= 2.
+/// Draws best and mean fitness over the generations so far with letters, and diversity below. Lines have at most
+/// `columns` columns; `rows` of them are the curve. The worst tenth of the values, often from the first generations, is
+/// drawn on the last row at that end. The number of lines is constant. REQUIRES: columns >= 24, rows >= 2.
 std::vector<std::string> live_curve(const GenerationLog&, std::size_t columns, std::size_t rows);
 
 } // namespace placedpar

@@ -1,4 +1,4 @@
-// placedpar with nothing but what is done with a netlist. Other compilers build it, to be compared.
+// placedpar with only the commands for netlists. Other compilers build it for comparison.
 
 #include "app/program.hpp"
 

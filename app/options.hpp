@@ -11,37 +11,37 @@ class Option;
 
 namespace placedpar {
 
-// What commands say of their options, and what can be read of it. CLI11, the library behind it, takes seconds to
-// compile: only options.cpp and command_line.cpp include it.
+// Commands declare their options with these classes, and help and completion read them. CLI11, the library behind them,
+// takes seconds to compile, so only options.cpp and command_line.cpp include it.
 
-/// Stands for an option of a command, or for an argument. A copy is the same option.
+/// A handle of an option or an argument of a command. A copy refers to the same option.
 class Option {
 public:
     explicit Option(CLI::Option& option) : option_(&option) {}
 
-    Option type(const std::string& name); ///< what help calls its value: "FILE"
-    /// `wrong` says what is wrong with a value; "" if nothing is.
+    Option type(const std::string& name); ///< the name of its value in help: "FILE"
+    /// `wrong` returns what is wrong with a value, or "".
     Option check(const std::function<std::string(const std::string&)>& wrong);
-    Option one_of(const std::vector<std::string>& words); ///< takes no other, and they are its type
+    Option one_of(const std::vector<std::string>& words); ///< accepts these words only, which help lists
     Option required();
-    Option show_default();                    ///< help shows the value that it has now
-    Option group(const std::string& heading); ///< in help
-    Option needs(Option other);               ///< refused without that
+    Option show_default();                    ///< help shows its present value
+    Option group(const std::string& heading); ///< a group of options in help
+    Option needs(Option other);               ///< refused without the other
 
 private:
     CLI::Option* option_;
 };
 
 struct DeclaredOption {
-    std::vector<std::string> names; ///< as they are typed: "--seed", "-I"; none of an argument
-    std::string label;              ///< all of them, or what help calls the argument
+    std::vector<std::string> names; ///< as typed: "--seed", "-I"; empty for an argument
+    std::string label;              ///< all names, or the argument's name in help
     std::string type;
-    std::string value; ///< where none is typed; "": help does not show it
+    std::string value; ///< value if the option is not typed; "": not shown in help
     std::string about;
     bool takes_value;
 };
 
-/// Describes a command, or the program itself.
+/// Describes a command or the program itself.
 struct DeclaredCommand {
     std::string name, about, footer;
     std::vector<DeclaredOption> options;
@@ -49,32 +49,33 @@ struct DeclaredCommand {
 
     std::vector<std::string> names_of_commands() const;
     std::vector<std::string> names_of_options() const;
-    // These return null where there is none.
+    // These return null if there is none.
     const DeclaredCommand* command(const std::string& called) const;
     const DeclaredOption* option(const std::string& typed) const;
 };
 
-/// Describes what has been declared so far.
+/// Describes everything declared so far.
 DeclaredCommand declared(const CLI::App&);
 
-/// Declares the options of a command, in the order in which help shows them. A copy declares for the same command.
+/// Declares the options of a command in the order of help. A copy declares for the same command.
 class Options {
 public:
     explicit Options(CLI::App& command) : command_(&command) {}
 
-    /// `name` is "--seed", "-o,--out", or that of an argument, "FILE". `value` stays as it is where nothing is typed,
-    /// outlives the command's action, and has one of the types that options.cpp lists.
+    /// `name` is "--seed", "-o,--out" or the name of an argument, "FILE". `value` keeps its value if nothing is typed.
+    /// REQUIRES: `value` outlives the command's action and has one of the types that options.cpp lists.
     template <class Value>
     Option add(const std::string& name, Value& value, const std::string& about);
-    /// Takes one value each time that it is typed; of a list add() would take all words that follow.
+    /// Declares an option that may be repeated and takes one value each time. A list in add() would take all words that
+    /// follow.
     Option add_list(const std::string& name, std::vector<std::string>& values, const std::string& type,
                     const std::string& about);
     Option add_flag(const std::string& name, bool& value, const std::string& about);
-    void add_footer(const std::string& text); ///< in help, below the options
+    void add_footer(const std::string& text); ///< shown in help below the options
 
-    /// Says whether the option was typed. REQUIRES: the command line has been read.
+    /// Returns whether the option was typed. REQUIRES: the command line has been parsed.
     bool is_given(const std::string& name) const;
-    /// Describes the program that has the command. REQUIRES: all commands have been declared.
+    /// Describes the program that contains the command. REQUIRES: all commands have been declared.
     DeclaredCommand program() const;
 
 private:

@@ -17,13 +17,12 @@
 
 namespace placedpar {
 
-/// Adds a policy to those of its step: Reproduction::add<Truncation>, a function of OneOf<...>.
+/// Adds a policy to those of its step, as the function Reproduction::add<Truncation> of OneOf<...> does.
 using AddPolicy = void (*)();
 
-/// The main() of a program that has the commands of placedpar, but for those of the thesis's experiments and of the
-/// monitor, and knows kinds, search problems, policies and devices of its own beside PlacedPar's. Messages and help
-/// call it by the name of its file. Returns the exit code; a kind, a problem, a policy or a device whose name is taken
-/// is a user's error.
+/// The main() of a program with the commands of placedpar, except those of the thesis's experiments and of the monitor.
+/// The program adds its own kinds, search problems, policies and devices to PlacedPar's. Messages and help use the name
+/// of its file. Returns the exit code. A name that is already taken is reported as a user's error.
 int run_program(int argc, char** argv, std::vector<ProcessKind> own_kinds, std::vector<ProblemFamily> own_problems = {},
                 std::vector<AddPolicy> own_policies = {}, std::vector<DeviceKind> own_devices = {});
 

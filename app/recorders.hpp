@@ -12,19 +12,19 @@
 
 namespace placedpar {
 
-/// The files that show a run as it went by.
+/// The files that show the course of a run.
 struct RecordedFiles {
     std::string trace, page; ///< "": not written
     TraceWindow window = {};
 };
 
-/// Who is told of a run while it goes on, and writes these files when it is over.
+/// Records a run while it goes on, and writes these files when it is over.
 class Recorders {
 public:
-    /// Throws UserError where a file cannot be written. `another`, if any, is told as well.
+    /// Throws UserError if a file cannot be written. `another`, if not null, receives all events as well.
     Recorders(const Network&, const RecordedFiles&, TraceSink* another = nullptr);
 
-    /// Null where nobody is.
+    /// Returns null if nothing is recorded.
     TraceSink* sink() { return fork_ ? &*fork_ : nullptr; }
     /// REQUIRES: the run is over.
     void finish(const PageContent&, std::span<const PathPart> critical_path = {});

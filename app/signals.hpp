@@ -4,7 +4,8 @@
 
 namespace placedpar {
 
-/// While it exists, SIGINT and SIGTERM request the interruption instead of ending the program. One at a time.
+/// While an object exists, SIGINT and SIGTERM request the interruption instead of ending the program. There can be one
+/// object at a time.
 class InterruptedBySignals : public Interruption {
 public:
     InterruptedBySignals();

@@ -4,12 +4,12 @@
 
 namespace placedpar {
 
-// What the program says on standard error while it works.
+// These functions write to standard error while the program works.
 
-/// A WarningSink: prints them as they are.
+/// Prints the warnings unchanged; this function is a WarningSink.
 void print_warnings(const std::string& warnings);
 
-/// One line that says what is going on; silent when standard error is not a terminal.
+/// Shows one line about the work in progress; shows nothing if standard error is not a terminal.
 class ProgressLine {
 public:
     ProgressLine();

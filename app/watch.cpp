@@ -21,7 +21,7 @@ struct Screen {
     std::size_t columns = 80, rows = 24;
 };
 
-/// As it is now; a terminal that does not say has the usual size.
+/// Returns the present size; a terminal that does not report it gets a usual one.
 Screen screen_size() {
     winsize size{};
     Screen screen;
@@ -35,7 +35,7 @@ bool can_be_drawn_on() {
     return ::isatty(STDERR_FILENO) != 0 && kind && std::string_view(kind) != "dumb";
 }
 
-/// 1, 2, 5, 10, 20, 50, ...
+/// Returns the next of 1, 2, 5, 10, 20, 50 and so on.
 std::size_t milestone_after(std::size_t milestone) {
     std::size_t decade = 1;
     while (decade * 10 <= milestone)

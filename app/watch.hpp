@@ -8,23 +8,22 @@
 
 namespace placedpar {
 
-/// Shows a log on standard error while it is written: on a terminal the curve of the searches, drawn anew in its place
-/// at most ten times a second and as wide as the terminal is then; elsewhere a line for the generations 1, 2, 5, 10, 20
-/// and so on. It switches nothing on that would have to be switched off again, so that the terminal is whole however
-/// the program ends.
+/// Shows a log on standard error while it is written. On a terminal it draws the curve of the searches, at the
+/// terminal's present width, and redraws it at most ten times a second. Elsewhere it prints a line for generations 1,
+/// 2, 5, 10, 20 and so on. It changes no terminal mode, so the terminal is intact however the program ends.
 class Watch final : public SearchObserver {
 public:
-    /// `heading` is the first line. The log is told of everything; it outlives this.
+    /// `heading` is the first line. The log receives all events. REQUIRES: the log outlives this object.
     Watch(GenerationLog& log, std::string heading);
 
     void observe(const ObservedGeneration&) override;
     void observe(const ObservedMigration& migration) override { log_.observe(migration); }
     void observe(const ObservedAnswer& answer) override { log_.observe(answer); }
-    /// Shows how it ended.
+    /// Shows the ending.
     void finish();
 
 private:
-    using Clock = std::chrono::steady_clock; // of the wall: it decides when to draw, and nothing of the run
+    using Clock = std::chrono::steady_clock; // wall-clock time; it decides when to draw, and nothing of the run
 
     void show();
     void draw();
@@ -34,8 +33,8 @@ private:
     std::string heading_;
     bool terminal_;
     Clock::time_point drawn_{};
-    std::size_t lines_ = 0;          ///< drawn last
-    std::size_t next_milestone_ = 1; ///< a generation that gets a line
+    std::size_t lines_ = 0;          ///< number of lines drawn last
+    std::size_t next_milestone_ = 1; ///< next generation that gets a line
     std::string said_;               ///< the last such line
 };
 

@@ -1,6 +1,6 @@
-// The communication-time benchmark of the occam tradition: prefix, delta, successor and consumer in a ring
-// (P. Welch, "commstime"). A loop is four communications, which are the events. It prints nanoseconds of processor time
-// per loop, once with all communications at one moment of virtual time and once with time passing in every loop.
+// The communication-time benchmark of the occam tradition: prefix, delta, successor and consumer in a ring (P. Welch,
+// "commstime"). A loop has four communications, which are the events. The program prints nanoseconds of processor time
+// per loop, once with all communications at one instant of virtual time and once with time passing in every loop.
 
 #include "bench/measure.hpp"
 #include "runtime/channel.hpp"
@@ -23,7 +23,7 @@ struct Timing {
     std::uint64_t fingerprint;
 };
 
-/// `pause`: how long each of the four processes waits in every loop.
+/// Runs the benchmark; `pause` is the time that each of the four processes waits in every loop.
 Timing commstime(long loops, Time pause) {
     double before = resident_bytes(), after = 0;
     Kernel kernel;

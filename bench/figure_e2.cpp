@@ -1,6 +1,7 @@
-// The machine of Figure E.2, sixteen transputers, as a sweep runs it: how many seconds of the machine's time pass in a
-// second of one core, and how many runs are made. An event is a generation of one of its four islands. Of runs that
-// differ in their seeds the machine is simulated for the first one; of those with other links, for each.
+// This program runs the machine of Figure E.2, sixteen transputers, as a sweep does. It measures how many seconds of
+// the machine's time pass per second of one core, and how many runs are made. An event is a generation of one of the
+// four islands. Runs that differ only in their seeds simulate the machine once; runs with other links simulate it each
+// time.
 
 #include "bench/measure.hpp"
 #include "explore/study/measure.hpp"
@@ -20,13 +21,13 @@ namespace {
 
 struct Figures {
     double seconds = 0, simulated_seconds = 0, generations = 0;
-    double bytes = 0;              ///< of memory that the runs took
+    double bytes = 0;              ///< memory that the runs took
     std::uint64_t fingerprint = 0; ///< of the last run
 };
 
 constexpr double processes = 17; ///< the host, four masters, twelve slaves
 
-/// The runs of the study, on one core.
+/// Makes the runs of the study on one core.
 Figures run_all(const Study& study) {
     const StudyMeasure generations("sum(master.generations)");
     const double before = resident_bytes();

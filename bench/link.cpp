@@ -1,5 +1,5 @@
-// How long the simulation of a link takes: nanoseconds of processor time per byte of long messages, with the closed
-// form and with every byte simulated, one way and both ways. A byte is an event.
+// This program measures the simulation of a link: nanoseconds of processor time per byte of long messages, with the
+// closed form and with every byte simulated, one way and both ways. A byte is an event.
 
 #include "runtime/hardware/link.hpp"
 #include "bench/measure.hpp"

@@ -14,7 +14,7 @@
 
 namespace placedpar::bench {
 
-/// Processor time since it was made: other programs on the machine disturb it less than a clock on the wall.
+/// Measures the processor time since its construction, which other programs disturb less than wall-clock time.
 class Stopwatch {
 public:
     double nanoseconds() const { return static_cast<double>(now() - start_); }
@@ -29,7 +29,7 @@ private:
     std::int64_t start_ = now();
 };
 
-/// Bytes of memory that the program has at the moment (Linux).
+/// Returns the bytes of memory that the program uses at present (Linux).
 inline double resident_bytes() {
     std::ifstream statm("/proc/self/statm");
     double size = 0, resident = 0;
@@ -37,21 +37,21 @@ inline double resident_bytes() {
     return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-/// Calls it in a thread of its own: without the stacks that a thread keeps from one simulation for the next, so that
-/// what it takes of memory can be measured.
+/// Calls the measurement in a thread of its own. A thread keeps stacks from one simulation for the next; without them,
+/// memory can be measured.
 template <class Measurement>
 void in_a_thread_of_its_own(Measurement measurement) {
     std::thread(measurement).join();
 }
 
-/// One row of a benchmark's table.
+/// Prints one row of a benchmark's table.
 inline void report(const std::string& what, double nanoseconds_per_event, double bytes_per_process,
                    std::uint64_t fingerprint) {
     fmt::print("{:<38} {:8.1f} ns/event   {:8.0f} bytes/process   fingerprint {:016x}\n", what, nanoseconds_per_event,
                bytes_per_process, fingerprint);
 }
 
-/// Argument number i, or what is usual; ends the program if it is not a number of at least 1.
+/// Returns argument number i, or `usual` if it is missing. Ends the program if it is not a number of at least 1.
 inline long argument(int argc, char** argv, int i, long usual, const char* usage) {
     if (i >= argc)
         return usual;

@@ -1,7 +1,7 @@
-// The on-line diagnosis under load: four links of one machine at 50 samples a second, then many machines at once,
-// first at that pace and then as fast as they are answered. The service runs in a thread of its own and is talked to
-// over TCP, as control systems do. Every pressure moves all the time, so that every sample gets its generations: a real
-// machine's transients are a small part of its day.
+// This program measures the on-line diagnosis under load: four links of one machine at 50 samples a second, then many
+// machines at once, first at that rate and then as fast as they are answered. The service runs in its own thread, and
+// clients use TCP as control systems do. Every pressure moves all the time, so every sample gets its generations. In
+// practice transients are a small part of a machine's day.
 //
 //     monitor_load [SAMPLES [CLIENTS]]      samples a client and part, clients of the last three parts
 
@@ -37,7 +37,7 @@ namespace json = boost::json;
 using asio::ip::tcp;
 using Clock = std::chrono::steady_clock;
 
-/// Between the samples of a client that is paced; they say 20 ms whatever it is.
+/// The time between the samples of a paced client. The samples state 20 ms in any case.
 std::chrono::milliseconds period{20};
 
 struct Part {
@@ -49,7 +49,8 @@ struct Part {
     bool paced;
 };
 
-/// Pressures that swing by 300 psi at .8 Hz, 1066 psi/s rms, of a machine whose compliances are those below.
+/// Returns a sample with pressures that swing by 300 psi at .8 Hz, 1066 psi/s rms, for a machine with the compliances
+/// below.
 std::string sample_line(const Part& part, std::size_t index) {
     using namespace placedpar;
     using namespace placedpar::hydraulics;
@@ -75,7 +76,7 @@ std::string sample_line(const Part& part, std::size_t index) {
     return fmt::format("{{\"type\":\"sample\",\"time_s\":{:.2f},\"links\":{{{}}}}}\n", sample.time_s, links);
 }
 
-/// A control system: says hello, then samples, by the clock or when the last one is answered.
+/// A control system that says hello and then sends samples, by the clock or when the last one is answered.
 class ControlSystem : public std::enable_shared_from_this<ControlSystem> {
 public:
     ControlSystem(asio::io_context& io, const Part& part, std::size_t number, std::size_t samples)
@@ -167,7 +168,7 @@ private:
 
 double field(const std::string& line, const char* name) { return json::parse(line).at(name).to_number<double>(); }
 
-/// The compliances of an answer, to the bit.
+/// Adds the compliances of an answer, bit by bit.
 void mix(placedpar::Fingerprint& fingerprint, const std::string& answer) {
     json::value value = json::parse(answer);
     for (const auto& set : value.at("sets").as_object())
@@ -176,7 +177,8 @@ void mix(placedpar::Fingerprint& fingerprint, const std::string& answer) {
                 fingerprint.mix(std::bit_cast<std::uint64_t>(c.to_number<double>()));
 }
 
-/// What a part cost the service: its totals before and after. `state`: the folder of its state file; empty: none.
+/// Runs a part and prints its cost to the service, as the difference of the totals. `state` is the folder of the state
+/// file; empty: none.
 void run(const Part& part, std::size_t samples, const std::string& state) {
     placedpar::monitor::ServiceSettings settings;
     settings.limits.clients = settings.limits.clients_per_peer = part.clients + 1;

@@ -1,5 +1,5 @@
-// A token goes round a ring of 16 to 1,000,000 processes: nanoseconds for each communication, and the memory of a
-// process. The first round, in which the processes start, counts.
+// A token travels round a ring of 16 to 1,000,000 processes. The program measures nanoseconds per communication and the
+// memory of a process. The first round, in which the processes start, is included.
 
 #include "bench/measure.hpp"
 #include "runtime/simulation.hpp"

@@ -1,5 +1,5 @@
-// 1,000 to 1,000,000 processes wait for their timers, each for another random time, again and again: nanoseconds for
-// each wait.
+// This program lets 1,000 to 1,000,000 processes wait repeatedly for their timers, each for another random time. It
+// measures nanoseconds per wait.
 
 #include "bench/measure.hpp"
 #include "runtime/random.hpp"

@@ -1,7 +1,7 @@
-// A torus of T800s, and a hypercube, with messages both ways on every link all the time: nanoseconds for each byte,
-// host seconds for a simulated one, events a message, and the memory of a process. At each end of a link are a process
-// that sends and one that receives. A transputer has four links, so the nodes of hypercubes above the fourth dimension
-// are imaginary.
+// This program simulates a torus of T800s and a hypercube, with messages both ways on every link all the time. It
+// measures nanoseconds per byte, host seconds per simulated second, events per message, and the memory of a process.
+// Each end of a link has a sending and a receiving process. A transputer has four links, so the nodes of hypercubes
+// above the fourth dimension are imaginary.
 
 #include "bench/measure.hpp"
 #include "runtime/hardware/link.hpp"

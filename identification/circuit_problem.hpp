@@ -12,9 +12,9 @@
 
 namespace placedpar {
 
-/// Identification of the pump-side compliances of all links of a circuit at once (thesis 3.1 and 3.2), as a
-/// search problem. The string has a whole number of `bits` bits for each junction, in the circuit's order, over
-/// 0 ... 0.1 in^3/psi. A sample is the LinkSamples of the junctions, end to end.
+/// The search for the pump-side compliances of all links of a circuit at once (thesis 3.1 and 3.2). The string has
+/// `bits` bits for each junction, in the circuit's order, over 0 ... 0.1 in^3/psi. A sample consists of the LinkSamples
+/// of the junctions, end to end.
 class CircuitProblem {
 public:
     /// Thesis 3.1.1: 0.1 > C > 0.0.
@@ -22,12 +22,12 @@ public:
     /// Thesis 3.2: 20 bits for two compliances.
     static constexpr std::size_t usual_bits = 10;
 
-    /// In in^3/psi, one for each junction.
+    /// One compliance per junction, in in^3/psi.
     template <typename T>
     using CompliancesOf = boost::container::static_vector<T, hydraulics::all_links.size()>;
     using Compliances = CompliancesOf<double>;
 
-    /// Throws std::invalid_argument when the circuit has no junction or more than 4, and as ParameterCoding.
+    /// Throws std::invalid_argument if the circuit has no junction or more than 4, and what ParameterCoding throws.
     CircuitProblem(hydraulics::Circuit circuit, hydraulics::FlowConstants flow, std::size_t bits = usual_bits)
         : CircuitProblem(circuit, flow, bits, hydraulics::printed_inlet_flow(circuit.size())) {}
     CircuitProblem(hydraulics::Circuit circuit, hydraulics::FlowConstants flow, std::size_t bits,
@@ -38,7 +38,7 @@ public:
     const hydraulics::Circuit& circuit() const { return circuit_; }
     hydraulics::InletFlow inlet_flow() const { return form_; }
     const ParameterCoding& coding() const { return coding_; }
-    /// That of every compliance.
+    /// Returns the field of the string that codes a compliance; all have the same range.
     const ParameterField& field() const { return coding_.field(0); }
 
     template <BinaryString G>
@@ -49,9 +49,9 @@ public:
     CompliancesOf<Lanes<width>> parameters_of_several(const StringsInLanes<width, gray>& strings) const {
         return compliances_of<Lanes<width>>(strings);
     }
-    /// What the error takes of a sample.
+    /// Returns the terms of a sample that error_of() needs.
     hydraulics::CircuitTerms prepared(std::span<const double> sample) const;
-    /// The error of one set of compliances, or of each of an array of them.
+    /// Returns the error of one set of compliances or, if T is an array type, of several sets at once.
     template <typename T>
     T error_of(std::span<const T> compliances, const hydraulics::CircuitTerms& prepared) const {
         return hydraulics::circuit_error_in3_per_s<T>(circuit_, compliances, prepared, flow_, form_);
@@ -71,7 +71,7 @@ public:
         return error_of<double>(std::span(compliances.data(), compliances.size()), sample);
     }
 
-    /// "C_BUi", ... in the circuit's order.
+    /// Returns "C_BUi" and so on, in the circuit's order.
     std::vector<std::string> parameter_names() const;
     std::vector<std::string> parameter_units() const;
 

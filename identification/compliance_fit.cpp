@@ -17,12 +17,12 @@ using namespace hydraulics;
 namespace {
 
 constexpr auto most_junctions = static_cast<int>(all_links.size());
-// Of a fixed greatest size, for which no memory is asked.
+// These types have a fixed greatest size, so they need no heap memory.
 using PerLinkVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_junctions, 1>;
 using PerLinkMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_junctions, most_junctions>;
 using Slopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Eigen::Dynamic, most_junctions>;
 
-/// The missing flows of all samples and junctions, as a function of the compliances.
+/// Computes the missing flows of all samples and junctions as a function of the compliances.
 class Residuals {
 public:
     Residuals(const Circuit& circuit, std::span<const CircuitSample> samples, const FlowConstants& flow)
@@ -46,7 +46,7 @@ public:
         return missing;
     }
     Slopes slopes(const PerLinkVector& compliance) const {
-        constexpr double step = 1e-6; // of compliances around 0.01: central differences good to 1e-8
+        constexpr double step = 1e-6; // in^3/psi; central differences at compliances near 0.01 are accurate to 1e-8
         Slopes slopes(static_cast<Eigen::Index>(terms_.size() * circuit_.size()), compliance.size());
         for (Eigen::Index c = 0; c < compliance.size(); ++c) {
             PerLinkVector shift = PerLinkVector::Unit(compliance.size(), c) * step;
@@ -72,13 +72,14 @@ ComplianceFit fit_at(const PerLinkVector& compliance, const Eigen::VectorXd& mis
     if (normal.isInvertible()) {
         PerLinkMatrix covariance = variance * normal.inverse();
         for (Eigen::Index c = 0; c < compliance.size(); ++c)
-            if (covariance(c, c) >= 0 && std::isfinite(covariance(c, c))) // false of what is not a number
+            if (covariance(c, c) >= 0 && std::isfinite(covariance(c, c))) // false for NaN
                 fit.standard_error[static_cast<std::size_t>(c)] = std::sqrt(covariance(c, c));
     }
     return fit;
 }
 
-/// Fitness of every string, read as one number with the first junction's code leftmost; not rounded as a search's is.
+/// Returns the fitness of every string, as one number with the first junction's code leftmost. Unlike in a search, it
+/// is not rounded.
 std::vector<double> fitness_of_all(const Circuit& circuit, std::span<const CircuitSample> window,
                                    const FlowConstants& flow, InletFlow form, std::size_t bits, double largest,
                                    double bias) {
@@ -117,7 +118,7 @@ std::optional<ComplianceFit> fit_compliances(const Circuit& circuit, std::span<c
             return std::nullopt;
         if (step.cwiseAbs().maxCoeff() < settled)
             return fit_at(compliance, missing, normal);
-        // Far from the solution a full step may overshoot into another square root's branch: halve it.
+        // Far from the solution a full step may reach another branch of the square root: halve it.
         Eigen::VectorXd then = residuals(compliance - step);
         while (then.squaredNorm() > missing.squaredNorm() && step.cwiseAbs().maxCoeff() >= settled) {
             step /= 2;
@@ -137,7 +138,7 @@ ExhaustiveOptimum exhaustive_optimum(const Circuit& circuit, std::span<const Cir
     std::uint64_t best = 0;
     double greatest = -std::numeric_limits<double>::infinity();
     for (std::uint64_t string = 0; string < fitness.size(); ++string)
-        if (fitness[string] > greatest) { // false of what is not a number
+        if (fitness[string] > greatest) { // false for NaN
             greatest = fitness[string];
             best = string;
         }

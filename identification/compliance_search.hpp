@@ -11,27 +11,27 @@
 
 namespace placedpar::identification {
 
-/// Which compliances of a record are to be identified, and how its readings are meant.
+/// States which compliances of a record to identify, and how to interpret its readings.
 struct Question {
     hydraulics::Configuration configuration = hydraulics::Configuration::a;
     hydraulics::LinkSet links = {hydraulics::Link::boom};
-    std::optional<double> spool_offset_in;                ///< of the boom; subtracted from its readings
-    std::optional<hydraulics::AreasFrom> areas_from = {}; ///< none: the first source that the record has
+    std::optional<double> spool_offset_in;                ///< offset of the boom's spool, subtracted from its readings
+    std::optional<hydraulics::AreasFrom> areas_from = {}; ///< nullopt: the first source that the record has
 };
 
-/// A search for compliances, set up from a record.
+/// A search for compliances, prepared from a record.
 struct ComplianceSearch {
     CircuitProblem problem;
     hydraulics::FlowConstants flow;
     hydraulics::LinkCalibrations calibrations;
-    std::vector<hydraulics::CircuitSample> samples; ///< the usable ones
+    std::vector<hydraulics::CircuitSample> samples; ///< only the usable samples
 };
 
-/// The resolution of the spool's sensor.
+/// Returns the resolution of the spool's sensor.
 double spool_sensor_step_in(const hydraulics::Parameters& machine);
 
-/// Throws UserError when the links are not of one coupled group of the configuration, and UnfitRecord when
-/// the record lacks a channel.
+/// Throws UserError if the links do not belong to one coupled group of the configuration, and UnfitRecord if the record
+/// lacks a channel.
 ComplianceSearch prepare(const hydraulics::Record& record, const hydraulics::Parameters& machine,
                          const Question& question, const IdentificationWay& way);
 

@@ -4,18 +4,18 @@
 
 namespace placedpar::identification {
 
-/// While a link's pressure moves too slowly over the window there is nothing to learn, and a search would follow the
-/// noise: no generation is made. Too slowly is judged by the flow into the compliance, so that a soft hose, whose
-/// pressure rises slowly, is let through.
+/// Stops the search while a link's pressure moves too slowly over the window: then the samples contain no information,
+/// and a search would follow the noise. The criterion is the flow into the compliance, so that a soft hose, whose
+/// pressure rises slowly, still passes.
 struct ExcitationGate {
-    double slope_psi_per_s = 800; ///< rms; ours: keeps 9 of 10 estimates within 10 % up to the mid noise
+    double slope_psi_per_s = 800; ///< rms; ours: keeps 9 of 10 estimates within 10 % up to the medium noise
 
-    /// The thesis's compliance: at it, slope and flow say the same.
+    /// The thesis's compliance, at which the limits on slope and on flow are equal.
     static constexpr double thesis_in3_per_psi = 0.0086;
-    /// Of the slope, where nothing is known of the compliance yet: 150 psi/s, as for UsableSamples.
+    /// The share of the slope that is required while no compliance has been found: 150 psi/s, as for UsableSamples.
     static constexpr double first_share = 150. / 800;
 
-    /// By the rms slope over a window, and the compliance that was found last.
+    /// Returns whether the search may run, from the rms slope over a window and the compliance found last.
     bool opens(double rms_psi_per_s, std::optional<double> compliance_in3_per_psi) const {
         if (!compliance_in3_per_psi)
             return rms_psi_per_s >= first_share * slope_psi_per_s;

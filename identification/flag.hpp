@@ -7,48 +7,49 @@
 
 namespace placedpar::identification {
 
-/// Why a compliance should not be believed as it stands.
+/// Names a reason why a compliance may be wrong.
 enum class FlagKind : unsigned char {
     lower_bound,   ///< the answer is at the search's lower bound
-    upper_bound,   ///< at its upper bound
+    upper_bound,   ///< the answer is at the search's upper bound
     no_excitation, ///< the pressure hardly moves
     misfit,        ///< the circuit's equations miss the flow by more than the bias allows
     still_valve,   ///< the valve reading never changes
     unsettled,     ///< the best individuals of the last generations disagree
     inconsistent,  ///< the population sets disagree: cross-check 1 of thesis 3.3
-    halves,        ///< the two halves of the samples do
+    halves,        ///< the two halves of the samples disagree
     uncertain,     ///< the standard error is too large a share of the answer
-    offset,        ///< an offset of the spool was found that may be a leak
+    offset,        ///< a spool offset was found, which may be a leak
     vacuum,        ///< a pressure is below vacuum
-    frozen,        ///< the pressure's sensor freezes
-    falls,         ///< the piston goes back while oil flows in
-    unconfirmed,   ///< least squares finds another compliance, or cannot tell it well enough
-    impossible,    ///< readings that no machine gives, such as single ones that stand out
-    leak_or_offset ///< one of the two; the record does not tell which
+    frozen,        ///< the pressure's sensor freezes and then jumps
+    falls,         ///< the piston retracts while oil flows in
+    unconfirmed,   ///< least squares finds another compliance, or an uncertain one
+    impossible,    ///< physically impossible readings, such as single outliers
+    leak_or_offset ///< a leak or an offset; the record does not tell which
 };
 
-/// As results for machines name it: "lower_bound".
+/// Returns the name used in machine-readable results: "lower_bound".
 std::string_view name_of(FlagKind);
 
 struct Flag {
     FlagKind kind;
-    std::string text; ///< a sentence for people, with its figures
+    std::string text; ///< a sentence with its figures
 };
 
-/// What least squares makes of samples.
+/// The result of least squares on a set of samples.
 struct LeastSquares {
     double compliance_in3_per_psi = 0;
-    double standard_error = std::numeric_limits<double>::infinity(); ///< the window does not determine it
+    double standard_error = std::numeric_limits<double>::infinity(); ///< infinite: the samples do not determine it
 
     friend bool operator==(const LeastSquares&, const LeastSquares&) = default;
 };
 
-/// The standard error, as a share of the compliance, above which it is flagged. Ours: at 10 % one answer in three is
-/// off by more than the thesis's 10 %.
+/// The relative standard error above which a compliance is flagged. Ours: at 10 % one answer in three is off by more
+/// than the thesis's 10 %.
 inline constexpr double uncertain_share = 0.1;
 
-/// A spool offset can make the data ask for a negative compliance, or one beyond the range of the search, which then
-/// stays at the end of its range. `step` is the resolution of the search.
+/// Return whether an answer is at the end of the search's range; `step` is the resolution of the search. A spool offset
+/// can make the data fit best at a negative compliance, or at one beyond the range, and the search then stays at the
+/// end.
 bool at_lower_bound(double compliance_in3_per_psi, double step_in3_per_psi);
 bool at_upper_bound(double compliance_in3_per_psi, double step_in3_per_psi);
 
@@ -56,9 +57,9 @@ Flag lower_bound_flag();
 Flag upper_bound_flag();
 Flag uncertain_flag(double compliance_in3_per_psi, double standard_error_in3_per_psi);
 
-/// An answer is confirmed where it and two standard errors lie within 10 % of what least squares finds over as much of
-/// the record as there is. Ours, tuned on simulated machines of all configurations. Nothing where it is; `samples` are
-/// what the least squares were over, in words.
+/// Returns a flag unless the answer is confirmed. It is confirmed if its distance from the reference, plus two standard
+/// errors of the reference, is at most 10 % of the reference. The limits are ours, tuned on simulated machines of all
+/// configurations. `samples` describes the samples of the reference in words.
 std::optional<Flag> unconfirmed_flag(double compliance_in3_per_psi, const LeastSquares& reference,
                                      std::string_view samples);
 

@@ -17,9 +17,9 @@ using namespace hydraulics;
 
 namespace {
 
-// Ours: half the gate's. Below them a third of the estimates are off by more than 10 % at the mid noise.
+// Ours: half the gate's. Below these a third of the estimates are off by more than 10 % at the medium noise.
 constexpr double least_slope_psi_per_s = 400, least_flow_in3_per_s = 3.4;
-// By how much they may differ, as a share of the compliance.
+// The largest accepted difference, as a share of the compliance.
 constexpr double halves_differ = 0.3;
 // The halves must also differ by this many standard errors, so that noise alone raises no flag.
 constexpr double halves_differ_errors = 4;
@@ -55,7 +55,7 @@ void flag_uncertainty(LinkIdentified& link) {
         link.flags.push_back(uncertain_flag(link.compliance_in3_per_psi, link.standard_error));
 }
 
-/// A valve that has opened keeps moving: a spool or an area that never changes comes from a dead sensor.
+/// Flags a valve reading that never changes. A valve that has opened keeps moving, so the sensor is dead.
 void flag_still_valve(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction) {
     auto inlet_in2 = [&](const CircuitSample& sample) { return sample.links[junction].inlet_in2; };
     if (std::ranges::count(samples, inlet_in2(samples.front()), inlet_in2) == std::ssize(samples))
@@ -64,7 +64,7 @@ void flag_still_valve(LinkIdentified& link, std::span<const CircuitSample> sampl
                               "moved"});
 }
 
-/// What no pressure does.
+/// Flags pressures that are physically impossible.
 void flag_pressure(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction) {
     std::vector<double> psi;
     for (const CircuitSample& sample : samples)
@@ -80,7 +80,8 @@ void flag_pressure(LinkIdentified& link, std::span<const CircuitSample> samples,
                                            samples[frozen->first].time_s, frozen->jump)});
 }
 
-/// Oil that flows in drives the piston out, but for what the hose takes up meanwhile: on average over the samples.
+/// Flags a piston that retracts on average over the samples. Oil that flows in extends it, apart from what the hose
+/// takes up.
 void flag_falling(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction) {
     double flow = 0;
     for (const CircuitSample& sample : samples)
@@ -91,7 +92,7 @@ void flag_falling(LinkIdentified& link, std::span<const CircuitSample> samples, 
                                                            -flow)});
 }
 
-/// Do the first and the second half of the samples ask for different compliances?
+/// Flags a link if the two halves of the samples give different compliances.
 void flag_halves(LinkIdentified& link, const ComplianceFit& early, const ComplianceFit& late, std::size_t junction) {
     double difference = std::abs(late.compliance_in3_per_psi[junction] - early.compliance_in3_per_psi[junction]);
     double error = std::hypot(early.standard_error[junction], late.standard_error[junction]);

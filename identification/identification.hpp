@@ -15,14 +15,14 @@
 
 namespace placedpar::identification {
 
-/// The compliance of one link, as identified.
+/// The identified compliance of one link.
 struct LinkIdentified {
     hydraulics::Link link;
     double compliance_in3_per_psi = 0;
-    double standard_error = 0; ///< of least squares on the last window: what the record's noise leaves uncertain
-    std::optional<LeastSquares> of_all_samples = {}; ///< where several links were searched for
-    std::optional<double> optimum = {}; ///< the best of all codes on the last window; none above exhaustive_bits
-    std::optional<double> codes_from_optimum = {}; ///< the answer's distance from it
+    double standard_error = 0;                       ///< of least squares on the last window, due to the record's noise
+    std::optional<LeastSquares> of_all_samples = {}; ///< only if several links were searched for at once
+    std::optional<double> optimum = {}; ///< best of all codes on the last window; nullopt above exhaustive_bits
+    std::optional<double> codes_from_optimum = {}; ///< distance of the answer from `optimum`, in codes
     std::vector<Flag> flags = {};                  ///< empty: nothing unusual
 
     bool flagged(FlagKind) const;
@@ -34,12 +34,12 @@ struct Identified {
     std::vector<TransientEstimate> estimates;
     std::uint64_t generations = 0;
 
-    bool flagged() const; ///< any link, with anything
+    bool flagged() const; ///< whether any link has a flag
 };
 
-/// Identifies the compliances of a circuit from its samples, without any simulated transputers. The search draws from
-/// the random stream (seed, "master"), as the process of that name in a netlist does, so that both give the same
-/// answer. Throws UnfitRecord when there are not enough samples for the first generation, saying why.
+/// Identifies the compliances of a circuit from its samples, without simulated transputers. The search draws from the
+/// random stream (seed, "master"), as the process of that name in a netlist does, so both give the same answer. Throws
+/// UnfitRecord, with the reason, if there are too few samples for the first generation.
 Identified identify(const CircuitProblem& problem, const hydraulics::FlowConstants& flow,
                     std::span<const hydraulics::CircuitSample> samples, const IdentificationWay& way,
                     std::uint64_t seed);

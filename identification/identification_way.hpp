@@ -11,22 +11,22 @@
 
 namespace placedpar::identification {
 
-/// How compliances are searched for as chapter 3 does, in one transient of a record. Who wants what an engineer would
-/// add, and all movements of a record, takes the diagnosis (on_line/record_diagnosis.hpp).
+/// The settings of a search as in chapter 3, over one transient of a record. For all movements of a record, with an
+/// engineer's improvements, use the diagnosis (on_line/record_diagnosis.hpp).
 struct IdentificationWay {
     SearchSettings search;
     std::size_t bits = CircuitProblem::usual_bits; ///< of one compliance
     Coding coding = Coding::natural;
     hydraulics::UsableSamples usable;
-    std::optional<ExcitationGate> gate; ///< the thesis has none
+    std::optional<ExcitationGate> gate; ///< nullopt, as in the thesis: no gate
 };
 
-/// As chapter 3 describes it: natural binary, no elite, one search over the 0.4 s of the transient.
+/// Returns the settings of chapter 3: natural binary, no elite, one search over the 0.4 s of the transient.
 IdentificationWay thesis_way();
-/// The same "during the pressure rise" (section 3.4): on its samples only.
+/// Returns the settings for a search "during the pressure rise" (section 3.4), which uses only the samples of the rise.
 IdentificationWay rising_way();
 
-/// Samples needed before the first generation.
+/// Returns the number of samples that the first generation needs.
 std::size_t samples_for_first_generation(const IdentificationWay&);
 
 } // namespace placedpar::identification

@@ -15,12 +15,12 @@ using namespace hydraulics;
 
 namespace {
 
-/// The last that was not frozen.
+/// Returns the last estimate that was not frozen.
 const TransientEstimate& last_live(std::span<const TransientEstimate> estimates) {
     return *std::ranges::find(estimates.rbegin(), estimates.rend(), false, &TransientEstimate::frozen);
 }
 
-/// The samples of the window of an estimate.
+/// Returns the samples of an estimate's window.
 std::span<const CircuitSample> last_window(std::span<const CircuitSample> samples, const TransientEstimate& last,
                                            std::size_t length) {
     auto end = std::ranges::find(samples, last.index, &CircuitSample::index) + 1;
@@ -30,7 +30,7 @@ std::span<const CircuitSample> last_window(std::span<const CircuitSample> sample
     return samples.subspan(first, size - first);
 }
 
-/// The least squares over these samples, begun at what the search found.
+/// Returns the least squares over these samples, started at the search's answer.
 std::optional<ComplianceFit> fit_beside(const Identified& result, std::span<const CircuitSample> samples,
                                         const FlowConstants& flow) {
     std::vector<double> found;
@@ -45,7 +45,8 @@ void compare_with_least_squares(Identified& result, std::span<const CircuitSampl
         result.links[j].standard_error = fit ? fit->standard_error[j] : std::numeric_limits<double>::infinity();
 }
 
-/// A search for several compliances at once can settle on a wrong string, which a short window does not show.
+/// Compares the answer with least squares over all samples. A search for several compliances at once can settle on a
+/// wrong string, which a short window does not show.
 void compare_with_all_samples(Identified& result, std::span<const CircuitSample> samples, const FlowConstants& flow) {
     auto fit = fit_beside(result, samples, flow);
     for (std::size_t j = 0; j < result.links.size(); ++j)

@@ -15,13 +15,13 @@ using namespace hydraulics;
 
 namespace {
 
-/// A sample of steady motion: the flow is known, the spool is in doubt.
+/// A sample of steady motion: its flow is known, its spool is uncertain.
 struct SteadySample {
     double inlet_psi, piston_flow_in3_per_s, spool_in;
 };
 
-/// The missing flow, if the true spool is its reading less the offset. Falls as the offset grows, since a smaller spool
-/// opens the bypass wider.
+/// Returns the missing flow if the true spool is its reading minus the offset. It falls as the offset grows, since a
+/// smaller spool opens the bypass wider.
 double missing_in3_per_s(const SteadySample& sample, double offset_in, const FlowConstants& flow) {
     OrificeAreas areas = boom_orifices(std::max(sample.spool_in - offset_in, boom_dead_band_in + 1e-4));
     double pump_psi =
@@ -38,10 +38,10 @@ double mean_missing(std::span<const SteadySample> samples, double offset_in, con
     return sum / static_cast<double>(samples.size());
 }
 
-/// The rms slope of the pressure; infinite when the motion is not steady.
+/// Returns the rms slope of the pressure; infinite if the motion is not steady.
 double unrest_psi_per_s(std::span<const CircuitSample> samples, const SteadyMotion& steady) {
     constexpr double never = std::numeric_limits<double>::infinity();
-    double squares = 0, halves_psi = 0; // the second half's pressures less the first's
+    double squares = 0, halves_psi = 0; // sum of the second half's pressures minus that of the first half
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const LinkSample& link = samples[i].links[0];
         if (link.piston_flow_in3_per_s < steady.least_flow_in3_per_s)
@@ -75,7 +75,7 @@ std::vector<SteadySample> steadiest_motion(const Record& record, const LinkCalib
     return motion;
 }
 
-/// The standard error of the mean of the samples' own offsets, to first order.
+/// Returns the standard error of the mean of the samples' own offsets, to first order.
 double standard_error(std::span<const SteadySample> samples, double offset_in, const FlowConstants& flow) {
     constexpr double step_in = 1e-4;
     double sum = 0, squares = 0;

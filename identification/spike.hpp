@@ -6,13 +6,14 @@
 
 namespace placedpar::identification {
 
-/// By how much a reading may lie off the median of the five around it, samples being 0.02 s apart; twice as far apart,
-/// four times as much. Ours: twice what simulated machines reach at the high noise.
+/// Returns the largest accepted distance of a reading from the median of the five readings around it. Readings 0.02 s
+/// apart are the reference; at twice the period the limit is four times as large. Ours: twice what simulated machines
+/// reach at high noise.
 double greatest_excursion(hydraulics::Sensor sensor, double period_s);
 
-/// Does the middle reading stand out from those around it, alone or with one beside it? No machine moves so: it is
-/// the logger's or the line's. One that continues the two before or the two after is none, as where a log is spliced.
-/// REQUIRES: five readings.
+/// Returns whether the middle reading, alone or with one neighbour, stands out from the others. No machine moves like
+/// that, so the logger or the line is at fault. A reading that continues the two before or the two after is accepted,
+/// since a log may be spliced there. REQUIRES: five readings.
 bool is_spike(std::span<const double> five, double greatest_excursion);
 
 } // namespace placedpar::identification

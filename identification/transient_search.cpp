@@ -17,7 +17,7 @@ using namespace hydraulics;
 
 namespace {
 
-/// Does a link's pressure move too slowly, given the compliance found last?
+/// Returns whether a link's pressure moves too slowly, given the compliance found last.
 bool is_unexcited(std::span<const CircuitSample> window, std::span<const double> compliance_in3_per_psi,
                   const ExcitationGate& gate) {
     for (std::size_t j = 0; j < compliance_in3_per_psi.size(); ++j)
@@ -26,7 +26,7 @@ bool is_unexcited(std::span<const CircuitSample> window, std::span<const double>
     return false;
 }
 
-/// The length of the longest window without a gap that the samples could fill.
+/// Returns the length of the longest run of samples without a gap.
 std::size_t longest_stretch(std::span<const CircuitSample> samples) {
     std::size_t longest = 0, length = 0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -45,7 +45,7 @@ void require_samples(std::span<const CircuitSample> samples, const Identificatio
             found, found < samples.size() ? " without a gap" : "", needed, way.usable.first_slope_psi_per_s));
 }
 
-/// The estimate stays what it was before the sample.
+/// Returns the previous estimate, with the time of this sample.
 TransientEstimate frozen_estimate(const CircuitSample& sample, TransientEstimate estimate) {
     estimate.index = sample.index;
     estimate.time_s = sample.time_s;

@@ -12,24 +12,23 @@
 
 namespace placedpar::identification {
 
-/// The search's answer after a sample.
+/// The answer of the search after a sample.
 struct TransientEstimate {
-    std::size_t index; ///< of the sample in the record
+    std::size_t index; ///< index of the sample in the record
     double time_s;
-    bool frozen;            ///< by the gate: the estimate is the one before
-    double error_in3_per_s; ///< rms over the window, of the best individual
+    bool frozen;            ///< whether the gate was shut; then the estimate is the previous one
+    double error_in3_per_s; ///< rms over the window, for the best individual
     std::vector<double> compliance_in3_per_psi;
 };
 
-/// What one search found.
+/// The result of one search.
 struct SearchRun {
     std::vector<TransientEstimate> estimates;
     std::uint64_t generations = 0;
 };
 
-/// One search over the samples. Differs from run_traditional() in two things:
-/// the gate, and gaps of the record, after which the window begins anew. Throws UnfitRecord when there are not enough
-/// samples for the first generation.
+/// Runs one search over the samples. It differs from run_traditional() in having the gate, and in restarting the window
+/// after a gap in the record. Throws UnfitRecord if there are too few samples for the first generation.
 SearchRun search_transient(const CircuitProblem& problem, std::span<const hydraulics::CircuitSample> samples,
                            const IdentificationWay& way, RandomStream random);
 

@@ -18,7 +18,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// In both PROGRAM stands for the program's name.
+/// In both scripts PROGRAM is replaced by the program's name.
 constexpr const char* bash_script =
     R"bash(# What may come next is asked of the program itself. Where that is nothing, bash completes names of files.
 _PROGRAM() {
@@ -38,7 +38,7 @@ _PROGRAM() {
 if [[ $funcstack[1] == _PROGRAM ]]; then _PROGRAM "$@"; else compdef _PROGRAM PROGRAM; fi
 )zsh";
 
-/// The words of "auto|none|INCHES" that are to be typed as they stand.
+/// Returns the words in "auto|none|INCHES" that are typed literally.
 Words choices_in(const std::string& type) {
     if (type.find('|') == std::string::npos)
         return {};
@@ -60,7 +60,7 @@ Words first_words(const DeclaredCommand& program) {
     return names;
 }
 
-/// What the command takes where no option does.
+/// Returns the values of the command's argument.
 Words values_of(const std::string& command) {
     for (const Command& each : commands())
         if (command == each.name && each.values)
@@ -68,7 +68,7 @@ Words values_of(const std::string& command) {
     return {};
 }
 
-/// Bash splits --format=svg in three.
+/// Removes "=", because bash splits --format=svg into three words.
 Words without_equals(const Words& typed) {
     Words words;
     for (const std::string& word : typed)
@@ -79,7 +79,7 @@ Words without_equals(const Words& typed) {
     return words;
 }
 
-/// What the last of the words could be, before it is compared with what it is so far.
+/// Returns the candidates for the last word, before comparison with its present beginning.
 Words candidates(const DeclaredCommand& program, const Words& words) {
     if (words.size() < 2)
         return first_words(program);
@@ -92,7 +92,8 @@ Words candidates(const DeclaredCommand& program, const Words& words) {
     return words.back().starts_with('-') ? command->names_of_options() : values_of(words.front());
 }
 
-/// Zsh leaves --format=s in one: what it takes is then to be completed as one, too. Else "".
+/// Cuts the option off a last word such as --format=s, which zsh does not split, so that the value is completed.
+/// Returns the option with "=", or "".
 std::string cut_option_off(Words& words) {
     if (words.empty() || !words.back().starts_with("--") || words.back().find('=') == std::string::npos)
         return "";
@@ -118,7 +119,7 @@ std::string script(std::string text) {
 }
 
 std::string refuse_shell(const std::string& name) {
-    bool known = name == "bash" || name == "zsh" || name == "words"; // the last one is for the scripts
+    bool known = name == "bash" || name == "zsh" || name == "words"; // "words" is for the scripts
     return known ? "" : fmt::format("there is nothing for the shell \"{}\": it is one of bash, zsh", name);
 }
 

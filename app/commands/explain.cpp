@@ -39,7 +39,7 @@ struct ExplainOptions {
     std::array<std::filesystem::path, 3> outputs() const { return {json, recorded.trace, recorded.page}; }
 };
 
-/// A value change dump has waveforms only.
+/// Throws UserError for a value change dump, which has waveforms only.
 void require_path_format(const std::filesystem::path& path) {
     require_trace_format(path);
     if (lower_case(path.extension().string()) == ".vcd")
@@ -47,13 +47,13 @@ void require_path_format(const std::filesystem::path& path) {
             fmt::format("{}: a critical path can be drawn in .json only, for ui.perfetto.dev", path.string()));
 }
 
-/// What --set says holds in the changed netlists too.
+/// Applies --set to the changed netlists too.
 Overrides with_set(const NetlistOptions& options, Overrides changes) {
     changes.merge(overrides_of(options.set));
     return changes;
 }
 
-/// Their warnings have been shown.
+/// Reads changed netlists silently, since their warnings have been shown.
 ChangedNetlist reading_with(const NetlistOptions& options, const ParsedNetlist& netlist) {
     return [options, netlist](const Overrides& changes) {
         return load_network(netlist, with_set(options, changes), known_kinds(known_problems(0)),
@@ -62,14 +62,14 @@ ChangedNetlist reading_with(const NetlistOptions& options, const ParsedNetlist& 
 }
 
 DeclaredWith declaring_with(const NetlistOptions& options, const ParsedNetlist& netlist) {
-    auto problems = std::make_shared<const ProblemRegistry>(known_problems(0)); // which the kinds know
+    auto problems = std::make_shared<const ProblemRegistry>(known_problems(0)); // the kinds use it
     auto kinds = std::make_shared<const Catalogue>(known_kinds(*problems));
     return [options, netlist, problems, kinds](const Overrides& changes) {
         return netlist.read(*kinds, with_set(options, changes)).declared;
     };
 }
 
-/// Who is told of the run while it goes on.
+/// The observers of a run.
 struct Listeners {
     Listeners(const Network& network, const RecordedFiles& files)
         : recorders(network, files, &path), searches(log_of(network)) {}
@@ -109,7 +109,7 @@ void write_output(const Explanation& explanation, const Network& network, const 
         write_whole(options.json, print_pretty(explanation_json(explanation, network)));
 }
 
-/// "" where they can be.
+/// Returns "" if they can be compared.
 std::string why_not_compared(Ending ending) {
     return ending == Ending::completed
                ? ""
@@ -134,7 +134,7 @@ void add_answers(Explanation& explanation, const Network& network, const Explain
     explanation.left_out = changes.size() - explanation.answers.size();
 }
 
-/// What was not tried for an interruption is told; the rest is as good as ever.
+/// Returns the exit code of an interruption if changes were left untried; the rest is complete.
 ExitCode exit_code_of(const Explanation& explanation) {
     return explanation.left_out > 0 ? exit_code_of(Ending::interrupted)
                                     : exit_code_of(explanation.report.result.ending);

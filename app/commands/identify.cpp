@@ -21,7 +21,7 @@ namespace placedpar {
 
 namespace {
 
-/// Throws UserError for what only the thesis's way knows.
+/// Throws UserError for options that only the thesis's way has.
 void require_one_way(const IdentifyOptions& options) {
     if (options.way == "thesis")
         return;

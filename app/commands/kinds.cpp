@@ -28,13 +28,13 @@ std::string list_kinds(const Catalogue& catalogue) {
                        program_name(), problems_group, policies_group);
 }
 
-/// Whether it is the name of a problem, with its numbers or without.
+/// Returns whether this is the name of a problem, with or without its numbers.
 bool is_problem(const ProblemRegistry& problems, const std::string& name) {
     auto names = problems.names();
     return std::ranges::count(names, name.substr(0, name.find('('))) > 0;
 }
 
-/// What can be asked for besides processes and devices.
+/// Returns the names that can be asked for besides processes and devices.
 std::vector<std::string> problems_and_policies(const ProblemRegistry& problems) {
     std::vector<std::string> names = problems.names(), policies = policy_names();
     names.emplace_back(problems_group);
@@ -42,10 +42,10 @@ std::vector<std::string> problems_and_policies(const ProblemRegistry& problems) 
     return names;
 }
 
-/// What the name stands for.
+/// The meaning of a name.
 enum class Meant { kinds, all_problems, problem, all_policies, policy };
 
-/// Throws UserError where it stands for nothing.
+/// Throws UserError if the name is unknown.
 Meant kind_of_name(const Catalogue& catalogue, const ProblemRegistry& problems, const std::string& name) {
     auto known = known_names(catalogue);
     if (name.empty() || std::ranges::count(known, known_name(catalogue, name)) > 0)

@@ -13,7 +13,7 @@ namespace placedpar {
 
 namespace {
 
-/// A text as troff takes it: its own signs escaped, a hyphen as typed, a line that is no request.
+/// Escapes a text for troff: its special characters, hyphens, and lines that would be taken for a request.
 std::string troff(std::string_view text) {
     std::string out;
     for (char c : text)
@@ -21,7 +21,7 @@ std::string troff(std::string_view text) {
     return out.starts_with('.') || out.starts_with('\'') ? "\\&" + out : out;
 }
 
-/// "TYPE", with what is there if nothing is said.
+/// Returns "TYPE" and the default value.
 std::string value_of(const DeclaredOption& option) {
     if (!option.takes_value)
         return "";
@@ -41,7 +41,7 @@ std::string describe_options(const DeclaredCommand& command) {
     return out;
 }
 
-/// Lines as they are.
+/// Returns the lines unchanged, as a block.
 std::string as_typed(const std::string& text) { return text.empty() ? "" : ".PP\n.nf\n\\&" + troff(text) + "\n.fi\n"; }
 
 std::string describe_command(const DeclaredCommand& command) {

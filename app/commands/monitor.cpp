@@ -24,15 +24,16 @@ using namespace identification;
 
 namespace {
 
-/// Ends included; all ours, wider than anybody needs and narrow enough that nothing overflows or never ends.
+/// The range of an option, ends included. All ranges are ours: wider than any practical value, and narrow enough to
+/// exclude overflows and endless waits.
 struct Bounds {
     double least, greatest;
 };
 
 constexpr Bounds timeouts{0.01, 86400};
 
-/// An option that takes a number within bounds, and nothing else. CLI11 itself takes nan, -1 for the greatest number
-/// there is, and 010 for eight.
+/// Declares an option that accepts only a number within bounds. CLI11 itself would accept nan, -1 as the greatest
+/// number, and 010 as eight.
 template <typename Number>
 void add_number(Options& command, const std::string& group, const char* name, Number& value, const char* type,
                 Bounds bounds, const char* about) {
@@ -115,16 +116,16 @@ void add_options(Options& command, MonitorOptions& options) {
     add_diagnosis(command, settings.diagnosis);
 }
 
-/// An address of IPv6 stands in brackets, and one of all interfaces is this computer's, too.
+/// Returns the address as a URL needs it: IPv6 in brackets.
 std::string for_browsers(const std::string& address) {
     return address.find(':') == address.npos ? address : fmt::format("[{}]", address);
 }
 
 ExitCode serve(const ServiceSettings& settings) {
-    std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is like a full disk, no reason to end
+    std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is handled like a full disk
     Log log(STDERR_FILENO);
     Service service(settings, log);
-    service.heed_signals(); // before anybody can know of it
+    service.heed_signals(); // before the service is announced
     if (settings.port)
         print_out(fmt::format("placedpar monitor: listening on {} port {}\n", settings.address, service.port()));
     if (!settings.unix_path.empty())
@@ -156,7 +157,7 @@ Action declare(Options& command, const std::string&) {
 
 namespace placedpar {
 
-/// Serves until SIGINT or SIGTERM: prints where it listens, and on standard error what the operator should know.
+/// Serves until SIGINT or SIGTERM. Prints where it listens, and messages for the operator on standard error.
 extern const Command monitor_command{
     .name = "monitor",
     .about = "Serves the on-line diagnosis to control systems over TCP",

@@ -36,7 +36,7 @@ struct OptimiseOptions {
     std::optional<std::uint64_t> seed, population, generations;
     std::optional<Time> until;
     bool random = false, exhaustive = false;
-    std::string results; ///< "": by the study's name
+    std::string results; ///< "": named after the study
     std::string csv, svg;
     std::size_t jobs = 0;
     bool yes = false, any_version = false;
@@ -77,7 +77,7 @@ Network network_with(const Study& study, const Overrides& settings) {
         study.netlist, settings, known_problems(0), [](const std::string&) {}, study.read);
 }
 
-/// The netlist as it is, or one of its machines where that is none.
+/// Returns the netlist as it is, or one of its machines if it is not valid as it is.
 Network some_network(const Study& study, const MachineSpace& space) {
     try {
         return network_with(study, space.fixed());
@@ -86,7 +86,8 @@ Network some_network(const Study& study, const MachineSpace& space) {
     }
 }
 
-/// Of what can be measured, and where what is written is none of the netlist's files.
+/// Returns the source of the study. Requires that its measures can be measured, and that no output file is a file of
+/// the netlist.
 StudySource searchable_source(const OptimiseOptions& options, const Study& study, const MachineSpace& space) {
     Network network = some_network(study, space);
     require_possible(shown_measures(study), study, network);
@@ -106,7 +107,7 @@ std::string told(const CourseProgress& progress) {
     return out;
 }
 
-/// What is searched, with what is needed for it.
+/// The search in progress and everything that it needs.
 struct Session {
     const OptimiseOptions& options;
     Study study = searched_study(options);
@@ -117,7 +118,8 @@ struct Session {
     MachineTrials trials{study, space, results, options.jobs, interruption};
 };
 
-/// That the search makes at most, but for those that are there; the greatest number where they cannot be counted.
+/// Returns the most runs that the search makes, without those already made; the greatest number if they cannot be
+/// counted.
 std::uint64_t most_runs(const Session& session) {
     const StudySearch& wanted = *session.study.search;
     std::uint64_t bred = wanted.population - wanted.population / 2;
@@ -133,14 +135,15 @@ std::optional<double> seconds_of(const Study& study, Session& session) {
     return StudySweep(study, session.results).seconds_a_run(session.interruption);
 }
 
-/// Of one of the netlist as it is, or, where that is none, of the first machine. None when interrupted.
+/// Returns the time of a run of the netlist as it is or, if that is not valid, of the first machine. Returns nullopt if
+/// interrupted.
 std::optional<double> seconds_of_a_run(Session& session) {
     std::optional<double> seconds = seconds_of(study_of(session.study, {session.space.fixed()}), session);
     std::optional<StudyOutcome> start = session.results.find({session.space.fixed(), session.study.first_seed});
     return start && start->refused.empty() ? seconds : seconds_of(session.study, session);
 }
 
-/// Whether to begin. An interrupted session is not.
+/// Returns whether to begin; false if the session was interrupted.
 bool is_meant(Session& session) {
     std::uint64_t runs = most_runs(session);
     if (runs <= most_unasked || session.options.yes)
@@ -149,7 +152,7 @@ bool is_meant(Session& session) {
     return seconds && are_meant({runs, false, session.options.jobs, *seconds}, session.interruption);
 }
 
-/// Each way that is wanted, until one is interrupted: false.
+/// Searches in each way requested. Returns false if one was interrupted.
 bool go_all_ways(Session& session, MachineSearch& search, Optimum& optimum) {
     auto add = [&](std::optional<SearchCourse> course) {
         if (course && optimum.courses.empty() && course->front().empty())
@@ -163,7 +166,7 @@ bool go_all_ways(Session& session, MachineSearch& search, Optimum& optimum) {
            (!session.options.exhaustive || add(search.exhaustive()));
 }
 
-/// None when interrupted, or not meant.
+/// Returns nullopt if the search was interrupted or not confirmed.
 std::optional<Optimum> search_for(Session& session) {
     Optimum optimum;
     optimum.measures = session.study.search->minimise;
@@ -179,7 +182,7 @@ std::optional<Optimum> search_for(Session& session) {
     return go_all_ways(session, search, optimum) ? std::optional(std::move(optimum)) : std::nullopt;
 }
 
-/// None when interrupted, or where it is too long to be kept.
+/// Returns nullopt if interrupted, or if the run is too long to be kept.
 std::optional<std::vector<PathPart>> path_of(Session& session, const Overrides& settings) {
     CriticalPath path;
     RunReport report = run_netlist(network_with(session.study, settings), known_problems(session.study.first_seed),
@@ -191,7 +194,8 @@ std::optional<std::vector<PathPart>> path_of(Session& session, const Overrides& 
     return known ? std::optional(path.parts()) : std::nullopt;
 }
 
-/// Why the best machine takes another time than the netlist as it is; "" where that is no machine, or when interrupted.
+/// Returns why the best machine takes another time than the netlist as it is; "" if that is not a valid machine or the
+/// search was interrupted.
 std::string reason_of(Session& session, const Optimum& optimum, const Overrides& best) {
     if (!optimum.start.merit.feasible)
         return "";
@@ -203,7 +207,7 @@ std::string reason_of(Session& session, const Optimum& optimum, const Overrides&
     return session.interruption.requested() ? "" : "the runs are too long for their critical paths to be compared\n\n";
 }
 
-/// Whichever way found it.
+/// Returns the settings of the best machine, whichever search found it.
 Overrides best_settings(const Session& session, const SearchCourse& all) {
     return session.space.settings(all.machines[best_of(all).front()]);
 }
@@ -218,7 +222,7 @@ void print_optimum(Session& session, const Optimum& optimum, const StudySummary&
                                                               session.results.path().string()));
 }
 
-/// What was interrupted is told; all that is kept is as good as ever.
+/// Reports an interruption; all results that were kept remain valid.
 ExitCode end_of(const Session& session) {
     if (!session.interruption.requested())
         return ExitCode::success;
@@ -255,7 +259,7 @@ void add_search_size(Options& command, OptimiseOptions& options) {
                "machines of a generation");
     add_number(command, "--generations", options.generations, 1, StudySearch::most_generations, "how many are bred");
     command.add("--until", options.until, "stops a run at this moment of the machine's time");
-    add_jobs(command, options.jobs, "so many runs at once; as many as there are cores if nothing is said");
+    add_jobs(command, options.jobs, "number of parallel runs; default: number of cores");
 }
 
 Action declare_optimise(Options& command, const std::string&) {
@@ -264,9 +268,8 @@ Action declare_optimise(Options& command, const std::string&) {
     add_search_size(command, *options);
     command.add_flag("--random", options->random, "draws as many machines at random, to compare");
     command.add_flag("--exhaustive", options->exhaustive, "tries all machines out, to compare");
-    add_file(
-        command, "--results", options->results,
-        "where the runs are kept and looked for; the study's name with .sqlite, in this folder, if nothing is said");
+    add_file(command, "--results", options->results,
+             "file of the results, which is read and extended; default: the study's name with .sqlite, in this folder");
     add_file(command, "--csv", options->csv, "writes the best machines, or the front, as comma-separated values");
     add_file(command, "--svg", options->svg, "draws the search, or the front");
     command.add_flag("--yes", options->yes, "begins even very many runs without a question");

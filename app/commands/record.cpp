@@ -22,7 +22,7 @@ using namespace hydraulics;
 
 namespace {
 
-/// What the command line may say.
+/// The options of the command.
 struct RecordOptions {
     std::string scenario, links, configuration, noise, machine, out;
     std::vector<std::string> set;
@@ -47,7 +47,7 @@ void require_output(const RecordOptions& options) {
     require_writable(options.out);
 }
 
-/// What the command writes: the record, or with --list the scenario's parameters.
+/// Returns the output of the command: the record, or with --list the scenario's parameters.
 std::string text_of(const RecordOptions& options) {
     const RecordScenario& scenario = scenario_called(options.scenario);
     LinksInMotion moving = moving_of(options, scenario);

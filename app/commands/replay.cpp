@@ -27,13 +27,13 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::uint64_t most_seeds = 1'000'000; ///< ours: one typed with too many digits must not fill the memory
+constexpr std::uint64_t most_seeds = 1'000'000; ///< ours: a number typed with too many digits must not fill the memory
 
-/// What the command line may say; what is written has no file where it is empty.
+/// The options of the command; an empty file name means that the file is not written.
 struct ReplayOptions {
     std::string experiment, json, plots, resume;
     std::uint64_t seed = 1;
-    std::size_t seeds = 0; ///< 0: as many as the experiment says
+    std::size_t seeds = 0; ///< 0: the experiment's own number
     bool yes = false;
 };
 
@@ -102,7 +102,7 @@ void require_study(const Experiment& experiment, const ReplayOptions& options) {
     require_writable(options.resume);
 }
 
-/// Where the runs of a study are kept.
+/// Opens the results of the study's runs.
 StudyResults results_of(const ReplayOptions& options) {
     const std::string whose =
         fmt::format("replay {} --seed {}, {} {}", options.experiment, options.seed, version, commit);
@@ -135,7 +135,7 @@ void write_files(const Replay& replay, const ReplayOptions& options, const std::
         write_plots(replay, options.plots);
 }
 
-/// What an interrupted study leaves to go on from.
+/// Tells the user how to continue an interrupted study.
 std::string what_is_left(const ReplayOptions& options, const UnfinishedRun& unfinished) {
     if (unfinished.ending != Ending::interrupted || find_experiment(options.experiment).seeds == 0)
         return "";

@@ -23,22 +23,22 @@ namespace placedpar {
 namespace {
 
 struct ReportOptions {
-    std::string study; ///< a file of results, or what they are called after
+    std::string study; ///< a file of results, or the study or netlist after which they are named
     std::vector<std::string> measures, relative_to;
-    std::string over;           ///< the axis of the plot; "": the one with most numbers
+    std::string over;           ///< axis of the plot; "": the one with the most numbers
     std::string csv, svg, page; ///< files; "": not written
 
     std::array<std::filesystem::path, 3> outputs() const { return {csv, svg, page}; }
 };
 
-/// Where placedpar sweep puts the results of a netlist or a study unless told otherwise.
+/// Returns where placedpar sweep stores the results of a netlist or a study by default.
 std::filesystem::path kept_results_of(const std::string& study) {
     std::string name = lower_case(study);
     return name.ends_with(".toml") || name.ends_with(".cfs") ? std::filesystem::path(study).stem().string() + ".sqlite"
                                                              : study;
 }
 
-/// Of the runs that a study asks for, where it is one.
+/// Summarises the runs that a study asks for, or all runs if it is a file of results.
 StudySummary summary_of(StudyResults& results, const ReportOptions& options) {
     std::optional<Study> study;
     if (lower_case(options.study).ends_with(".toml"))
@@ -74,7 +74,7 @@ void require_report_outputs(const ReportOptions& options, const std::filesystem:
         throw UserError("--over says what the plot is drawn over: say also where it is to go, by --svg or --page");
 }
 
-/// Throws UserError for one that no run has, where there are runs that came to an end.
+/// Throws UserError for a measure that no run has, if any run completed.
 void require_measured(const StudySummary& summary, StudyResults& results) {
     std::optional<StudyFigures> figures;
     results.for_each([&](const StudyRun&, const StudyOutcome& outcome) {

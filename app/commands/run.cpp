@@ -41,7 +41,7 @@ struct RunOptions {
     Time until = Time::max();
     std::uint64_t seed = 1;
     std::optional<std::uint64_t> shuffle = {};
-    std::size_t seeds = 1; ///< from that one on
+    std::size_t seeds = 1; ///< number of seeds, from the first on
     bool watch = false, yes = false;
 
     std::array<std::filesystem::path, 5> outputs() const {
@@ -53,7 +53,7 @@ struct RunOptions {
     }
 };
 
-/// Of one seed.
+/// The report and the searches of one seed.
 struct FinishedRun {
     RunReport report;
     SeededLog searches;
@@ -77,7 +77,7 @@ void require_outputs(const RunOptions& options) {
             require_writable(path);
 }
 
-/// Throws UserError where what is asked for cannot be had of this network.
+/// Throws UserError if an option cannot be used with this network.
 void require_fit(const Network& network, const RunOptions& options) {
     for (const std::string& included : network.included_paths)
         require_apart(options.outputs(), included);
@@ -107,7 +107,7 @@ FinishedRun run_seed(const Network& network, const RunOptions& options, std::uin
     return {std::move(report), std::move(searches)};
 }
 
-/// Asks whether very many runs are meant, when the first has shown how long one takes.
+/// Asks the user to confirm very many runs, when the first has shown how long one takes.
 bool others_are_meant(const RunOptions& options, std::chrono::steady_clock::time_point begun,
                       const Interruption& interruption) {
     if (options.seeds <= most_unasked || options.yes)
@@ -116,10 +116,10 @@ bool others_are_meant(const RunOptions& options, std::chrono::steady_clock::time
     return are_meant({options.seeds, true, 1, taken.count()}, interruption);
 }
 
-/// Until one is interrupted; none where they are not meant.
+/// Runs the seeds until one is interrupted. Returns none if the runs are not confirmed.
 std::vector<FinishedRun> run_seeds(const Network& network, const RunOptions& options, TraceSink* trace) {
     InterruptedBySignals interruption;
-    std::optional<ProgressLine> progress; // beside a watch it would write into what is drawn
+    std::optional<ProgressLine> progress; // a watch would be disturbed by the line
     if (options.seeds > 1 && !options.watch)
         progress.emplace();
     std::vector<FinishedRun> runs;
@@ -146,7 +146,7 @@ std::string print_run(std::uint64_t seed, const RunResult& result) {
                        name_of(result.ending));
 }
 
-/// So many as were asked for, or as were begun before the interruption.
+/// Describes the number of seeds that were run, and whether the runs were interrupted.
 std::string print_seeds(std::size_t begun, std::size_t asked) {
     return begun == asked ? counted(asked, "seed")
                           : fmt::format("{} of {}, then interrupted", begun, counted(asked, "seed"));
@@ -184,7 +184,8 @@ void write_files(const Network& network, std::span<const FinishedRun> runs, std:
         write_whole(options.convergence, draw_svg(convergence_plot(network.source_path, logs)));
 }
 
-/// Of the first run that did not end well. An interruption between two runs is none's ending, but leaves some out.
+/// Returns the exit code of the first run that did not end well. An interruption between runs ends no run, so the
+/// number of runs is compared too.
 ExitCode exit_code_of(std::span<const FinishedRun> runs, std::size_t asked) {
     for (const FinishedRun& run : runs)
         if (ExitCode code = exit_code_of(run.report.result.ending); code != ExitCode::success)

@@ -38,12 +38,12 @@ struct SweepOptions {
     ReadOptionsTyped read;
     std::optional<std::uint64_t> seed, seeds;
     std::optional<Time> until;
-    std::string results; ///< "": by the study's name
+    std::string results; ///< "": named after the study
     std::size_t jobs = 0;
     bool yes = false, any_version = false;
 };
 
-/// In the place of the axis of that name, if there is one.
+/// Adds the axis, or replaces the axis of the same name.
 void set_axis(StudyProduct& product, const StudyAxis& axis) {
     auto found = std::ranges::find(product.axes, axis.name, &StudyAxis::name);
     if (found == product.axes.end())
@@ -52,7 +52,7 @@ void set_axis(StudyProduct& product, const StudyAxis& axis) {
         *found = axis;
 }
 
-/// Whether its cells differ in that setting.
+/// Returns whether the table's cells differ in this setting.
 bool varies(const StudyTable& table, const std::string& name) {
     auto sets = [&](const StudyVariant& runs) { return runs.set.contains(name); };
     return std::ranges::any_of(table.columns, sets) || std::ranges::any_of(table.rows, [&](const StudyRow& row) {
@@ -60,7 +60,7 @@ bool varies(const StudyTable& table, const std::string& name) {
            });
 }
 
-/// A table says which of its runs stands in a cell, so that it takes one value of each setting.
+/// Applies the axis to the table. A table assigns its runs to cells, so each setting can have only one value.
 void set_in_table(StudyTable& table, const StudyAxis& axis) {
     if (axis.count() > 1)
         throw UserError(
@@ -118,7 +118,7 @@ std::filesystem::path results_of(const SweepOptions& options) {
     return options.results.empty() ? std::filesystem::path(options.study).stem().string() + ".sqlite" : options.results;
 }
 
-/// One line that says how far it is, and how long the rest takes.
+/// Shows one line with the progress and the remaining time.
 class SweepProgress {
 public:
     /// Shows the progress of the missing runs, of which `made` have been made already.
@@ -140,7 +140,7 @@ private:
         return print_duration(seconds() * runs / static_cast<double>(ended)) + " left";
     }
 
-    using Clock = std::chrono::steady_clock; // of the wall: it decides nothing of a run
+    using Clock = std::chrono::steady_clock; // wall-clock time; it decides nothing of a run
     static constexpr double patience_seconds = 20;
 
     StudySweep::Missing missing_;
@@ -154,12 +154,12 @@ void say_interrupted(const StudyResults& results) {
                             results.path().string()));
 }
 
-/// No more than there is work for.
+/// Returns the number of workers, which is at most the number of runs.
 std::size_t workers_for(const StudySweep::Missing& missing, const SweepOptions& options) {
     return std::min<std::uint64_t>(options.jobs, std::max<std::uint64_t>(missing.runs, 1));
 }
 
-/// False when it was interrupted, or not meant.
+/// Returns false if it was interrupted or not confirmed.
 bool make_missing_runs(const Study& study, const SweepOptions& options, StudyResults& results,
                        Interruption& interruption, RankZero* others) {
     StudySweep sweep(study, results);
@@ -173,7 +173,7 @@ bool make_missing_runs(const Study& study, const SweepOptions& options, StudyRes
     sweep.try_measures(interruption);
     missing = sweep.missing();
     SweepProgress progress(
-        asked, asked.runs - std::min(missing.runs, asked.runs)); // the first have been made to see what they measure
+        asked, asked.runs - std::min(missing.runs, asked.runs)); // the first runs were made to find the measures
     std::function<bool(bool)> serve;
     if (others) {
         others->begin(sweep, results.source());
@@ -184,7 +184,7 @@ bool make_missing_runs(const Study& study, const SweepOptions& options, StudyRes
     return !interruption.requested();
 }
 
-/// What the study's tables say, and whether that is within their tolerances.
+/// Prints the study's tables and returns whether they are within their tolerances.
 ExitCode print_tables(const Study& study, StudyResults& results) {
     if (study.tables.empty())
         return ExitCode::success;
@@ -198,14 +198,14 @@ ExitCode print_tables(const Study& study, StudyResults& results) {
     return are_within_tolerance(tables) ? ExitCode::success : ExitCode::missed_tolerance;
 }
 
-/// As a rank other than 0.
+/// Works for rank 0, as another rank.
 ExitCode help(Ranks& ranks, const SweepOptions& options) {
     InterruptedBySignals interruption;
     RankHelper(ranks, options.jobs).help([&] { return study_of(options); }, interruption);
     return ExitCode::success;
 }
 
-/// With the others, where this is rank 0 of several.
+/// Makes the sweep, with the help of other ranks if this is rank 0 of several.
 ExitCode sweep(const SweepOptions& options, RankZero* others) {
     Study study = study_of(options);
     for (const std::string& measure : study.measures)
@@ -245,12 +245,11 @@ ExitCode sweep(const SweepOptions& typed) {
 }
 
 void add_size(Options& command, SweepOptions& options) {
-    add_count(command, "--seed", options.seed, "the first seed, 1 if nothing is said");
+    add_count(command, "--seed", options.seed, "the first seed; default: 1");
     add_count(command, "--seeds", options.seeds, "runs each combination with so many seeds, from the first on")
         .check(not_at_least_one);
     command.add("--until", options.until, "stops a run at this moment of the machine's time");
-    add_jobs(command, options.jobs,
-             "so many runs at once; as many as there are cores if nothing is said, one in each rank of mpirun");
+    add_jobs(command, options.jobs, "number of parallel runs; default: number of cores, or one in each rank of mpirun");
 }
 
 Action declare_sweep(Options& command, const std::string&) {
@@ -266,9 +265,8 @@ Action declare_sweep(Options& command, const std::string&) {
                      "what is to be known of the runs: time, master.T_exe, max(slave.T_c); as often as wanted");
     add_size(command, *options);
     add_read_options(command, options->read);
-    add_file(
-        command, "--results", options->results,
-        "where the runs are kept and looked for; the study's name with .sqlite, in this folder, if nothing is said");
+    add_file(command, "--results", options->results,
+             "file of the results, which is read and extended; default: the study's name with .sqlite, in this folder");
     command.add_flag("--yes", options->yes, "begins even very many runs without a question");
     command.add_flag("--any-version", options->any_version, "adds to results that another version of PlacedPar made");
     return [options] { return sweep(*options); };

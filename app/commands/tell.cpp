@@ -25,7 +25,7 @@ struct TellOptions {
     std::size_t for_s = 8 * 3600;
 };
 
-/// One of what can be said, and how many words come with it.
+/// A command for the monitor and the number of words after it.
 struct Saying {
     const char* name;
     std::size_t least_words, most_words;
@@ -50,10 +50,10 @@ std::string message_of(const TellOptions& options) {
     const std::vector<std::string>& words = options.words;
     const auto* saying = std::ranges::find(sayings, words[0], &Saying::name);
     if (saying == std::end(sayings))
-        refuse_words(fmt::format("\"{}\" cannot be said", words[0]));
+        refuse_words(fmt::format("\"{}\" is not a command for the monitor", words[0]));
     std::size_t more = words.size() - 1;
     if (more < saying->least_words || more > saying->most_words)
-        refuse_words(fmt::format("{} has {} words behind it", words[0], more));
+        refuse_words(fmt::format("{} is followed by {} words", words[0], more));
     json::object message{{"type", words[0]}};
     if (more >= 1)
         message["machine"] = words[1];
@@ -89,7 +89,7 @@ Action declare_tell(Options& command, const std::string&) {
 
 } // namespace
 
-/// Says one thing to a running monitor, and prints its answer, a line of JSON.
+/// Sends one message to a running monitor and prints its answer, a line of JSON.
 extern const Command tell_command{
     .name = "tell",
     .about = "Tells a running monitor to forget a machine, or that an alarm has been seen",

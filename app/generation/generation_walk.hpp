@@ -11,44 +11,45 @@
 
 namespace placedpar {
 
-/// A search that is small enough to be done by hand: strings of four bits, the vertices of Figure 6.2, roulette,
+/// The settings of a search small enough to follow by hand: strings of four bits, the vertices of Figure 6.2, roulette,
 /// one-point crossover, mutation.
 struct WalkSettings {
     std::size_t population = 6;
     double crossover_probability = 0.8;
-    double mutation_probability = 0.05; ///< ours: at the thesis's .01 hardly any bit of so few is flipped
+    double mutation_probability = 0.05; ///< ours: at the thesis's .01 hardly any of so few bits is flipped
     std::string function = "square";    ///< one of walk_functions()
     std::uint64_t seed = 1;
 };
 
 inline constexpr std::size_t walk_bits = 4;
 
-/// "square": x^2; "ones": how many bits are 1; "impulse": 1 at 1011 and 0 elsewhere (Figure 6.5).
+/// Returns the names: "square" is x^2, "ones" the number of bits that are 1, "impulse" 1 at 1011 and 0 elsewhere
+/// (Figure 6.5).
 std::vector<std::string> walk_functions();
 
-/// What a pair of mates drew.
+/// The random numbers of a pair of mates and their effect.
 struct Mating {
-    double drawn; ///< below the crossover probability: they are crossed
+    double drawn; ///< below the crossover probability, the pair is crossed
     bool crossed;
-    std::size_t cut; ///< characters before it are exchanged; where they are crossed
+    std::size_t cut; ///< number of leading characters that are exchanged, if the pair is crossed
 };
 
-/// One generation, step by step (thesis 1.1, Figure 6.4). Strings at one place of the lists belong together.
+/// One generation, step by step (thesis 1.1, Figure 6.4). Strings with the same index in the lists belong together.
 struct WalkedGeneration {
-    std::size_t number; ///< from 1
+    std::size_t number; ///< counted from 1
     std::vector<Genome> population = {};
     std::vector<double> fitness = {};
-    std::vector<double> spins = {};        ///< of the roulette, 0 to 1; empty where no fitness is positive
-    std::vector<std::size_t> parents = {}; ///< by index in the population; empty likewise
+    std::vector<double> spins = {};        ///< of the roulette, 0 to 1; empty if no fitness is positive
+    std::vector<std::size_t> parents = {}; ///< indices in the population; empty if no fitness is positive
     std::vector<Genome> reproduced = {};
     std::vector<Mating> matings = {}; ///< of strings 0 and 1, 2 and 3, ...
     std::vector<Genome> crossed = {}, mutated = {};
 };
 
-/// The generations of Search with the same settings and stream, bit for bit, and what was drawn for them.
+/// Makes the same generations as Search with the same settings and stream, bit by bit, and records the random numbers.
 class GenerationWalk {
 public:
-    /// Throws UserError: as SearchSettings::validate(), and for a function that there is not.
+    /// Throws UserError as SearchSettings::validate() does, and for an unknown function.
     explicit GenerationWalk(const WalkSettings& settings);
 
     WalkedGeneration next();
@@ -63,11 +64,11 @@ private:
     std::size_t generations_ = 0;
 };
 
-/// For students: every step as a table, with the numbers that were drawn, and the schemata of order 1 with what
-/// equation 6.2 says of them.
+/// Returns every step as a table for students, with the random numbers, and the schemata of order 1 with the prediction
+/// of equation 6.2.
 std::string print_walk(const WalkedGeneration&, const WalkSettings&);
 
-/// Steps 0 to 3 of Figure 6.4: the population, after reproduction, mates and offspring, the next population.
+/// Returns steps 0 to 3 of Figure 6.4: the population, after reproduction, mates and offspring, the next population.
 std::vector<DrawnHypercube> draw_walk(const WalkedGeneration&);
 VertexLegend walk_legend();
 

@@ -15,16 +15,17 @@
 
 namespace placedpar {
 
-// What both ways to identify ask of a record.
+// Both ways to identify use these functions.
 
 std::optional<hydraulics::AreasFrom> areas_asked(const IdentifyOptions& options);
-/// Of a number of inches. Throws UserError for anything else.
+/// Reads a number of inches. Throws UserError for anything else.
 double offset_asked(const std::string& text);
-/// Inlet pressure and angle of these links, and what their areas come from; `links` is given the channels there are.
+/// Returns the channels that these links need: inlet pressure, angle and the source of their areas. `links` receives
+/// the channels present and returns the links.
 hydraulics::RecordNeeds needs_of(const IdentifyOptions& options,
                                  std::function<hydraulics::LinkSet(const hydraulics::ChannelSet&)> links);
 
-/// How the record's readings were averaged.
+/// States how the record's readings were averaged.
 boost::json::object sampling_json(const hydraulics::Sampling& sampling);
 boost::json::array warnings_json(const std::vector<Diagnostic>& warnings);
 

@@ -35,11 +35,11 @@ int opened(const std::filesystem::path& path) {
     return descriptor;
 }
 
-/// Is there something to read, or the end? A pipe may make everybody wait.
+/// Waits briefly for input or its end, because a read from a pipe could block. Returns whether there is some.
 bool readable(int descriptor) {
     constexpr int patience_ms = 200;
     pollfd asked{descriptor, POLLIN, 0};
-    return ::poll(&asked, 1, patience_ms) > 0; // not so when a signal came
+    return ::poll(&asked, 1, patience_ms) > 0; // false if a signal interrupts the wait
 }
 
 } // namespace
@@ -77,7 +77,7 @@ void RecordPieces::fill() {
 std::string RecordPieces::next_lines() {
     fill();
     const std::size_t end = buffer_.rfind('\n');
-    // Half a line that is longer than lines may be is refused as it is; what follows a stop is not read.
+    // Too long a line is refused even if it is incomplete. After a stop, an incomplete line is dropped.
     const bool whole = over_ && !stopped_;
     const std::size_t size = whole || end == std::string::npos ? buffer_.size() : end + 1;
     std::string lines = buffer_.substr(0, stopped_ && end == std::string::npos ? 0 : size);

@@ -14,26 +14,26 @@
 
 namespace placedpar {
 
-/// A record of any length, of a file, a pipe or standard input ("-"), read piece by piece: no more than two pieces of
-/// the text are in memory. What is wrong is said as for load_record, the first 20 warnings of all pieces.
+/// Reads a record of any length piece by piece from a file, a pipe or standard input ("-"). At most two pieces of the
+/// text are in memory. Errors are reported as by load_record, and the first 20 warnings of all pieces.
 class RecordPieces {
 public:
-    static constexpr std::size_t piece_bytes = 1 << 20; ///< to the end of the line
+    static constexpr std::size_t piece_bytes = 1 << 20; ///< length of a piece, extended to the end of its line
 
-    /// Throws RefusedInput where the file cannot be read. `stop` is asked before every reading and while a pipe gives
-    /// nothing; after it the record is over.
+    /// Throws RefusedInput if the file cannot be read. `stop` is called before every read and while a pipe is empty;
+    /// the record ends when it returns true.
     RecordPieces(const std::filesystem::path& path, hydraulics::RecordNeeds needs, WarningSink warn,
                  std::function<bool()> stop = {});
     ~RecordPieces();
     RecordPieces(const RecordPieces&) = delete;
     RecordPieces& operator=(const RecordPieces&) = delete;
 
-    /// The next piece; none when the record is over. Throws RefusedInput.
+    /// Returns the next piece, or nullopt when the record is over. Throws RefusedInput.
     std::optional<hydraulics::Record> next();
 
     std::uint64_t bytes() const { return bytes_; } ///< read so far
     bool stopped() const { return stopped_; }
-    /// Those that were shown.
+    /// Returns the warnings that were shown.
     const std::vector<Diagnostic>& warnings() const { return warnings_; }
 
 private:
@@ -49,11 +49,11 @@ private:
     hydraulics::RecordReader reader_;
     WarningSink warn_;
     std::function<bool()> stop_;
-    std::string buffer_; ///< read, and not given yet
+    std::string buffer_; ///< text that was read but not yet returned
     bool over_ = false, stopped_ = false;
     std::uint64_t bytes_ = 0;
-    std::size_t line_ = 1; ///< the next piece's first
-    File first_;           ///< that has the header
+    std::size_t line_ = 1; ///< number of the next piece's first line
+    File first_;           ///< the first piece, which has the header
     std::vector<Diagnostic> warnings_;
     std::size_t more_warnings_ = 0;
 };

@@ -31,7 +31,7 @@ using namespace identification;
 
 namespace {
 
-/// What the monitor calls a machine that says in its hello that this is its name gets the same random numbers.
+/// A machine whose hello gives the monitor this name gets the same random numbers.
 constexpr const char* machine_name = "record";
 
 DiagnosisSettings settings_of(const IdentifyOptions& options) {
@@ -50,7 +50,7 @@ LinkSet wanted_links(const IdentifyOptions& options, const ChannelSet& there) {
     return options.links.empty() ? links_to_diagnose(there) : links_of(options.links);
 }
 
-/// Steps of a clock that are written as decimals are whole nanoseconds.
+/// Rounds to nanoseconds, since clock steps written as decimals are whole nanoseconds.
 double whole_nanoseconds(double period_s) { return std::round(period_s * 1e9) / 1e9; }
 
 /// Identifies a record from its first piece on.
@@ -76,7 +76,7 @@ private:
         const LinkSet wanted = wanted_links(options, first.channels());
         if (!wanted.empty())
             return wanted;
-        for (Link link : links_of(first.links())) // says what the first lacks
+        for (Link link : links_of(first.links())) // throws with the channels that the first link lacks
             require_channels(first, link, areas_from(first.channels(), link, areas_asked(options)));
         throw UnfitRecord("no link has inlet_pressure, angle and one of spool, servo, inlet_area with bypass_area");
     }
@@ -121,7 +121,7 @@ private:
     LinkSet links_;
     RecordDiagnosis diagnosis_;
     std::size_t count_ = 0;
-    boost::json::array movements_; ///< where they are asked for: a record of any length is to fit into memory
+    boost::json::array movements_; ///< kept only if requested, since a record of any length must fit into memory
     bool flagged_ = false;
 };
 
@@ -142,7 +142,7 @@ std::string print_beginning(const Identifying& identifying, const IdentifyOption
                                   counted(identifying.diagnosis().samples(), "sample")));
 }
 
-/// What is known after the last sample.
+/// Reports the results after the last sample.
 void report(Identifying& identifying, boost::json::object& json) {
     print_out("\n" + print_verdicts(identifying.diagnosis()));
     for (auto& [key, value] : verdicts_json(identifying.diagnosis()))
@@ -155,7 +155,7 @@ void report(Identifying& identifying, boost::json::object& json) {
 } // namespace
 
 ExitCode identify_as_service(const IdentifyOptions& options, boost::json::object& json) {
-    settings_of(options); // wrong settings are said before anything is read
+    settings_of(options); // reports wrong settings before anything is read
     InterruptedBySignals interruption;
     RecordPieces pieces(options.record,
                         needs_of(options, [&](const ChannelSet& there) { return wanted_links(options, there); }),

@@ -47,21 +47,21 @@ IdentificationWay way_of(const IdentifyOptions& options) {
     return way;
 }
 
-/// Do the boom's areas come from its spool, as it is read or by A.1?
+/// Returns whether the boom's areas come from its spool, as read or by A.1.
 bool uses_spool(const Record& record, const Question& question) {
     return question.links.contains(Link::boom) &&
            areas_from(record.channels(), Link::boom, question.areas_from) != AreasFrom::areas;
 }
 
-/// A record, and what was asked of it.
+/// A record and the question about it.
 struct Case {
     Parameters machine;
     LoadedRecord loaded;
-    Sampling sampling; ///< of the record as it was read
+    Sampling sampling; ///< of the record as read
     IdentificationWay way;
     Question question;
-    bool calibrates = false;                ///< --offset auto, and it matters
-    std::optional<SpoolOffset> calibration; ///< where the record shows the offset
+    bool calibrates = false;                ///< whether --offset auto was given and has an effect
+    std::optional<SpoolOffset> calibration; ///< set if the record shows the offset
 };
 
 std::string print_calibration(const std::optional<SpoolOffset>& found) {
@@ -71,7 +71,7 @@ std::string print_calibration(const std::optional<SpoolOffset>& found) {
                        found->offset_in, found->deviation_in, found->samples);
 }
 
-/// By its own steady motion.
+/// Calibrates the offset from the record's own steady motion.
 void calibrate(Case& asked) {
     asked.calibrates = asked.loaded.record.has(Link::boom, Sensor::spool);
     if (asked.calibrates)
@@ -106,7 +106,7 @@ Case read_case(const IdentifyOptions& options) {
     return asked;
 }
 
-/// Runs the identification as processes of a simulated machine, and says whether the answer is the native one.
+/// Runs the identification as processes of a simulated machine, and reports whether the answer equals the native one.
 ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, std::uint64_t seed,
                         boost::json::object& json) {
     InterruptedBySignals interruption;

@@ -7,12 +7,12 @@
 
 namespace placedpar {
 
-// The two ways in which `placedpar identify` takes a record. Each prints what it finds, adds it to `json`, and throws
-// RefusedInput, UserError, or UnfitRecord.
+// These are the two ways in which `placedpar identify` evaluates a record. Each prints its results, adds them to
+// `json`, and throws RefusedInput, UserError or UnfitRecord.
 
-/// One search over the first transient, as chapter 3 describes it, and as processes of a netlist if asked.
+/// Runs one search over the first transient, as in chapter 3, and if asked also as the processes of a netlist.
 ExitCode identify_by_thesis(const IdentifyOptions& options, boost::json::object& json);
-/// All movements, as the monitor identifies and judges them.
+/// Evaluates all movements, as the monitor identifies and judges them.
 ExitCode identify_as_service(const IdentifyOptions& options, boost::json::object& json);
 
 } // namespace placedpar

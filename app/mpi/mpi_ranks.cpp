@@ -1,4 +1,4 @@
-// The module that is loaded where mpirun started the program: explore/study/ranks.hpp.
+// This module is loaded when mpirun started the program: explore/study/ranks.hpp.
 
 #include "explore/study/ranks.hpp"
 
@@ -39,7 +39,7 @@ private:
         return found ? std::optional(*found) : std::nullopt;
     }
 
-    /// An exception of one rank's is told to the others by messages: it does not end them.
+    /// An exception of one rank is reported to the others by messages and does not end them.
     mpi::environment environment_{mpi::threading::funneled, false};
     mpi::communicator world_;
 };

@@ -15,7 +15,7 @@ std::string not_a_whole_number(const std::string& text) {
 
 std::string not_a_number_within(const std::string& text, std::uint64_t least, std::uint64_t most) {
     std::optional<std::uint64_t> number = parse_number<std::uint64_t>(text);
-    bool octal = text.size() > 1 && text[0] == '0'; // to CLI11
+    bool octal = text.size() > 1 && text[0] == '0'; // CLI11 would read it as octal
     bool right = number && !octal && *number >= least && *number <= most;
     return right ? "" : fmt::format("\"{}\" is not a whole number from {} to {}", text, least, most);
 }
@@ -29,7 +29,7 @@ void add_seed(Options& command, std::uint64_t& seed, const std::string& about) {
 }
 
 void add_jobs(Options& command, std::size_t& jobs, const std::string& about) {
-    constexpr std::uint64_t most = 1000; // few enough for their threads to be started
+    constexpr std::uint64_t most = 1000; // few enough that all threads can be started
     add_number(command, "--jobs", jobs, 1, most, about);
 }
 

@@ -44,7 +44,7 @@ void declare_way(Options& command, IdentifyOptions& options) {
              "search over the first transient, as chapter 3 describes it")
         .one_of({"service", "thesis"})
         .show_default();
-    // With fewer bits the compliance of a sound machine is within a step or so of the lower bound.
+    // With fewer bits the compliance of a sound machine is within about a step of the lower bound.
     add_number(command, "--bits", options.bits, 6, 52, "of a compliance").show_default();
     add_number(command, "--elite", options.elite, 0, a_million,
                "best individuals that go over unchanged; the way's own if not given");
@@ -55,7 +55,7 @@ void declare_way(Options& command, IdentifyOptions& options) {
     add_seed(command, options.seed);
 }
 
-/// The samples are given by the thesis's way alone, as are the simulated processes that search as it does.
+/// Declares the options of the thesis's way, which also applies to the simulated processes that search like it.
 void declare_thesis_way(Options& command, IdentifyOptions& options) {
     const char* group = "With --way thesis";
     add_number(command, "--samples", options.samples, 1, a_million,

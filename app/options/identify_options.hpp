@@ -10,7 +10,7 @@
 
 namespace placedpar {
 
-/// What the command line of `placedpar identify` may say. What stands for one way only is empty where it was not typed.
+/// The options of `placedpar identify`. An option of one way only is empty if it was not typed.
 struct IdentifyOptions {
     std::string record, links, configuration = "a", way = "service", offset, areas, missing = "refuse", machine, json;
     std::uint64_t seed = 1;
@@ -19,10 +19,10 @@ struct IdentifyOptions {
     std::optional<std::size_t> elite;
     bool strict = false;
 
-    // Of --way thesis
+    // Used by --way thesis only
     std::string coding, netlist;
     std::vector<std::string> set;
-    ReadOptionsTyped read; ///< of the netlist
+    ReadOptionsTyped read; ///< for the netlist
     std::optional<std::size_t> samples;
     bool rising = false;
 };

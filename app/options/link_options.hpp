@@ -8,13 +8,13 @@
 
 namespace placedpar {
 
-/// --link, of links by name or symbol with commas between.
+/// Declares --link: links by name or symbol, separated by commas.
 Option add_links(Options&, std::string& links, const std::string& about);
 
-/// --configuration, a to e, of the main valve.
+/// Declares --configuration, a to e, of the main valve.
 Option add_configuration(Options&, std::string& configuration, const std::string& about);
 
-/// What --link says. Throws UserError for a name that is not a link's, or is there twice.
+/// Parses the value of --link. Throws UserError for an unknown link or one named twice.
 hydraulics::LinkSet links_of(const std::string& links);
 
 } // namespace placedpar

@@ -32,9 +32,9 @@ std::string print_count(std::uint64_t count) {
 
 namespace {
 
-constexpr int often_ms = 100; ///< a signal that comes between the question and the wait does not end the wait
+constexpr int often_ms = 100; ///< polling interval: a signal just before a wait does not interrupt the wait
 
-/// Until there is one, or the end of them. False when it was interrupted.
+/// Waits until there is an answer or the input ends. Returns false if interrupted.
 bool wait_for_answer(const Interruption& interruption) {
     pollfd answers{STDIN_FILENO, POLLIN, 0};
     while (!interruption.requested())
@@ -57,7 +57,7 @@ bool are_meant(const RunsAhead& ahead, const Interruption& interruption) {
     print_error(fmt::format("{}. Begin? [y/N] ", many));
     std::string answer;
     if (!wait_for_answer(interruption) || !std::getline(std::cin, answer))
-        print_error("\n"); // no answer ended the line
+        print_error("\n"); // no answer has ended the line
     return lower_case(answer).starts_with("y");
 }
 

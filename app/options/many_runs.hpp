@@ -9,26 +9,26 @@
 
 namespace placedpar {
 
-// Very many runs are begun only if the user means them.
+// A user must confirm a very large number of runs.
 
-constexpr std::uint64_t most_unasked = 10'000; ///< runs that are begun without a question
+constexpr std::uint64_t most_unasked = 10'000; ///< largest number of runs that begin without a question
 
-/// Runs that are about to be made.
+/// The runs that are about to start.
 struct RunsAhead {
     std::uint64_t runs;
-    bool exact; ///< else at most that many
+    bool exact; ///< if false, `runs` is an upper limit
     std::size_t at_once;
-    std::optional<double> seconds_a_run; ///< where that is known
+    std::optional<double> seconds_a_run; ///< time per run, if known
 };
 
-/// Says how many they are and how long they take, and asks whether to begin: not where nothing is answered, or the
-/// interruption is requested meanwhile. Throws UserError where nobody can be asked: standard input or standard error is
-/// no terminal.
+/// States the number of runs and their total time, and asks whether to begin. Returns false without an answer or if an
+/// interruption is requested meanwhile. Throws UserError if standard input or standard error is not a terminal, so that
+/// the question cannot be asked.
 bool are_meant(const RunsAhead&, const Interruption&);
 
-/// "3 days", "4 min".
+/// Returns "3 days" or "4 min", for example.
 std::string print_duration(double seconds);
-/// "1,000,000".
+/// Returns "1,000,000", for example.
 std::string print_count(std::uint64_t count);
 
 } // namespace placedpar

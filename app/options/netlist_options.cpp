@@ -19,7 +19,7 @@ Option add_set(Options& command, std::vector<std::string>& settings, const std::
 
 namespace {
 
-/// `text` cut at its first `=`. Throws UserError with what the option takes where there is none.
+/// Splits `text` at its first `=`. Throws UserError, stating what the option takes, if there is none.
 std::pair<std::string, std::string> cut_at_equals(const std::string& option, const std::string& text,
                                                   const std::string& takes) {
     std::size_t equals = text.find('=');

@@ -9,23 +9,23 @@
 
 namespace placedpar {
 
-/// --set NAME=VALUE, as often as wanted.
+/// Declares --set NAME=VALUE, which may be repeated.
 Option add_set(Options&, std::vector<std::string>& settings, const std::string& about);
 
-/// What --set, or another option like it, asked for. Throws UserError when one is not of that form or a name is set
-/// twice.
+/// Parses the values of --set, or of another option like it. Throws UserError if one does not have the form NAME=VALUE
+/// or a name is set twice.
 Overrides overrides_of(std::span<const std::string> settings, const std::string& option = "--set");
 
-/// What a netlist finds around it, as it is typed.
+/// The options about the netlist's surroundings, as typed.
 struct ReadOptionsTyped {
     std::vector<std::string> include, use, fault;
 };
-/// -I FOLDER, --use PROGRAM=KIND and --fault FAULT, as often as wanted.
+/// Declares -I FOLDER, --use PROGRAM=KIND and --fault FAULT, which may be repeated.
 std::vector<Option> add_read_options(Options&, ReadOptionsTyped&);
-/// Throws UserError when a folder is none, a --use is not of its form or a program is given two kinds.
+/// Throws UserError if a folder does not exist, a --use does not have its form, or a program is given two kinds.
 ReadOptions read_options_of(const ReadOptionsTyped&);
 
-/// What every command with a netlist takes.
+/// The options of every command that reads a netlist.
 struct NetlistOptions {
     std::string file;
     std::vector<std::string> set;
@@ -33,7 +33,7 @@ struct NetlistOptions {
 };
 void add_netlist(Options&, NetlistOptions&);
 
-/// Reads the netlist. Warnings go to standard error. Throws RefusedInput.
+/// Reads the netlist. Prints warnings to standard error. Throws RefusedInput.
 Network load_network(const NetlistOptions&);
 
 } // namespace placedpar

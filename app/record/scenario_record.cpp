@@ -18,7 +18,7 @@ using namespace hydraulics;
 
 namespace {
 
-/// What a sensor could not have read is no record: the motion ran away, or the noise did.
+/// Throws UserError if a reading is beyond what any sensor reads, because the motion or the noise diverged.
 void require_measurable(const Record& record, const RecordScenario& scenario) {
     auto reading = first_unmeasurable(record);
     if (!reading)
@@ -31,19 +31,19 @@ void require_measurable(const Record& record, const RecordScenario& scenario) {
         units_of(quantity_of(reading->sensor)).front().name, reading->time_s));
 }
 
-/// Parameters that make the pressures run away may do so within a step, before there is a reading.
+/// Simulates the record. Extreme parameters can make the pressures diverge within a step, before there is a reading.
 Record simulated(const RecordScenario& scenario, const LinksInMotion& moving, const Parameters& parameters,
                  RandomStream noise) {
     try {
         return scenario.make(parameters, moving, [&] { return noise.uniform(); });
-    } catch (const std::domain_error&) { // of Boost's solver: the flows at its ends are of one sign
+    } catch (const std::domain_error&) { // from Boost's solver: the flows at the ends of the interval have equal signs
         throw UserError(fmt::format("{} cannot be simulated with these parameters: no pressure balances the flows; one "
                                     "of them is far too large or far too small",
                                     scenario.name));
     }
 }
 
-/// The options of `placedpar record` that say so.
+/// Returns the options of `placedpar record` for these links and this configuration.
 std::string options_of(const LinksInMotion& moving) {
     std::vector<std::string_view> names;
     for (Link link : all_links)
@@ -52,7 +52,7 @@ std::string options_of(const LinksInMotion& moving) {
     return fmt::format(" --link {} --configuration {}", fmt::join(names, ","), name_of(moving.configuration));
 }
 
-/// The scenario's parameters that are not the program's own, as options, and with their former values.
+/// The parameters that differ from the program's own, as options and with their original values.
 struct ChangedParameters {
     std::string options, lines;
 };
@@ -71,7 +71,7 @@ ChangedParameters changes_of(const RecordScenario& scenario, const Parameters& p
     return changed;
 }
 
-/// Is it the compliance of a link that moves?
+/// Returns whether this is the compliance of a moving link.
 bool is_compliance_of(const LinksInMotion& moving, const Parameter& parameter, const RecordScenario& scenario) {
     if (!scenario.uses(parameter.name) || !parameter.name.ends_with("let_compliance"))
         return false;

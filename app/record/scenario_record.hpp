@@ -12,28 +12,27 @@
 
 namespace placedpar {
 
-/// The scenario of that name. Throws UserError that lists those there are.
+/// Returns the scenario with this name. Throws UserError, which lists all scenarios.
 const hydraulics::RecordScenario& scenario_called(std::string_view name);
 
 std::vector<std::string> names_of_scenarios();
 
-/// The scenario's parameters on a machine, with those that --noise and --set gave in place of its own. A value is a
-/// number in the room's unit, or one with a unit: "4.1e-11 m^3/Pa". Throws UserError for a level of noise or
-/// a name that the scenario does not know, for what is not a number or no unit of the quantity, and for a value out of
-/// the parameter's range.
+/// Returns the scenario's parameters on a machine, after applying --noise and --set. A value is a number in the room's
+/// unit, or one with a unit: "4.1e-11 m^3/Pa". Throws UserError for an unknown noise level or name, for a value that is
+/// not a number or has a unit of another quantity, and for a value outside the parameter's range.
 hydraulics::Parameters scenario_parameters(const hydraulics::RecordScenario& scenario,
                                            const hydraulics::Parameters& machine, const std::string& noise,
                                            const Overrides& overrides);
 
-/// The scenario's parameters as a table that --machine reads.
+/// Returns the scenario's parameters as a table that --machine reads.
 std::string list_parameters(const hydraulics::RecordScenario& scenario, const hydraulics::Parameters& parameters);
 
-/// A line a scenario.
+/// Returns one line per scenario.
 std::string list_record_scenarios();
 
-/// The record, whose description says how to make it again: the command, with every parameter that is not the
-/// program's own, and the true compliance. Throws UserError, naming the first instant and channel, where
-/// parameters far from any machine's make a record that no sensor could have read.
+/// Returns the record. Its description contains the command that makes it again, with every parameter that differs from
+/// the program's own, and the true compliance. Throws UserError, naming the first instant and channel, if unrealistic
+/// parameters give values that no sensor could read.
 hydraulics::Record scenario_record(const hydraulics::RecordScenario& scenario, const hydraulics::LinksInMotion& moving,
                                    const hydraulics::Parameters& parameters, std::uint64_t seed);
 

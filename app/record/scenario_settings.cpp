@@ -22,7 +22,7 @@ namespace {
     throw UserError(fmt::format("--set {}={}: {}", parameter.name, text, why));
 }
 
-/// A number, and perhaps a unit behind it.
+/// Reads a number and an optional unit after it.
 double number_of(const Parameter& parameter, const std::string& text) {
     double number = 0;
     auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -63,11 +63,11 @@ const Parameter& parameter_called(const RecordScenario& scenario, const Paramete
     std::string nearest = did_you_mean(name, names);
     throw UserError(fmt::format(
         "--set {}: {} has no such parameter; {}", name, scenario.name,
-        nearest.empty() ? fmt::format("{} record {} --list shows those there are", program_name(), scenario.name)
+        nearest.empty() ? fmt::format("{} record {} --list shows its parameters", program_name(), scenario.name)
                         : nearest));
 }
 
-/// In quotes where it holds what separates cells.
+/// Puts the text in quotes if it contains a separator of cells.
 std::string cell(const std::string& text) {
     return text.find_first_of(",\"") == std::string::npos ? text : fmt::format("\"{}\"", text);
 }

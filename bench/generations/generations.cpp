@@ -1,5 +1,5 @@
-// How many generations a second a genetic algorithm makes natively, by us in each vector width and by others, on the
-// plant of chapter 5 with the same budget, and how well they follow the plant.
+// This program measures how many generations a second a genetic algorithm makes natively: ours in each vector width,
+// and others. All search the plant of chapter 5 with the same budget. It also measures how well they follow the plant.
 //
 // usage: generations [SEEDS]
 
@@ -23,16 +23,15 @@ using namespace placedpar;
 
 namespace {
 
-/// Returns the time of the processor, not of the wall clock, so that other programs on the machine do not count. No
-/// rival uses threads.
+/// Returns the processor time, so that other programs on the machine do not count. No rival uses threads.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 constexpr PlantExperiment experiment{}; // the ramp of Table 5.4, without noise
 
 Chase chase_of(std::uint64_t seed) { return {plant_record(experiment, RandomStream(seed, "plant")), seed}; }
 
-/// Returns the root of the mean square distance from the true pole, from generation 100 on, since every rival still
-/// searches before. Either pole of a conjugate pair is right.
+/// Returns the rms distance from the true pole from generation 100 on, since every rival still searches before. Either
+/// pole of a conjugate pair counts as right.
 double pole_error(const Chase& chase, const Answer& answer) {
     double sum = 0;
     std::size_t count = 0;
@@ -79,7 +78,7 @@ struct Result {
     }
 };
 
-/// Nanoseconds of one error evaluation in the vector width in use, the fastest of several goes.
+/// Returns the nanoseconds of one error evaluation in the present vector width, the fastest of several attempts.
 double nanoseconds_of_an_evaluation(const Chase& chase, int goes) {
     auto problem = make_search_problem(PlantProblem());
     RandomStream random(1, "evaluations");
@@ -114,14 +113,14 @@ std::vector<Result> contest(std::span<const Chase> chases, int rounds) {
     for (const auto& group : {ours(), galib(), pagmo()})
         for (const Contestant& contestant : group)
             results.push_back({contestant, std::numeric_limits<double>::infinity(), {}});
-    for (int round = 0; round < rounds; ++round) // in turn, so that a busy moment of the machine meets every rival
+    for (int round = 0; round < rounds; ++round) // in turn, so that a busy moment of the machine affects every rival
         for (Result& result : results)
             result.run(chases);
     return results;
 }
 
 void print(std::span<const Result> results, std::span<const Chase> chases) {
-    double rival = 0; // the quickest
+    double rival = 0; // the fastest rival
     for (const Result& result : results.subspan(ours().size()))
         rival = std::max(rival, result.generations_per_s(chases));
     fmt::print("{:<30}{:>15}{:>22}{:>17}{:>8}\n", "", "generations/s", "of the quickest rival", "pole error", "P90");

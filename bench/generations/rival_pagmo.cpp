@@ -1,5 +1,5 @@
-// pagmo 2.18 (ESA): its genetic algorithm, which works on real numbers, and differential evolution. A shared library of
-// its own, as in bench/identification.
+// These rivals are pagmo 2.18 (ESA)'s genetic algorithm, which works on real numbers, and its differential evolution.
+// They are in a shared library of their own, as in bench/identification.
 
 #include "bench/generations/contest.hpp"
 
@@ -16,7 +16,8 @@ namespace {
 
 PoleZeroPlant plant_of(const pagmo::vector_double& x) { return {x[0], x[1], x[2], x[3], x[4], x[5]}; }
 
-/// pagmo minimises. A problem is copied into every population, so that a moved window makes a new one.
+/// The problem for pagmo, which minimises. A problem is copied into every population, so a moved window needs a new
+/// one.
 struct WindowProblem {
     std::span<const std::vector<double>> window;
 
@@ -36,7 +37,7 @@ Answer follow(const Chase& chase, Algorithm algorithm) {
         pagmo::problem problem(WindowProblem{chase.window_at(number)});
         pagmo::population next(problem, number == 0 ? Chase::population : 0, seed);
         for (const pagmo::vector_double& x : population.get_x())
-            next.push_back(x); // evaluated again, in the new window: the first of the sample's generations
+            next.push_back(x); // evaluated again in the new window: the first of the sample's generations
         population = algorithm.evolve(std::move(next));
         PoleZeroPlant best = plant_of(population.champion_x());
         answer.poles.push_back({best.alpha, best.beta});
@@ -51,7 +52,7 @@ Answer genetic(const Chase& chase) {
 }
 
 Answer differential_evolution(const Chase& chase) {
-    return follow(chase, pagmo::de(generations, 0.8, 0.9, 2, 0, 0)); // no early end: the same budget
+    return follow(chase, pagmo::de(generations, 0.8, 0.9, 2, 0, 0)); // no early end, so that the budget is the same
 }
 
 } // namespace

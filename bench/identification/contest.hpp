@@ -11,12 +11,13 @@
 #include <string>
 #include <vector>
 
-// What every contestant is given, and what it gives back. Free of Boost: a rival may bring one of its own.
+// This header declares the task and the results of every contestant. It does not include Boost, since a rival may bring
+// its own.
 
 namespace placedpar {
 
-/// Identify the boom's compliance from its record, as chapter 3 does: for every new sample from the fifth on a
-/// window of up to ten, and five generations of 120 individuals.
+/// The task: identify the boom's compliance from its record as in chapter 3. Every new sample from the fifth on gives a
+/// window of up to ten samples and five generations of 120 individuals.
 struct Transient {
     std::vector<hydraulics::LinkSample> record;
     hydraulics::FlowConstants flow;
@@ -27,13 +28,13 @@ struct Transient {
     static constexpr double largest = CircuitProblem::largest_in3_per_psi;
     static constexpr std::size_t bits = CircuitProblem::usual_bits;
 
-    /// Windows that get generations.
+    /// Returns the number of windows that get generations.
     std::size_t windows() const { return record.size() + 1 - first; }
     std::span<const hydraulics::LinkSample> window_at(std::size_t number) const {
         std::size_t end = first + number, length = end < window ? end : window;
         return std::span(record).subspan(end - length, length);
     }
-    /// Equations 3.5 to 3.8 as one writes them by hand: the fastest that a contestant without the library can have.
+    /// Computes equations 3.5 to 3.8 as written by hand, the fastest that a contestant without the library can have.
     double error(double compliance, const hydraulics::LinkSample& sample) const {
         const double k = flow.orifice_in3_per_s_in2_sqrt_psi;
         double inlet = sample.piston_flow_in3_per_s + sample.inlet_slope_psi_per_s * compliance;
@@ -51,14 +52,14 @@ struct Transient {
 };
 
 struct Answer {
-    double compliance;               // of the best individual of the last generation; the service's: its median
+    double compliance;               // of the best individual of the last generation; for the service, its median
     std::uint64_t error_evaluations; // one individual at one sample; 0: not counted
 };
 
 struct Contestant {
     std::string name;
     Answer (*identify)(const Transient&);
-    int way = -1; // those of one algorithm and one stream of random numbers must give the same bits
+    int way = -1; // contestants with the same number use one algorithm and one stream, and must give the same bits
 };
 
 std::vector<Contestant> ours();

@@ -25,7 +25,7 @@ std::uint64_t all_evaluations(const Transient& transient) {
     return samples * Transient::trials * Transient::population;
 }
 
-/// The algorithm as an engineer would write it for this problem alone: whole numbers, loops, nothing else.
+/// The algorithm as an engineer would write it for this problem alone, with integers and loops.
 class PlainLoop {
 public:
     explicit PlainLoop(const Transient& transient) : transient_(transient), random_(transient.seed, stream) {}
@@ -94,7 +94,7 @@ std::vector<Sample> plain_numbers(const Transient& transient) {
     return record;
 }
 
-/// The library, but with the virtual function for one individual.
+/// Uses the library, but with the virtual function for one individual.
 Answer one_by_one(const Transient& transient) {
     auto problem = make_search_problem(CircuitProblem(boom_circuit(), transient.flow));
     Search search(problem->bits(), {}, RandomStream(transient.seed, stream));
@@ -127,8 +127,8 @@ Answer universal(const Transient& transient) {
     return with(transient, settings, Coding::gray);
 }
 
-/// What the monitor and the command do with a link's samples, all of it: the gate, the medians and the standard errors
-/// as well as the search.
+/// Does everything that the monitor and the command do with a link's samples: the search, the gate, the medians and the
+/// standard errors.
 Answer serve(const Transient& transient, std::size_t width, Mutation mutation) {
     identification::DiagnosisSettings settings;
     settings.search.mutation = mutation;

@@ -1,4 +1,4 @@
-// GAlib 2.4 (M. Wall, MIT): GASimpleGA on strings of 10 bits, with the thesis's operators and rates.
+// This rival is GAlib 2.4 (M. Wall, MIT): GASimpleGA on strings of 10 bits, with the thesis's operators and rates.
 
 #include "bench/identification/contest.hpp"
 
@@ -13,7 +13,7 @@ using namespace hydraulics;
 
 namespace {
 
-/// What an objective function finds behind GAGenome::userData.
+/// The data that an objective function finds behind GAGenome::userData.
 struct Objective {
     const Transient& transient;
     std::span<const LinkSample> window;
@@ -27,7 +27,7 @@ double compliance(const GA1DBinaryStringGenome& genome) {
     return Transient::largest * code / (1u << Transient::bits);
 }
 
-/// Roulette takes no negative numbers, so that those of no use get none.
+/// Returns the fitness, or 0 if it is negative, because the roulette takes no negative numbers.
 float objective(GAGenome& genome) {
     auto& data = *static_cast<Objective*>(genome.userData());
     data.error_evaluations += data.window.size();
@@ -35,7 +35,7 @@ float objective(GAGenome& genome) {
     return static_cast<float>(std::max(fitness, 0.0));
 }
 
-/// GAlib remembers what an individual was worth: when the window moves all must be evaluated again.
+/// GAlib caches the fitness of an individual, so all must be evaluated again when the window moves.
 class MovingWindowGA : public GASimpleGA {
 public:
     using GASimpleGA::GASimpleGA;
@@ -67,7 +67,7 @@ Answer identify(const Transient& transient) {
         data.window = transient.window_at(window);
         if (window > 0)
             ga.evaluate_again();
-        for (std::size_t trial = 1; trial < Transient::trials; ++trial) // the first went into the evaluation above
+        for (std::size_t trial = 1; trial < Transient::trials; ++trial) // the first generation is the evaluation above
             ga.step();
     }
     auto& best = static_cast<GA1DBinaryStringGenome&>(ga.population().best());

@@ -1,5 +1,6 @@
-// pagmo 2.18 (ESA): its genetic algorithm, which works on real numbers, and differential evolution. Debian's is built
-// with Boost 1.74, whose headers this file alone sees: it becomes a shared library that shows nothing else.
+// These rivals are pagmo 2.18 (ESA)'s genetic algorithm, which works on real numbers, and its differential evolution.
+// Debian's pagmo is built with Boost 1.74, whose headers only this file includes, so it is compiled to a shared library
+// that exports nothing else.
 
 #include "bench/identification/contest.hpp"
 
@@ -16,7 +17,8 @@ using namespace hydraulics;
 
 namespace {
 
-/// pagmo minimises. A problem is copied into every population, so that a moved window makes a new one.
+/// The problem for pagmo, which minimises. A problem is copied into every population, so a moved window needs a new
+/// one.
 struct WindowProblem {
     const Transient* transient = nullptr;
     std::span<const LinkSample> window;
@@ -35,7 +37,7 @@ Answer identify(const Transient& transient, Algorithm algorithm) {
         pagmo::problem problem(WindowProblem{&transient, transient.window_at(number)});
         pagmo::population next(problem, number == 0 ? Transient::population : 0, seed);
         for (const pagmo::vector_double& x : population.get_x())
-            next.push_back(x); // evaluated again, in the new window: the first of the sample's generations
+            next.push_back(x); // evaluated again in the new window: the first of the sample's generations
         population = algorithm.evolve(std::move(next));
         evaluations += population.get_problem().get_fevals() * transient.window_at(number).size();
     }

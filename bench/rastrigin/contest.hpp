@@ -8,12 +8,13 @@
 #include <string>
 #include <vector>
 
-// What every contestant is given. Free of Boost's processes: a rival may bring a Boost of its own.
+// This header declares the task of every contestant. It does not include Boost's processes, since a rival may bring its
+// own Boost.
 
 namespace placedpar {
 
-/// Rastrigin's function in 20 dimensions until an individual is below 1e-6. Who gets there, or has had all evaluations
-/// that there are, is stopped by an exception in the middle of the generation: so all are counted alike.
+/// Rastrigin's function in 20 dimensions. The search ends when an individual is below 1e-6 or all evaluations are used.
+/// An exception in the middle of the generation stops it, so that all contestants are counted alike.
 class Valley {
 public:
     static constexpr std::size_t dimensions = 20;

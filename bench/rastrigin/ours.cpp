@@ -9,7 +9,7 @@ namespace placedpar {
 
 namespace {
 
-/// The optimum lies on the grid of the bits.
+/// The problem; the optimum lies on the grid of the bits.
 struct Descent {
     Valley* valley;
 
@@ -26,7 +26,7 @@ std::shared_ptr<const SearchProblem> problem_of(Valley& valley, Coding coding) {
     return minimise(Descent{&valley})->coded(coding);
 }
 
-/// What a problem gets without being looked at: an elite, and steps of every size.
+/// Uses the settings for a problem about which nothing is known: an elite, and steps of every size.
 void usual(Valley& valley, std::uint64_t seed) {
     auto problem = problem_of(valley, Coding::real);
     SearchSettings settings = usual_settings(*problem);

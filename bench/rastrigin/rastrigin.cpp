@@ -1,7 +1,7 @@
-// How many evaluations, and how many seconds, genetic algorithms need for Rastrigin's function in 20 dimensions to
-// 1e-6, by us and by others.
+// This program measures how many evaluations and seconds genetic algorithms, ours and others, need for Rastrigin's
+// function in 20 dimensions to 1e-6.
 //
-// usage: rastrigin [SEEDS [EVALUATIONS]]    at most so many evaluations in each run
+// usage: rastrigin [SEEDS [EVALUATIONS]]    at most EVALUATIONS evaluations in each run
 
 #include "bench/rastrigin/contest.hpp"
 #include "runtime/fingerprint.hpp"
@@ -17,14 +17,13 @@ using namespace placedpar;
 
 namespace {
 
-/// Returns the time of the processor, not of the wall clock, so that other programs on the machine do not count. No
-/// rival uses threads.
+/// Returns the processor time, so that other programs on the machine do not count. No rival uses threads.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 struct Result {
     Contestant contestant;
     std::vector<std::uint64_t> needed; // evaluations of the runs that reached the target
-    std::vector<double> seconds;       // of the same
+    std::vector<double> seconds;       // processor time of the same runs
     std::uint64_t evaluations = 0;     // of all runs
     double all_seconds = 0;
 
@@ -66,7 +65,8 @@ std::vector<Result> contest(std::uint64_t seeds, std::uint64_t most_evaluations)
     for (const auto& group : {ours(), pagmo()})
         for (const Contestant& contestant : group)
             results.push_back({.contestant = contestant, .needed = {}, .seconds = {}});
-    // In turn, so that a busy moment of the machine meets every rival; a dot for each seed, since all take minutes.
+    // Rivals run in turn, so that a busy moment of the machine affects every one. A dot is printed for each seed, since
+    // all take minutes.
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         for (Result& result : results)
             result.run(seed, most_evaluations);

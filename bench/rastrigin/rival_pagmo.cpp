@@ -1,5 +1,5 @@
-// pagmo 2.18 (ESA): its genetic algorithm and differential evolution. A shared library of its own, as in
-// bench/identification.
+// These rivals are pagmo 2.18 (ESA)'s genetic algorithm and its differential evolution. They are in a shared library of
+// their own, as in bench/identification.
 
 #include "bench/rastrigin/contest.hpp"
 
@@ -14,7 +14,7 @@ namespace placedpar {
 
 namespace {
 
-/// Points, since pagmo copies problems.
+/// Holds a pointer, since pagmo copies problems.
 struct ValleyProblem {
     Valley* valley = nullptr;
 
@@ -39,7 +39,7 @@ void genetic(Valley& valley, std::uint64_t seed) {
 void genetic_by_default(Valley& valley, std::uint64_t seed) { descend(valley, seed, 50, pagmo::sga(endless)); }
 
 void differential(Valley& valley, std::uint64_t seed) {
-    descend(valley, seed, 20, pagmo::de(endless, 0.5, 0.1, 2, 0, 0)); // no end before the valley's
+    descend(valley, seed, 20, pagmo::de(endless, 0.5, 0.1, 2, 0, 0)); // only the valley ends the search
 }
 void differential_by_default(Valley& valley, std::uint64_t seed) {
     descend(valley, seed, 50, pagmo::de(endless, 0.8, 0.9, 2, 0, 0));

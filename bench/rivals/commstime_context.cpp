@@ -1,4 +1,4 @@
-// COMMSTIME on bare contexts of Boost.Context, without Boost.Fiber: a switch costs no more than the jump.
+// This program runs COMMSTIME on bare contexts of Boost.Context, without Boost.Fiber: a switch costs only the jump.
 
 #include "least_stackful.hpp"
 
@@ -13,11 +13,11 @@ namespace {
 using namespace boost::context::detail;
 
 struct Context {
-    fcontext_t stack = nullptr; ///< where it was left
+    fcontext_t stack = nullptr; ///< where the context was left
     std::function<void()> body;
 };
 
-/// Who jumps says where it was left.
+/// Jumps to a context and records where the present one was left.
 void jump(Context& next) {
     static Context host;
     static Context* running = &host;

@@ -1,5 +1,5 @@
-// COMMSTIME on stackless coroutines of C++20, which need no switch: a process that waits resumes the next one. Every
-// function between a process and its channel would have to be a coroutine; here there is no such function.
+// This program runs COMMSTIME on stackless coroutines of C++20, which need no switch: a waiting process resumes the
+// next one. Every function between a process and its channel would have to be a coroutine; here there is none.
 
 #include "least_queue.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 
 LeastQueue<std::coroutine_handle<>> queue;
 
-/// A process: ready from the beginning, and left where it ends.
+/// A process, which is ready from the beginning and suspended at its end.
 struct Process {
     struct promise_type {
         Process get_return_object() {
@@ -37,7 +37,8 @@ struct Delay {
     void await_resume() {}
 };
 
-/// Synchronous and unbuffered, from one process to one other. Who comes second copies and goes on.
+/// A synchronous, unbuffered channel from one process to one other. The process that arrives second copies the message
+/// and continues.
 class Rendezvous {
 public:
     auto output(long message) { return Output{*this, message}; }

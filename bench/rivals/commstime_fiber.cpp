@@ -1,6 +1,6 @@
-// The four processes of bench/commstime.cpp on the least kernel that Boost.Fiber allows: a ready queue, a heap of times
-// and a rendezvous, resumed as ours are, but without fingerprint, reports, owners of ends, priorities, ALT and time
-// limits.
+// This program runs the four processes of bench/commstime.cpp on the smallest kernel that Boost.Fiber allows: a ready
+// queue, a heap of times and a rendezvous. Processes are resumed as ours are, but there are no fingerprints, reports,
+// owners of ends, priorities, ALT and time limits.
 
 #include "least_stackful.hpp"
 

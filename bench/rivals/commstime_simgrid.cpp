@@ -1,5 +1,5 @@
-// The four processes of bench/commstime.cpp as actors of SimGrid. Its mailboxes take time by their network's model, so
-// that a rendezvous is made of two semaphores.
+// This program runs the four processes of bench/commstime.cpp as actors of SimGrid. Its mailboxes take time by their
+// network's model, so the rendezvous uses two semaphores.
 
 #include <simgrid/s4u.hpp>
 
@@ -9,7 +9,7 @@
 
 namespace sg4 = simgrid::s4u;
 
-/// Synchronous and unbuffered, from one actor to one other.
+/// A synchronous, unbuffered channel from one actor to one other.
 class Rendezvous {
 public:
     void output(long message) {

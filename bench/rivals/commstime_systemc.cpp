@@ -1,5 +1,5 @@
-// The four processes of bench/commstime.cpp on SystemC, whose only channel to wait at is one that buffers: a rendezvous
-// is made of two events, as a user makes one.
+// This program runs the four processes of bench/commstime.cpp on SystemC, whose only blocking channel is buffered. The
+// rendezvous therefore uses two events, as a user would write it.
 
 #include <systemc.h>
 
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <ctime>
 
-/// Synchronous and unbuffered, from one process to one other.
+/// A synchronous, unbuffered channel from one process to one other.
 class Rendezvous {
 public:
     void output(long message) {

@@ -5,12 +5,12 @@
 #include <queue>
 #include <vector>
 
-/// What the least kernel needs, whatever its processes run on: who is ready, and who is to be at what time.
+/// The scheduler of the smallest kernel, for any kind of process: the ready processes, and those that wait for a time.
 template <class Who>
 class LeastQueue {
 public:
     void make_ready(Who who) { ready_.push_back(who); }
-    /// The next one, at whose time it is from now on.
+    /// Returns the next process and advances to its time.
     Who take() {
         if (ready_.empty()) {
             Delay next = future_.top();
@@ -22,7 +22,7 @@ public:
         ready_.pop_front();
         return next;
     }
-    /// Lets so much time pass if nothing else happens meanwhile; returns whether it did.
+    /// Lets `time` pass if nothing else happens meanwhile; returns whether it did.
     bool pass(long time) {
         if (!ready_.empty() || (!future_.empty() && future_.top().time <= now_ + time))
             return false;
@@ -33,7 +33,7 @@ public:
 
 private:
     struct Delay {
-        long time, number; ///< of one time in the order in which they began, as ours
+        long time, number; ///< equal times are ordered by `number`, the order of their starts, as in our kernel
         Who who;
         bool operator>(const Delay& other) const {
             return time != other.time ? time > other.time : number > other.number;

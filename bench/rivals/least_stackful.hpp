@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 
-/// The least kernel whose processes have stacks: `Context` is what is switched to.
+/// The smallest kernel whose processes have stacks; `Context` is what is switched to.
 template <class Context, void (*switch_to)(Context&)>
 class LeastKernel {
 public:
@@ -33,8 +33,8 @@ private:
     Context* running_ = nullptr;
 };
 
-/// Synchronous and unbuffered, from one process to one other. The process that arrives second copies the message and
-/// continues.
+/// A synchronous, unbuffered channel from one process to one other. The process that arrives second copies the message
+/// and continues.
 template <auto& kernel>
 class Rendezvous {
 public:
@@ -71,7 +71,7 @@ private:
     decltype(&kernel.running()) waiting_ = nullptr;
 };
 
-/// The network, from its first loop to its last, and then the end of the program. `start(body)` makes a process.
+/// Runs the network from its first loop to its last and ends the program. `start(body)` makes a process.
 template <auto& kernel, class Start>
 [[noreturn]] void measure(const char* name, long loops, bool pauses, Start start) {
     Rendezvous<kernel> a, b, c, d;

@@ -10,7 +10,7 @@ namespace placedpar {
 
 namespace {
 
-/// A farm whose tasks are dealt out on demand, with so many under way to each slave.
+/// A farm whose tasks are dealt out on demand, with several in progress for each slave.
 struct FarmOnDemand {
     const char* name;
     int slaves, links, branches;
@@ -29,7 +29,7 @@ Overrides overrides_of(const FarmOnDemand& farm, int under_way) {
             {"master.rehearsals", "0"}};
 }
 
-/// This figure is computed here, since no measure leaves the master's processor out of the array.
+/// Adds figures that no measure gives, because the master's processor must be left out.
 void add_under_way(Comparison& comparison, const StudyReplay& study, const FarmOnDemand& farm, int under_way) {
     const Overrides set = overrides_of(farm, under_way);
     double least = 100, mean = 0;
@@ -55,7 +55,7 @@ Comparison under_way_table(const StudyReplay& study) {
     return comparison;
 }
 
-/// A table over the slaves, a curve for each form.
+/// Plots a table over the number of slaves, with a curve for each form.
 Panel farm_panel(const StudyReplay& study, const Comparison& table, const std::string& measured,
                  const std::string& title) {
     Panel panel{.title = title, .x = {.label = "slaves"}, .y = {.label = fmt::format("{} [ms]", measured), .from = 0}};

@@ -16,7 +16,7 @@ const ProcessInstance& master_of(const Network& network) {
     throw UserError(fmt::format("{}: expected a process \"master\" of the kind ga.master", network.source_path));
 }
 
-/// Which constant is what, with the values that the netlist gave.
+/// States the origin of each constant, with the values of the netlist.
 std::string print_constants(const ReplayContext& context) {
     auto load = [&](const Overrides& overrides) {
         return load_network(context.examples / "thesis/table-e1" / "cluster.cfs", overrides,
@@ -40,7 +40,7 @@ std::string print_constants(const ReplayContext& context) {
         value(at_120, "cycles_per_measurement_word"), at_120.nodes[master_of(at_120).node].integer("channelcall"));
 }
 
-/// The constants that its notes name are those of the netlist.
+/// Adds the constants of the netlist, to which the notes refer.
 Replay replay_table_e1(const ReplayContext& context) {
     Replay replay = StudyReplay(context, "thesis/table-e1/table-e1.toml").replay();
     replay.constants = print_constants(context);

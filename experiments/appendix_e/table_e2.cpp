@@ -8,7 +8,8 @@ namespace placedpar {
 
 namespace {
 
-/// Where the time of a generation on sixteen transputers goes, against a sixteenth of the traditional one's.
+/// States how the time of a generation on sixteen transputers is spent, compared with a sixteenth of the traditional
+/// time.
 std::string print_where_it_goes(const StudyReplay& study, const char* individuals) {
     auto figure = [&](const char* clusters, const char* slaves, const char* population, const char* name) {
         return study.measured(

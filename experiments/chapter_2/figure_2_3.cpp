@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array pressures_psia{100.0, 500.0, 1000.0, 2000.0};
 
-/// A row of moduli that were worked out independently of this program, in 1e3 psi, to the digit given.
+/// Moduli that were computed independently of this program, in 1e3 psi, to the digits given.
 struct ModulusRow {
     double air_fraction, exponent;
     std::array<double, 4> modulus_kpsi;
@@ -29,10 +29,10 @@ constexpr ModulusRow known_moduli[]{
     {.air_fraction = .10, .exponent = 1.4, .modulus_kpsi = {5.0, 58.2, 119.1, 175.0}},
 };
 
-/// The same: below which absolute pressure the mixture is that much softer than oil.
+/// Absolute pressures, computed likewise, below which the mixture is softer than oil by a given factor.
 struct ComplianceRow {
     const char* name;
-    double share; ///< of the oil's modulus
+    double share; ///< relative to the oil's modulus
     std::array<double, 4> psia;
 };
 
@@ -56,7 +56,7 @@ void add_moduli(Comparison& comparison) {
         }
 }
 
-/// C = V / beta: how many times the compliance of the same volume of oil alone.
+/// Adds C = V / beta relative to the compliance of the same volume of oil alone.
 void add_compliances(Comparison& comparison) {
     for (double air : air_fractions)
         for (double psia : pressures_psia)
@@ -72,7 +72,7 @@ void add_softer(Comparison& comparison) {
                                        psia_at_modulus(air_oil_mixture(air_fractions[i]), row.share), 0.51, 1));
 }
 
-/// The oil that alone would have the boom's compliance.
+/// Adds the volume of oil that would have the boom's compliance.
 void add_volume(Comparison& comparison) {
     double compliance = single_boom_mechanics().inlet_compliance_in3_per_psi;
     comparison.add(judged_cell(fmt::format("oil that alone has C = {}", compliance), "no air", "in^3", 1892,

@@ -15,11 +15,11 @@ namespace {
 
 using Maybe = std::optional<double>;
 
-/// Multiples of C that are looked at: Figure 2.8, half way to Figure 2.9, that, the limit of stability, beyond.
+/// The multiples of C: Figure 2.8, half way to Figure 2.9, Figure 2.9, the limit of stability, and beyond it.
 constexpr std::array factors{1.0, 2.0, 4.0, 6.0, 7.0};
 using KnownFigures = std::array<Maybe, factors.size()>; // at these multiples
 
-// Fine enough for the peak and the settling time; long enough for the stable loops to settle.
+// The step resolves the peak and the settling time; the duration lets the stable loops settle.
 constexpr double step_s = 0.001, duration_s = 20;
 
 std::string times_c(double factor) { return factor == 1 ? "C" : fmt::format("{:g} C", factor); }
@@ -33,7 +33,7 @@ Maybe of_pair(const PdLoop& loop, double Oscillation::*figure) {
     return pair ? Maybe((*pair).*figure) : std::nullopt;
 }
 
-/// None when the response does not settle, as it does not at the limit itself.
+/// Returns nullopt if the response does not settle, as at the limit itself.
 Maybe of_step(const PdLoop& loop, double StepFigures::*figure) {
     if (stability_margin(loop) < 1.0001)
         return std::nullopt;
@@ -50,7 +50,7 @@ Maybe pair_real_of(const PdLoop& loop) { return poles(loop)[2].real(); }
 Maybe pair_imaginary_of(const PdLoop& loop) { return poles(loop)[2].imag(); }
 Maybe margin_of(const PdLoop& loop) { return stability_margin(loop); }
 
-/// A figure of the loop, for each multiple of C. The known ones were worked out independently of this program, to the
+/// A figure of the loop, for each multiple of C. The known values were computed independently of this program, to the
 /// digits given.
 struct Row {
     const char* name;
@@ -115,7 +115,7 @@ Panel response_panel(std::string title, std::vector<Series> series) {
     return {std::move(title), {"time [s]", 0, 4}, {"angle θ / desired θ", 0, 1.6}, std::move(series), {{"desired", 1}}};
 }
 
-/// The path of one pole while C grows from half to ten times.
+/// Returns the path of one pole while C grows from half to ten times its value.
 Series locus(const PdLoop& loop, std::string name, std::size_t which, int colour) {
     constexpr int steps = 200;
     return curve({.name = std::move(name), .colour = colour}, steps, [&](int i) -> Point {

@@ -22,7 +22,7 @@ using MaybeOfPoint = std::function<std::optional<double>(const SteadyFlowPoint&)
 
 constexpr std::array pressures_psi{2030, 1830, 1630};
 
-/// What is worked out for each entry of the table: a row for each flow, a column for each pressure.
+/// A quantity computed for each entry of the table, which has a row for each flow and a column for each pressure.
 struct Quantity {
     const char* name;
     const char* unit;
@@ -36,7 +36,8 @@ MaybeOfPoint always(double value) {
     return [value](const SteadyFlowPoint&) { return value; };
 }
 
-/// The thesis names no entry with its claims: each is judged at one where the model bears it out.
+/// Limits the judgement to one entry. The thesis names no entry with its claims, so each is judged at one where the
+/// model confirms it.
 MaybeOfPoint only_at(double flow, double psi, double tolerance) {
     return [=](const SteadyFlowPoint& point) {
         bool here = point.inlet_in3_per_s == flow && point.inlet_psi == psi;
@@ -83,7 +84,7 @@ void add_claims(Comparison& comparison, const FlowConstants& constants) {
     add_rows(comparison, {"dQ_i/dP_i", "in^3/s/psi", 4, sensitivity(&FlowSensitivity::to_pressure_in3_per_s_psi)});
 }
 
-/// A figure of a fit, with what it was found to be independently of this program, to the digits given.
+/// A figure of a fit and the value that was found independently of this program, to the digits given.
 struct FitFigure {
     const char* name;
     const char* unit = "";
@@ -138,7 +139,7 @@ constexpr FitFigure fit_figures[]{
      .tolerance = 0.01},
 };
 
-/// The same, of the residuals in 1e-4 in.
+/// The residuals that were found independently, in 1e-4 in.
 using Residuals = std::array<double, 9>;
 constexpr Residuals known_fitted{-0.61, -0.22, -0.29, 0.65, 1.38, 0.07, -0.47, -0.50, -0.12};
 constexpr Residuals known_rounded{-0.39, -0.24, -0.62, 0.82, 1.29, -0.37, -0.35, -0.66, -0.65};
@@ -187,7 +188,7 @@ Series tabled_flow(int psi, int colour) {
     return points;
 }
 
-/// Flow over spool at the three pressures, with the table's entries.
+/// Plots flow over spool at the three pressures, with the table's entries.
 Panel flow_panel() {
     Panel panel{.title = "Flow into the boom's cylinders in the steady state",
                 .x = {"spool [in]", boom_dead_band_in, 0.3},
@@ -207,7 +208,7 @@ Series error_series(const SteadyFlowPoint& point) {
     });
 }
 
-/// What an error of the spool does to the flow that should be 40, 50 or 60 in^3/s.
+/// Plots the effect of a spool error on flows of 40, 50 and 60 in^3/s.
 Panel error_panel() {
     Panel panel{"What an error of the spool does to the flow, at 1630 psi",
                 {"error of the spool [in]", -0.03, 0.03},
@@ -220,7 +221,7 @@ Panel error_panel() {
     return panel;
 }
 
-/// The table with one set of constants.
+/// Returns the table for one set of constants.
 Comparison with_constants(std::string name, const FlowConstants& constants) {
     Comparison comparison{.name = std::move(name)};
     add_table(comparison, constants);

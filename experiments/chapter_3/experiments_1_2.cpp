@@ -20,10 +20,10 @@ using namespace identification;
 
 namespace {
 
-// As printed by the thesis.
+// These values are printed in the thesis.
 constexpr double by_spool_in3_per_psi = 0.005, by_voltage_in3_per_psi = 0.0086;
 
-constexpr double shown_s = 1.2; // of the plots
+constexpr double shown_s = 1.2; // length of the plots
 
 /// One of the thesis's two experiments.
 struct ThesisExperiment {
@@ -35,7 +35,7 @@ constexpr ThesisExperiment thesis_experiments[]{
     {.name = "2: voltage", .from = AreasFrom::servo},
 };
 
-/// A plant, and the noise of its sensors.
+/// A plant and the noise of its sensors.
 struct Source {
     const char* name;
     BoomPlant plant;
@@ -51,7 +51,7 @@ BoomMotion motion_of(const Source& source, double compliance_in3_per_psi) {
     return motion;
 }
 
-/// What the searches find, each with random numbers of its own.
+/// Returns the results of the searches, each with its own random numbers.
 std::vector<double> found_in(const std::vector<BoomData>& motions, const BoomModel& model, const Seeds& seeds) {
     std::vector<double> found;
     for (std::size_t i = 0; i < motions.size(); ++i)
@@ -59,7 +59,7 @@ std::vector<double> found_in(const std::vector<BoomData>& motions, const BoomMod
     return found;
 }
 
-/// The rms error that the best of all codes leaves in each window that the search saw.
+/// Returns the least rms error of all codes in each window of the search.
 std::vector<double> least_errors(const BoomData& data, std::span<const CircuitSample> samples,
                                  const IdentificationWay& way) {
     std::vector<double> errors;
@@ -92,7 +92,7 @@ double within_percent_of(const std::vector<double>& found, double truth, double 
     return percent_within(errors, percent);
 }
 
-/// What the Error does while the search is active.
+/// Adds the course of the error during the search.
 void add_errors(Comparison& comparison, const ThesisExperiment& way, const BoomData& data, std::uint64_t seed) {
     BoomModel model = model_of(data, way.from);
     auto identified = identify_boom(data, model, rising_way(), seed);
@@ -104,7 +104,7 @@ void add_errors(Comparison& comparison, const ThesisExperiment& way, const BoomD
     add("  of the last generation", generations.back().best_error_in3_per_s);
 }
 
-/// The thesis's "decreasing monotonically", where noise does not hide it: of the best of all codes in every window.
+/// Tests the thesis's "decreasing monotonically" without noise, for the best of all codes in every window.
 void add_clean_errors(Comparison& comparison, const ThesisExperiment& way, const BoomData& clean) {
     auto least = least_errors(clean, samples_while_rising(clean, model_of(clean, way.from)), rising_way());
     comparison.add(plain_cell("Error without noise, best code, first", way.name, "in^3/s", least.front(), 2));
@@ -112,8 +112,8 @@ void add_clean_errors(Comparison& comparison, const ThesisExperiment& way, const
     comparison.add(judged_cell("  how often it rises", way.name, "", 0, static_cast<double>(rises(least)), 0, 0));
 }
 
-/// How far an experiment's compliance may be from the true one, as a share of it: for one record, for the median of
-/// many. Of 3,000 records as many as one in a thousand are farther off than a record may be.
+/// The largest allowed relative error of an experiment's compliance, for one record and for the median of many. Of
+/// 3,000 records, one in a thousand exceeds the limit for one record.
 struct Allowed {
     double record, median;
 };
@@ -145,8 +145,8 @@ Comparison simple_comparison(const std::vector<BoomData>& motions, const Seeds& 
     return comparison;
 }
 
-/// The model knows nothing of the measured machine's hoses, stiction and ripple, nor of 10 ms of dead time, which in
-/// experiment 2 act as an a_0 that is too high.
+/// Compares both experiments on the measured machine. The model ignores its hoses, stiction and ripple, and its 10 ms
+/// of dead time, which in experiment 2 act like an a_0 that is too high.
 Comparison measured_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
     Comparison comparison{
         .name = fmt::format("{}: what both experiments find", measured.name), .against = "true", .judged = true};
@@ -158,7 +158,8 @@ Comparison measured_comparison(const std::vector<BoomData>& motions, const Seeds
     return comparison;
 }
 
-/// What experiment 2 finds with another a_0 than the machine's 8; the known errors are an independent prototype's.
+/// The error of experiment 2 with an a_0 other than the machine's 8. The known errors are those of an independent
+/// prototype.
 struct WrongLag {
     double lag_per_s, known_percent;
 };
@@ -187,7 +188,7 @@ Comparison lag_comparison(const std::vector<BoomData>& motions, const Seeds& see
     return comparison;
 }
 
-/// A row of the comparison of .005 and .0086: what one experiment finds with a model, beside what the thesis's found.
+/// Adds a row to the comparison of .005 and .0086: the result of an experiment with a model, and the thesis's.
 void add_explained(Comparison& comparison, const std::string& row, const ThesisExperiment& way, double found,
                    Origin origin) {
     double figure = way.from == AreasFrom::spool ? by_spool_in3_per_psi : by_voltage_in3_per_psi;
@@ -196,7 +197,7 @@ void add_explained(Comparison& comparison, const std::string& row, const ThesisE
     comparison.add(cell);
 }
 
-/// The first explanation: an a_0 believed to be higher than it is. Returns that a_0 over the machine's own.
+/// Adds the first explanation, an assumed a_0 that is too high. Returns its ratio to the machine's own.
 double add_wrong_lag(Comparison& comparison, const Seeds& seeds) {
     BoomData clean = measure(motion_of(simple_clean, by_spool_in3_per_psi), seeds.front());
     double lag = lag_that_finds(by_voltage_in3_per_psi, clean);
@@ -208,14 +209,14 @@ double add_wrong_lag(Comparison& comparison, const Seeds& seeds) {
     return lag / clean.boom.spool_lag_per_s;
 }
 
-/// The second: a spool that reads too low. Returns by how much, in inches.
+/// Adds the second explanation, a spool that reads too low. Returns the error, in inches.
 double add_low_spool(Comparison& comparison, const Seeds& seeds) {
     BoomData clean = measure(motion_of(simple_clean, by_voltage_in3_per_psi), seeds.front());
     double low = offset_that_finds(by_spool_in3_per_psi, clean);
     auto motions = measure(motion_of(simple, by_voltage_in3_per_psi), seeds);
     auto found = [&](const BoomModel& model) { return lower_median(found_in(motions, model, seeds)); };
     std::string row = fmt::format("true C .0086, spool reads {:.4f} in low", -low);
-    // Taking too much off the readings is the same as a sensor that reads too low.
+    // Subtracting too much from the readings has the effect of a sensor that reads too low.
     BoomModel low_model = model_of(clean, AreasFrom::spool);
     low_model.spool_offset_in = -low;
     add_explained(comparison, row, thesis_experiments[0], found(low_model), Origin::calibrated);
@@ -223,7 +224,7 @@ double add_low_spool(Comparison& comparison, const Seeds& seeds) {
     return -low;
 }
 
-/// .005 and .0086 of one machine.
+/// Compares .005 and .0086 for a single machine.
 Comparison both_comparison(const Seeds& seeds) {
     Comparison comparison{.name = "simple plant: .005 versus .0086 of one machine, median of 50 records",
                           .against = "thesis",

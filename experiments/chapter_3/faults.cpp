@@ -19,17 +19,17 @@ using namespace identification;
 namespace {
 
 constexpr std::size_t records_a_fault = 20;
-// Ours: beyond it a single record looks suspicious.
+// Ours: a single record with a larger error looks suspicious.
 constexpr double off_by = 0.12;
 
 const RecordSource simple_plant{"scenario-a", "low", false}, measured_machine{"excavator", "mid", true},
     two_links{"links", "mid", false};
 
-/// A fault, and what the compliance found should be, of the sound machine's.
+/// A fault and its expected effect on the compliance, as a ratio to the sound machine's.
 struct Case {
     PlantFault fault;
     double known_ratio, tolerance;
-    bool in_servo; ///< so that only a machine with a servo-valve can have it
+    bool in_servo; ///< whether only a machine with a servo-valve can have it
 };
 
 std::vector<Case> cases() {
@@ -38,12 +38,12 @@ std::vector<Case> cases() {
         {doubled_compliance(), 2, 0.15, false},
         {leak_of("leak of 5 %", 0.0014), 1.13, 0.05, false},
         {leak_of("leak of 10 %", 0.0028), 1.27, 0.05, false},
-        // 0.01 in of spool is 21 mV in the working range, and 20 % of the flow.
+        // 21 mV move the spool by 0.01 in in the working range, which is 20 % of the flow.
         {drift_of(0.021), 1, 0.05, true},
     };
 }
 
-/// The compliances of all records, by the spool or by the voltage.
+/// Returns the compliances of all records, by the spool or by the voltage.
 std::vector<double> found_in(const PlantFault& fault, const RecordSource& source, AreasFrom from, const Seeds& seeds) {
     std::vector<double> found;
     for (std::uint64_t seed : seeds)
@@ -63,7 +63,7 @@ void add_case(Comparison& comparison, const Case& each, const RecordSource& sour
     double middle = lower_median(found), ratio = middle / sound_one;
     std::string column = each.fault.name, of = by_spool ? "  of the sound machine's" : "  of the sound one's";
     comparison.add(plain_cell(by_spool ? "C by the spool" : "C by the voltage", column, "in^3/psi", middle, 5));
-    // What a drift does to C by the voltage nobody has told.
+    // There is no published figure for the effect of a drift on C by the voltage.
     comparison.add(by_spool || !each.in_servo ? judged_cell(of, column, "", each.known_ratio, ratio, each.tolerance, 2)
                                               : plain_cell(of, column, "", ratio, 2));
     comparison.add(plain_cell(by_spool ? "  records off by 12 %" : "  off by 12 %", column, "%",
@@ -86,7 +86,7 @@ Comparison fault_comparison(const char* where, const RecordSource& source, const
     return comparison;
 }
 
-/// What a leak does to least squares over the rise, beside what is known.
+/// Compares the effect of a leak on least squares over the rise with the known effect.
 Comparison leak_comparison() {
     Comparison comparison{
         .name = "a leak that the model does not know, scenario A without noise, while the pressure rises: growth "

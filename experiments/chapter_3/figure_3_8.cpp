@@ -25,10 +25,10 @@ namespace {
 constexpr double thesis_in3_per_psi = 0.0086, found_by_spool_in3_per_psi = 0.005;
 constexpr double drawn_s = 1.4;
 
-/// The boom raised at another speed than scenario A's 4 deg/s, or at that.
+/// Returns a motion in which the boom is raised at this speed; scenario A's is 4 deg/s.
 BoomMotion motion_at(double deg_per_s, BoomPlant plant, const MeasurementNoise& noise,
                      double compliance_in3_per_psi = thesis_in3_per_psi) {
-    constexpr double steady_psi = 1850; // scenario A's
+    constexpr double steady_psi = 1850; // as in scenario A
     LinkMechanics boom = single_boom_mechanics();
     double flow = deg_per_s * std::numbers::pi / 180 * piston_in3_per_rad(boom.inlet_area_in2, boom.moment_arm_in);
     BoomMotion motion{plant, noise};
@@ -42,7 +42,7 @@ MeasurementNoise noise_of(BoomPlant plant) { return plant == BoomPlant::simple ?
 
 /// The check of scenario A against figures of an independent prototype.
 struct KnownCheck {
-    double factor; ///< of the true compliance
+    double factor; ///< relative to the true compliance
     double rms_psi, tolerance_psi;
     std::optional<double> peak_psi = {};
 };
@@ -79,11 +79,11 @@ struct Curve {
 };
 constexpr std::array<Curve, 3> curves{{{"identified C", 1}, {"half of it", 0.5}, {"twice", 2}}};
 
-// Ours for the thesis's "significant difference".
+// Our value for the thesis's "significant difference".
 constexpr double significant_psi = 80;
 
-/// One of the other motions, and how far off an "excellent" simulation of it may be: the mean of 400 records simulated
-/// with the compliance that is identified, and four of their standard deviations (docs/reference/hydraulics.md).
+/// One of the other motions and the limit for an "excellent" simulation of it. The limit is the mean of 400 records
+/// simulated with the identified compliance, plus four of their standard deviations (docs/reference/hydraulics.md).
 struct OtherMotion {
     double deg_per_s, simple_psi, measured_psi;
 
@@ -91,7 +91,7 @@ struct OtherMotion {
 };
 constexpr std::array other_motions{OtherMotion{3, 9, 18}, OtherMotion{5, 13, 25}};
 
-/// One motion, simulated with the compliance that another one gave.
+/// Adds one motion, simulated with the compliance identified from another.
 void add_motion(Comparison& comparison, double deg_per_s, const BoomData& data, double identified_in3_per_psi,
                 double excellent_psi) {
     auto row = [&](const char* what) { return fmt::format("{} deg/s: {}", deg_per_s, what); };
@@ -107,14 +107,15 @@ void add_motion(Comparison& comparison, double deg_per_s, const BoomData& data, 
     }
 }
 
-/// The other motions, with noise of their own.
+/// The other motions, with their own noise.
 struct OtherRecords {
     BoomPlant plant;
-    double identified_in3_per_psi; ///< what experiment 2 identifies at 4 deg/s: the median of many records
-    std::vector<BoomData> motions; ///< as other_motions
+    double identified_in3_per_psi; ///< identified by experiment 2 at 4 deg/s: the median of many records
+    std::vector<BoomData> motions; ///< in the order of other_motions
 };
 
-/// The last of the seeds are those of the other motions. A single search may be off by a tenth.
+/// Measures the other motions with the last seeds. The others give the compliance as a median, since a single search
+/// may be off by a tenth.
 OtherRecords other_records(BoomPlant plant, const Seeds& seeds) {
     const std::span all(seeds);
     const auto searched = all.first(all.size() - other_motions.size()), others = all.last(other_motions.size());
@@ -145,7 +146,8 @@ Comparison other_comparison(const OtherRecords& other) {
     return comparison;
 }
 
-/// The thesis simulates with the voltage that it identifies from. An a_0 that is wrong in both is not found out.
+/// Simulates with the voltage from which the compliance was identified, as the thesis does. This cannot reveal an a_0
+/// that is wrong in both.
 Comparison blind_comparison(const Seeds& seeds) {
     BoomData clean = measure(motion_at(4, BoomPlant::simple, no_noise, found_by_spool_in3_per_psi), seeds[0]);
     double lag = lag_that_finds(thesis_in3_per_psi, clean);
@@ -180,7 +182,7 @@ Series measured_series(const PressureCheck& check) {
     return series;
 }
 
-/// `all`: with half and twice the compliance too.
+/// Plots the pressures; with `all`, also for half and twice the compliance.
 Panel pressure_panel(std::string title, const BoomData& data, double identified_in3_per_psi, bool all) {
     Panel panel;
     panel.title = std::move(title);

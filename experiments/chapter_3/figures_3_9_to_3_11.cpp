@@ -16,9 +16,9 @@ using namespace identification;
 
 namespace {
 
-constexpr std::size_t samples_in_figure_3_9 = 84; // of 20 ms, from the valves' opening to 2 s
+constexpr std::size_t samples_in_figure_3_9 = 84; // 20 ms each, from the valves' opening to 2 s
 
-/// The steady state of scenario R2; known from an independent prototype.
+/// Compares the steady state of scenario R2 with an independent prototype's.
 Comparison steady_comparison(const TwoLinkMotion& motion) {
     const ExcavatorState& end = motion.motion.states.back();
     InternalStates states = true_states(end);
@@ -38,12 +38,12 @@ Comparison steady_comparison(const TwoLinkMotion& motion) {
     return comparison;
 }
 
-/// One way of searching at one noise level, and what is known of it.
+/// A way of searching at one noise level, and its known result.
 struct TwoLinkCase {
     const char* name;
     IdentificationWay way;
     MeasurementNoise noise;
-    double known_percent; ///< of records with both within 10 %: the prototype's
+    double known_percent; ///< the prototype's percentage of records with both errors within 10 %
 };
 
 void add_study(Comparison& comparison, const TwoLinkCase& study, const TwoLinkMotion& motion, const Seeds& seeds) {
@@ -88,8 +88,8 @@ Comparison noise_comparison(const TwoLinkMotion& motion, const Seeds& seeds) {
 
 using StateErrors = std::array<double, InternalStates::count>;
 
-/// How far each state is off at the worst sample of one search, from the sixth on: the first answer, of five
-/// generations on five samples, is still searching. In percent of the state itself.
+/// Returns the greatest error of each state in one search, in percent, from the sixth sample on. Before that the search
+/// has not converged: the first answer comes from five generations on five samples.
 StateErrors worst_errors(const TwoLinkMotion& motion, const IdentificationWay& way, std::uint64_t seed) {
     ComplianceSearch prepared = measure_two_links(motion, no_noise, way, seed);
     SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
@@ -108,7 +108,7 @@ StateErrors worst_errors(const TwoLinkMotion& motion, const IdentificationWay& w
     return worst;
 }
 
-/// The thesis's "states within 10 %".
+/// Tests the thesis's "states within 10 %".
 Comparison states_comparison(const TwoLinkMotion& motion, std::uint64_t seed) {
     constexpr std::array<const char*, InternalStates::count> names{"P_11", "P_12", "Q_11", "Q_12", "Q_BUi", "Q_BOi"};
     Comparison comparison{
@@ -126,7 +126,7 @@ Comparison states_comparison(const TwoLinkMotion& motion, std::uint64_t seed) {
     return comparison;
 }
 
-/// Of one search without noise, over all of Figure 3.9's span: from where nothing moves any more the estimate stays.
+/// Plots one search without noise over the whole of Figure 3.9; once nothing moves, the gate keeps the estimate.
 Plot plot_of_found_states(const TwoLinkMotion& motion, std::uint64_t seed) {
     IdentificationWay way = gray_way();
     way.usable.count = samples_in_figure_3_9;

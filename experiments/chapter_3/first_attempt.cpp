@@ -21,10 +21,10 @@ using namespace identification;
 
 namespace {
 
-// Long enough for a second of steady motion after the transient.
+// The duration includes a second of steady motion after the transient.
 constexpr double attempt_s = 4;
 
-/// Simulated once, measured 50 times.
+/// Simulates the motion once and measures it for each seed.
 std::vector<BoomData> motions_with(double offset_in, const MeasurementNoise& noise, const Seeds& seeds,
                                    BoomPlant plant = BoomPlant::simple) {
     BoomMotion motion{plant, noise, offset_in};
@@ -32,10 +32,10 @@ std::vector<BoomData> motions_with(double offset_in, const MeasurementNoise& noi
     return measure(motion, seeds);
 }
 
-/// An offset, and what an independent prototype found with it: of the rising part of scenario A at low noise.
+/// An offset and the results of an independent prototype with it, for the rising part of scenario A at low noise.
 struct KnownOffset {
     double offset_in;
-    std::optional<double> fit_percent, fit_tolerance; ///< without a tolerance the size is not judged, the sign is
+    std::optional<double> fit_percent, fit_tolerance; ///< without a tolerance only the sign is judged
     std::optional<double> search_in3_per_psi;
 };
 constexpr KnownOffset known_offsets[]{
@@ -43,7 +43,7 @@ constexpr KnownOffset known_offsets[]{
 
 std::string inches(double offset_in) { return offset_in == 0 ? "no offset" : fmt::format("{:+} in", offset_in); }
 
-/// What is identified from many records with one offset.
+/// The results of identification from many records with one offset.
 struct Found {
     std::vector<double> searched_in3_per_psi, fit_in3_per_psi;
     double flagged_percent;
@@ -74,8 +74,8 @@ SpoolOffset calibrate(const BoomData& motion, const FlowConstants& flow) {
     return *found;
 }
 
-/// The least squares of the rising samples by the spool. Scenario A rises too fast for an offset of -.01 in to make it
-/// negative; of -.02 in it is.
+/// Adds least squares over the rising samples by the spool. In the fast scenario A, an offset of -.01 in does not make
+/// the compliance negative; -.02 in does.
 void add_fit(Comparison& comparison, const KnownOffset& known, double fit, double truth) {
     std::string column = inches(known.offset_in);
     comparison.add(plain_cell("C by least squares", column, "in^3/psi", fit, 5));
@@ -118,7 +118,7 @@ Comparison attempt_comparison(const Seeds& seeds) {
     return comparison;
 }
 
-/// How far the steady flow is off when the spool is believed to be where it reads.
+/// Compares the error of the steady flow if the spool's reading is believed.
 Comparison flow_comparison() {
     Comparison comparison{
         .name = "steady flow of scenario A, by the spool as it reads", .against = "thesis", .judged = true};
@@ -133,7 +133,7 @@ Comparison flow_comparison() {
     return comparison;
 }
 
-/// The known scatter of the offset found, over seeds; of an independent prototype.
+/// The known standard deviation of the calibrated offset over seeds, from an independent prototype.
 struct KnownScatter {
     const char* name;
     MeasurementNoise noise;
@@ -143,7 +143,7 @@ constexpr std::array<KnownScatter, 3> known_scatters{
     {{"low noise", low_noise, 0.00004}, {"mid noise", mid_noise, 0.00008}, {"high noise", high_noise, 0.00015}}};
 
 void add_scatter(Comparison& comparison, const KnownScatter& known, const Seeds& seeds) {
-    constexpr double true_in = 0.01, bias_in = 0.00001; // ours: a tenth of what the calibration is said to reach
+    constexpr double true_in = 0.01, bias_in = 0.00001; // ours: a tenth of the stated accuracy of the calibration
     std::vector<double> found, stated;
     for (const BoomData& motion : motions_with(true_in, known.noise, seeds)) {
         SpoolOffset offset = calibrate(motion, motion.flow);
@@ -158,7 +158,7 @@ void add_scatter(Comparison& comparison, const KnownScatter& known, const Seeds&
     comparison.add(plain_cell("  as the calibration states it", known.name, "in", mean(stated), 5));
 }
 
-/// The same record, calibrated with a k or Q that is 1 % off.
+/// Adds the calibration of the same record with a k or Q that is 1 % wrong.
 void add_model_errors(Comparison& comparison) {
     BoomData motion = motions_with(0.01, no_noise, {1}).front();
     double right = calibrate(motion, motion.flow).offset_in;
@@ -182,7 +182,7 @@ Comparison calibration_comparison(const Seeds& seeds) {
     return comparison;
 }
 
-/// What is identified when the offset is taken off.
+/// Adds the identification after subtracting the offset.
 void add_cured(Comparison& comparison, const std::string& column, const std::vector<BoomData>& motions,
                double calibrated_in, const Seeds& seeds, bool simple) {
     double truth = motions.front().boom.inlet_compliance_in3_per_psi;
@@ -194,7 +194,7 @@ void add_cured(Comparison& comparison, const std::string& column, const std::vec
     };
     add("C with it taken off, spool", spool, 0.05);
     comparison.add(judged_cell("  flagged", column, "%", 0, spool.flagged_percent, 0, 0));
-    // The measured machine's valve has a dead time that A.2 does not know.
+    // The measured machine's valve has a dead time, which A.2 lacks.
     add("C with it taken off, voltage", volts, simple ? 0.05 : 0.12);
 }
 
@@ -221,7 +221,7 @@ Comparison cure_comparison(BoomPlant plant, const Seeds& seeds) {
     return comparison;
 }
 
-/// An offset in the slower motion: at -.01 in the compliance is about to become negative, at -.015 in it is.
+/// Adds an offset in the slower motion. At -.01 in the compliance is just positive; at -.015 in it is negative.
 void add_slow(Comparison& comparison, double offset_in) {
     BoomMotion motion{BoomPlant::simple, no_noise, offset_in};
     motion.slow = true;
@@ -237,7 +237,7 @@ void add_slow(Comparison& comparison, double offset_in) {
     comparison.add(cell_of("  negative (1: yes)", column, "", negative, fit < 0 ? 1 : 0, 0, 0));
 }
 
-/// Scenario B: the slower the pressure rises, the more an offset does, about 1050 d / (dP/dt).
+/// Compares scenario B: the slower the pressure rises, the greater the effect of an offset, about 1050 d / (dP/dt).
 Comparison slow_comparison() {
     Comparison comparison{.name = "a slower motion (scenario B, no noise): least squares while the pressure rises",
                           .against = "known",
@@ -247,7 +247,7 @@ Comparison slow_comparison() {
     return comparison;
 }
 
-/// C found over the offset that is left uncorrected.
+/// Plots the compliance over the uncorrected offset.
 Plot plot_of_offsets(std::uint64_t seed) {
     Series fit{"least squares", {}}, search{"search", {}, Stroke::points};
     for (int i = -25; i <= 15; ++i) {

@@ -18,7 +18,7 @@ using namespace identification;
 
 namespace {
 
-/// A figure of an independent prototype, and that which a sound identification must not exceed.
+/// A figure of an independent prototype, and an upper limit for a sound identification.
 struct Bound {
     double known;
     std::optional<double> most;
@@ -32,7 +32,7 @@ struct NoiseLevel {
     Bound rising_median_percent;
 };
 
-// High noise must be too much for the thesis's "within 10 %".
+// At high noise the errors must exceed the thesis's "within 10 %".
 constexpr double too_much_percent = 10;
 
 constexpr NoiseLevel noise_levels[]{
@@ -76,7 +76,7 @@ void add_level(Comparison& comparison, const NoiseLevel& level, const Seeds& see
         comparison.cells.back().at_least = too_much_percent;
     comparison.add(
         compared_cell("  seeds within 10 %", level.name, "%", level.within_ten_percent, all.within_ten_percent(), 0));
-    // One search in thirty is 5 codes off or more: in one of 400 studies so are a tenth of its 50.
+    // One search in thirty is off by at least 5 codes. In one of 400 studies at least a tenth of its 50 searches are.
     add("codes from the best of all, 90th percentile", "", {0, 5}, quantile(all.codes_from_optimum, 0.9), 0);
     add("codes from that to the best in SI, greatest", "", {0, 1}, quantile(all.si_codes, 1), 0);
     SearchStudy rising = study(measure_transients(level.noise, rising_way().usable, seeds), rising_way(), seeds);
@@ -84,7 +84,7 @@ void add_level(Comparison& comparison, const NoiseLevel& level, const Seeds& see
     comparison.add(plain_cell("  its 90th percentile", level.name, "%", rising.ninetieth_percent(), 2));
 }
 
-/// A way to identify, and what is known of it: the share of seeds within 10 %.
+/// A way to identify, and the known percentage of seeds within 10 %.
 struct Variant {
     std::string name;
     IdentificationWay way;
@@ -128,7 +128,7 @@ std::vector<Variant> variants() {
 void add_variant(Comparison& comparison, const Variant& variant, const Transients& transients, const Seeds& seeds) {
     SearchStudy result = study(transients, variant.way, seeds);
     auto add = [&](const char* column, double value, int decimals) {
-        comparison.add(plain_cell(variant.name, column, "", value, decimals)); // the columns' units differ
+        comparison.add(plain_cell(variant.name, column, "", value, decimals)); // the columns have different units
     };
     add("error, median [%]", result.median_percent(), 1);
     add("90th percentile [%]", result.ninetieth_percent(), 1);

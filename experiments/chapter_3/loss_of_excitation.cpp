@@ -19,10 +19,10 @@ namespace {
 using Runs = std::vector<SearchRun>;
 
 constexpr std::size_t trials_a_sample = 5;
-constexpr std::size_t records_shown = 50; // of the ways that are not judged
+constexpr std::size_t records_shown = 50; // for the ways that are not judged
 constexpr std::size_t lost_for = 20;      // samples: 100 generations, a sixth of the figure
 
-/// 600 generations: well past the 425 of Figure 3.11.
+/// Extends a way to 600 generations, well past the 425 of Figure 3.11.
 IdentificationWay prolonged(IdentificationWay way) {
     way.usable.count = 120;
     return way;
@@ -35,7 +35,7 @@ IdentificationWay gated(IdentificationWay way) {
 
 IdentificationWay long_way() { return prolonged(thesis_way()); }
 
-/// The generations that are looked at, with what the prototype found without a gate.
+/// The generations to compare, with the prototype's results without a gate.
 struct Known {
     std::size_t generation;
     double percent;
@@ -50,7 +50,7 @@ void add_shares(Comparison& comparison, const char* row, const Runs& runs) {
                                   both_within_ten_percent(runs, each.generation, trials_a_sample), 0));
 }
 
-/// The share of records that is still right, which the thesis saw falling after generation 425.
+/// Compares the share of records that are still right. The thesis saw it fall after generation 425.
 Comparison share_comparison(const TwoLinkMotion& motion, const Runs& plain, const Seeds& shown) {
     Comparison comparison{
         .name = fmt::format(
@@ -68,7 +68,7 @@ Comparison share_comparison(const TwoLinkMotion& motion, const Runs& plain, cons
     return comparison;
 }
 
-/// An elite keeps the answer only while the samples are without noise.
+/// Compares the ways at low noise. An elite keeps the answer only without noise.
 Comparison low_noise_comparison(const TwoLinkMotion& motion, const Seeds& shown) {
     Comparison comparison{.name = "the same at low noise (2 psi, .003 deg, .1 % of an area)", .against = "known"};
     auto add = [&](const char* row, const IdentificationWay& way) {
@@ -81,8 +81,8 @@ Comparison low_noise_comparison(const TwoLinkMotion& motion, const Seeds& shown)
     return comparison;
 }
 
-/// The generation from which on one of both is off by more than the percents through `lost_for` samples; that after
-/// the last if there is none.
+/// Returns the first generation from which one compliance or the other is off by more than `percent` through `lost_for`
+/// samples, or the one after the last.
 double lost_from(const SearchRun& run, double percent) {
     std::size_t off = 0;
     for (std::size_t i = 0; i < run.estimates.size(); ++i) {
@@ -93,7 +93,7 @@ double lost_from(const SearchRun& run, double percent) {
     return static_cast<double>(trials_a_sample * (run.estimates.size() + 1));
 }
 
-/// When the searches lose their way by more than the percents.
+/// Adds the generations at which the searches are off by more than `percent`.
 void add_lost(Comparison& comparison, const Runs& plain, double percent, std::optional<double> thesis) {
     std::string row = fmt::format("off by more than {} %", percent);
     std::vector<double> lost;
@@ -104,7 +104,7 @@ void add_lost(Comparison& comparison, const Runs& plain, double percent, std::op
     comparison.add(plain_cell(row, "last of 10", "generation", quantile(lost, 0.9), 0));
 }
 
-/// When a search loses its way, which an eye reads off a figure.
+/// Compares the generation at which a search loses the answer with the thesis's figure, which is read by eye.
 Comparison single_run_comparison(const Runs& plain) {
     Comparison comparison{
         .name = fmt::format("without noise and gate, {} records: the generation from which on one of both is off for "

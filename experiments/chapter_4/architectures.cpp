@@ -15,12 +15,12 @@ namespace placedpar {
 namespace {
 
 constexpr std::array machine_alphas{8, 16, 24};
-/// Islands of the hypercube that the hybrid is to overtake, and of the hybrid.
+/// The number of islands of the hypercube that the hybrid should overtake, and of the hybrid.
 constexpr int most_islands = 16, hybrid_islands = 4;
 
 std::string alpha_column(int alpha) { return fmt::format("alpha = {}", alpha); }
 
-/// The speedups of one architecture by its processors, from a table that has both: one at least.
+/// Returns the speedups of one architecture by its number of processors, from a table that has at least one.
 std::vector<Point> speedups_of(const std::string& architecture, int alpha, const StudyReplay& study,
                                const Comparison& table) {
     std::vector<Point> points;
@@ -33,7 +33,7 @@ std::vector<Point> speedups_of(const std::string& architecture, int alpha, const
     return points;
 }
 
-/// The fewest processors with which the hybrid is faster than the largest hypercube; 0: with none of these.
+/// Returns the fewest processors with which the hybrid is faster than the largest hypercube, or 0 if there are none.
 double crossover(double hypercube, const std::vector<Point>& hybrid) {
     auto faster = [&](const Point& point) { return point.x > most_islands && point.y > hypercube; };
     auto found = std::ranges::find_if(hybrid, faster);
@@ -45,15 +45,15 @@ double crossover_in(const StudyReplay& study, const Comparison& table, int alpha
                      speedups_of("hybrid", alpha, study, table));
 }
 
-/// As equation 4.9 says.
+/// Returns the same by equation 4.9.
 double crossover_by_formula(int alpha) {
     std::vector<Point> hybrid;
-    for (int processors = 1; processors <= 1000; ++processors) // of each island
+    for (int processors = 1; processors <= 1000; ++processors) // per island
         hybrid.push_back({1.0 * hybrid_islands * processors, hybrid_islands * formula_4_9(alpha, processors)});
     return crossover(most_islands, hybrid);
 }
 
-/// Where communication takes nothing, that is what equation 4.9 says, to the next size.
+/// Compares both; without communication the result should be that of equation 4.9, to the next size.
 Comparison crossover_table(const StudyReplay& study, const Comparison& ideal, const Comparison& on_t800s) {
     Comparison table{.name = "from how many processors on the hybrid is faster than 16 islands of 6",
                      .against = "(4.9)"};
@@ -101,7 +101,7 @@ std::uint64_t fingerprint_of(const StudyReplay& study) {
     return fingerprint.value();
 }
 
-/// Puts the cells of each alpha together, those of the hypercube first where a table has both.
+/// Groups the cells of each alpha, those of the hypercube first.
 void order_by_alpha(const StudyReplay& study, Comparison& table) {
     std::ranges::stable_sort(table.cells, {}, [&](const Cell& cell) {
         return std::tuple(cell.row.starts_with("hybrid"), study.number_in(cell.column));

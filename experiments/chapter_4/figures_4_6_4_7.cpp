@@ -21,17 +21,17 @@ namespace {
 
 constexpr std::array speedup_alphas{8, 16, 24};
 constexpr std::array speedup_processors{2, 3, 4, 6, 8, 12, 16, 20, 24, 28};
-/// Computing takes that many times as long, so that beside it communication takes nothing.
+/// The factor by which computing takes longer, so that communication is negligible.
 constexpr int speedup_work_alone = 1000;
 
-/// With which breeding and its own share keep the master's processor as busy as a slave's. Of equation 4.5's t_p a
-/// slave has s and the master m: n s + m = 1 and s = m + 1 / alpha give m / s = (alpha - n) / (alpha + 1), n being the
-/// slaves.
+/// Returns the master's own share with which its evaluating and breeding take as long as a slave's evaluating. Of
+/// equation 4.5's t_p a slave has the share s and the master m. With n slaves, n s + m = 1 and s = m + 1 / alpha give m
+/// / s = (alpha - n) / (alpha + 1).
 double balanced_share(int alpha, int slaves) { return std::max(0.0, 1.0 * (alpha - slaves) / (alpha + 1)); }
 
-constexpr std::size_t whole_evaluations = 30 * 10; ///< of a population of 30 and a window of 10
+constexpr std::size_t whole_evaluations = 30 * 10; ///< for a population of 30 and a window of 10
 
-/// The shares of a generation, the master's last, in parts of it.
+/// Returns the shares of a generation as fractions of it, the master's last.
 std::vector<double> parts_of_whole_evaluations(int processors, double own_share) {
     std::vector<double> parts;
     auto slaves = static_cast<std::size_t>(processors - 1);
@@ -40,7 +40,7 @@ std::vector<double> parts_of_whole_evaluations(int processors, double own_share)
     return parts;
 }
 
-/// As the formulas, where 300 evaluations are dealt out whole: all wait for the largest share.
+/// Returns equation 4.9 if 300 evaluations are dealt out whole: all wait for the largest share.
 double whole_4_9(int alpha, int processors) {
     auto parts = parts_of_whole_evaluations(processors, 1);
     return (alpha + 1) / (alpha * *std::ranges::max_element(parts) + 1);
@@ -51,14 +51,14 @@ double whole_pipelined(int alpha, int processors) {
     return (1 + 1.0 / alpha) / *std::ranges::max_element(parts);
 }
 
-/// One processor's evaluating and breeding, its breeding being 1.
+/// Returns the times of one processor, with breeding as the unit.
 GenerationTimes times_at(int alpha, double communication) {
     return {.evaluating = 1.0 * alpha, .breeding = 1, .communication = communication};
 }
 
 struct SpeedupPoint {
     int alpha, processors, populations, work;
-    bool only_breeding = false; ///< what the master does
+    bool only_breeding = false; ///< whether the master only breeds
     auto operator<=>(const SpeedupPoint&) const = default;
 };
 
@@ -73,7 +73,7 @@ Overrides overrides_of(const SpeedupPoint& point) {
     return overrides;
 }
 
-/// The netlist with any of these settings, each run once.
+/// Runs the netlist with these settings, each once.
 class SpeedupRuns {
 public:
     explicit SpeedupRuns(const ReplayContext& context) : context_(context) {}
@@ -88,17 +88,17 @@ public:
         return runs_.emplace(point, std::move(report)).first->second;
     }
 
-    /// Generations of a population in the time in which one processor that does everything makes one.
+    /// Returns the generations of a population in the time in which a single processor makes one.
     double speedup(const SpeedupPoint& point) { return rate(point) / alone(point).measured("master[0]", rate_name); }
 
-    /// Equation 4.9's n t_c2, measured as the thesis did: a generation's communication with nothing to evaluate. In
-    /// t_s: one processor's generation is alpha + 1 of them.
+    /// Returns equation 4.9's n t_c2, measured as in the thesis: the communication of a generation with nothing to
+    /// evaluate. The unit is t_s; a generation of one processor takes alpha + 1 of them.
     double communication(const SpeedupPoint& point) {
         return (point.alpha + 1) * run(point).measured("master[0]", "C_time2") /
                alone(point).measured("master[0]", "T_exe");
     }
 
-    /// Whether every population's generations are those of its twin without a pipeline, and of one processor.
+    /// Returns whether every population has the same generations as its twin without a pipeline and as one processor.
     bool are_the_same_generations() {
         std::map<std::string, std::string> populations;
         for (const auto& [point, report] : runs_)
@@ -184,15 +184,15 @@ Comparison run_pipelined_on_t800s(SpeedupRuns& runs) {
     });
 }
 
-/// A speedup by formula, and how far the simulated one may be from it.
+/// A speedup by formula, and the allowed distance of the simulated one.
 struct FormulaSpeedup {
     double known;
-    double whole;   ///< where evaluations are dealt out whole: that difference is allowed,
-    double allowed; ///< and so much of the known one
+    double whole;   ///< with evaluations dealt out whole; the difference is allowed
+    double allowed; ///< additional tolerance, relative to `known`
     double tolerance() const { return std::abs(known - whole) + allowed * known; }
 };
 
-/// By equation C.2.
+/// Returns equation C.2.
 double simulated_efficiency(SpeedupRuns& runs, const SpeedupPoint& point) {
     return formula_c_2(runs.speedup(point), point.processors);
 }
@@ -243,7 +243,7 @@ Series speedup_series(SpeedupRuns& runs, std::string name, int alpha, int popula
     return series;
 }
 
-/// A figure: the formula as a line, simulated with communication that takes nothing, and on T800s.
+/// Plots a figure: the formula as a line, the simulation without the cost of communication, and the one on T800s.
 Panel speedup_panel(SpeedupRuns& runs, std::string title, int populations, double (*formula)(double, double)) {
     Panel panel{
         .title = std::move(title), .x = {.label = "processors"}, .y = {.label = "speedup", .from = 0, .to = 26}};

@@ -16,16 +16,16 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t searchers = 100; ///< points of a population, as the thesis's single genetic algorithm has
-/// Of an evolution strategy that keeps looking around, in lengths of the search space.
+constexpr std::size_t searchers = 100; ///< points of a population, as in the thesis's single genetic algorithm
+/// The least step of an evolution strategy that keeps exploring, in lengths of the search space.
 constexpr double least_step = 0.02;
-/// What is claimed of the lag beyond least squares over the same window, in generations: of genetic algorithms, and of
-/// searches among real numbers.
+/// The claimed limits of the lag beyond least squares over the same window, in generations: at least for genetic
+/// algorithms, at most for searches among real numbers.
 constexpr double least_lag_beyond = 10, most_lag_beyond = 5;
 /// c1 of coloured noise.
 constexpr double colour = 0.8;
 
-/// The pole in each generation: `find(samples seen so far, whether one is new)` gives it.
+/// Returns the pole in each generation. `find(samples seen so far, whether one is new)` computes it.
 template <class Find>
 std::vector<Pole> follow_record(const PlantExperiment& plant, std::uint64_t seed, Find find) {
     auto samples = plant_samples(plant, seed);
@@ -37,7 +37,7 @@ std::vector<Pole> follow_record(const PlantExperiment& plant, std::uint64_t seed
     return found;
 }
 
-/// Least squares over the last `window` samples.
+/// Follows the pole by least squares over the last `window` samples.
 std::vector<Pole> follow_by_least_squares(const PlantExperiment& plant, std::uint64_t seed, std::size_t window) {
     Pole pole{};
     return follow_record(plant, seed, [&](std::span<const Sample> seen, bool is_new) {
@@ -57,7 +57,7 @@ std::vector<Pole> follow_recursively(const PlantExperiment& plant, std::uint64_t
     });
 }
 
-/// The parameters of Table 5.1 as a point of the unit cube, and their sum of squared errors over a window.
+/// Maps points of the unit cube to the parameters of Table 5.1, and computes their sum of squared errors over a window.
 class PlantCube {
 public:
     PoleZeroPlant plant(const Eigen::VectorXd& point) const {
@@ -162,8 +162,8 @@ std::vector<TrackRow> rows_of_all(const std::vector<PlantStudy>& studies) {
     return rows;
 }
 
-/// Least squares over the same window is the exact optimum of what the genetic algorithms search: without noise they
-/// cannot follow sooner, and it finds the plant before the change to the last bits.
+/// Judges the exact optimum. Least squares over the same window is the optimum of what the genetic algorithms search.
+/// Without noise they cannot follow sooner, and least squares finds the plant before the change to the last bits.
 Comparison judged_optimum(const std::vector<PlantStudy>& exact, const std::vector<PlantStudy>& searched) {
     Comparison comparison{.name = "least squares as the exact optimum, noiseless", .against = "known"};
     const PlantStudy& optimum = exact[1];
@@ -175,7 +175,7 @@ Comparison judged_optimum(const std::vector<PlantStudy>& exact, const std::vecto
     return comparison;
 }
 
-/// How much later than least squares over the same window each search follows, seed by seed.
+/// Returns how much later than least squares over the same window each search follows, seed by seed.
 std::vector<Claim> claims_of(const std::vector<PlantStudy>& exact, const std::vector<PlantStudy>& searched) {
     auto lag_beyond = [&](const PlantStudy& study) { return less(study.lags(), exact[1].lags()); };
     auto claim = [&](const PlantStudy& study) { return "lag beyond least squares, " + study.islands.name; };

@@ -23,7 +23,7 @@ std::string islands_of(std::size_t population) {
                : fmt::format("{} islands of {}", global_population / population, population);
 }
 
-/// Generations to the target, by the size of the islands.
+/// Finds the generations to the target, by the size of the islands.
 TaskStudy study_islands(const ReplayContext& context, const StaticTask& task) {
     TaskStudy study{task, {std::begin(local_populations), std::end(local_populations)}, generation_limit, {}};
     for (std::size_t population : local_populations)
@@ -44,8 +44,8 @@ Comparison maximisation_table(const std::vector<TaskStudy>& studies) {
     return comparison;
 }
 
-/// "As small as 6 without affecting the measured convergence rate": a tenth more generations at most. Of a function
-/// whose target few runs reach, a median says nothing.
+/// Tests "as small as 6 without affecting the measured convergence rate", as at most a tenth more generations.
+/// Functions whose target few runs reach are left out, since their medians have no meaning.
 std::vector<Claim> maximisation_claims(const std::vector<TaskStudy>& studies) {
     std::vector<Claim> claims;
     for (const TaskStudy& study : studies)
@@ -58,7 +58,7 @@ std::vector<Claim> maximisation_claims(const std::vector<TaskStudy>& studies) {
     return claims;
 }
 
-/// Islands of the same global population on the changing plant, which send in turn along a hypercube.
+/// Returns islands of the same global population on the changing plant, which send in turn along a hypercube.
 PlantIslands islands_on_plant(std::size_t population, double noise) {
     std::size_t islands = global_population / population;
     PlantIslands plant = sized(traditional_pga("sequential(every = 3)", noise), islands_of(population),
@@ -68,7 +68,7 @@ PlantIslands islands_on_plant(std::size_t population, double noise) {
     return plant;
 }
 
-/// "At least 20": islands of 24 follow as well as one population, and those of 6 do not.
+/// Tests "at least 20": islands of 24 follow as well as one population, and those of 6 do not.
 std::vector<Claim> identification_claims(const std::vector<PlantStudy>& studies) {
     auto more_error = [&](std::size_t than, std::size_t of) {
         return less(studies[of].errors_after(), studies[than].errors_after());
@@ -95,7 +95,7 @@ Comparison diversity_of(const std::vector<PlantStudy>& studies, const std::strin
     return comparison;
 }
 
-/// Known: the same with 240 other seeds.
+/// Judges the medians against those of 240 other seeds.
 Comparison judged_sizes(const std::vector<TaskStudy>& tasks) {
     Comparison comparison{.name = "one-max of 60 bits, generations to all ones", .against = "known"};
     const double known[]{31, 31, 33, 36, 45};
@@ -105,7 +105,7 @@ Comparison judged_sizes(const std::vector<TaskStudy>& tasks) {
     return comparison;
 }
 
-/// One-max as it is climbed, by islands of three sizes.
+/// Plots the course of one-max for islands of three sizes.
 Panel climb_panel(const ReplayContext& context) {
     const StaticTask& task = static_tasks().front();
     std::vector<ConvergenceCurve> curves;

@@ -29,8 +29,8 @@ struct SequentialStudies {
     }
 };
 
-/// "The variance of the estimated parameter seemed to be reduced slightly ... no other indication of any significant
-/// improvement": a third at most is slight, ten generations are what an eye sees in a figure of 600.
+/// Tests "The variance of the estimated parameter seemed to be reduced slightly ... no other indication of any
+/// significant improvement". Slightly is taken as at most a third; an eye sees ten generations in a figure of 600.
 std::vector<Claim> claims_of(const SequentialStudies& studies) {
     auto delay = [](const PlantStudy& study) { return study.of(0, Tracking::delay_20); };
     auto deviation = [](const PlantStudy& study) { return study.of(0, Tracking::deviation_after); };
@@ -43,7 +43,7 @@ std::vector<Claim> claims_of(const SequentialStudies& studies) {
              10}};
 }
 
-/// Known: the same with 240 other seeds.
+/// Judges the delays against those of 240 other seeds.
 Comparison judged_figures(const SequentialStudies& noiseless) {
     Comparison comparison{.name = "delay until 20 % of the change is followed, noiseless", .against = "known"};
     auto rows = noiseless.rows();

@@ -17,7 +17,7 @@ PlantIslands with_sizes(const char* name, const std::vector<std::size_t>& popula
     return sized(traditional_pga(every_generation, noise), name, populations, windows);
 }
 
-/// Traditional, distributed, and each half of what makes the difference.
+/// The traditional and the distributed islands, and each half of their difference.
 struct BroadcastStudies {
     PlantStudy traditional, larger, windows, distributed;
 
@@ -32,8 +32,8 @@ struct BroadcastStudies {
     std::vector<const PlantStudy*> all() const { return {&traditional, &larger, &windows, &distributed}; }
 };
 
-/// "The estimated poles from two different local GAs became identical and converged prematurely"; with the distributed
-/// fitness function "close but remained different ... no indication of premature convergence".
+/// Tests "The estimated poles from two different local GAs became identical and converged prematurely", and with the
+/// distributed fitness function "close but remained different ... no indication of premature convergence".
 std::vector<Claim> claims_of(const BroadcastStudies& studies) {
     auto error = [](const PlantStudy& study) { return study.of(0, Tracking::error_after); };
     return {{"traditional: generations with the same best", "share", studies.traditional.identical, 0.9, {}},
@@ -70,7 +70,7 @@ Comparison diversity_comparison(const std::string& name, const BroadcastStudies&
     return comparison;
 }
 
-/// Known: the same with 240 other seeds.
+/// Judges the diversity against that of 240 other seeds.
 Comparison judged_diversity(const BroadcastStudies& noiseless) {
     Comparison comparison{.name = "bits of 37 in which two of an island differ, noiseless", .against = "known"};
     const double known[]{3.8, 5.0, 4.2, 5.3};

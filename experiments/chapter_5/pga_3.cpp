@@ -36,8 +36,9 @@ private:
     }
 };
 
-/// "Window size 10 and 30 started responding at 250 and 300": 50 generations earlier, of which an eye may miss 10. "A
-/// window size 30 could filter out noise much better": half the deviation. "No observable improvement on tracking": 10.
+/// Tests three statements. "Window size 10 and 30 started responding at 250 and 300": 50 generations earlier, of which
+/// an eye may miss 10. "A window size 30 could filter out noise much better": half the deviation. "No observable
+/// improvement on tracking": at most 10.
 std::vector<Claim> claims_of(const WindowStudies& studies) {
     auto delay = [](const PlantStudy& study, std::size_t track) { return study.of(track, Tracking::delay_20); };
     auto deviation = [&](std::size_t track) { return studies.distributed.of(track, Tracking::deviation_after); };
@@ -56,7 +57,7 @@ std::vector<Claim> claims_of(const WindowStudies& studies) {
     return claims;
 }
 
-/// Another reading, of which the thesis says nothing: a new sample in every generation instead of every third.
+/// Returns another reading, which the thesis does not mention: a new sample in every generation instead of every third.
 PlantIslands sampled_in_every_generation() {
     PlantIslands islands = distributed_pga(every_twelfth, 0);
     islands.name += ", a sample a generation";
@@ -64,8 +65,8 @@ PlantIslands sampled_in_every_generation() {
     return islands;
 }
 
-/// Known: an independent prototype's, window 30 and 10. With a sample in every generation the two differ by a third at
-/// most: the delay is then the search's own more than the window's.
+/// Judges the delays for windows 30 and 10 against an independent prototype's. With a sample in every generation the
+/// two differ by at most a third, because the delay is then mostly the search's own.
 Comparison judged_delays(const ReplayContext& context, const WindowStudies& noiseless) {
     Comparison comparison{.name = "delay until 20 % of the change is followed, noiseless", .against = "known"};
     auto rows = noiseless.rows();

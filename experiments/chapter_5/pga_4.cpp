@@ -37,8 +37,8 @@ std::vector<TrackRow> rows_of(const PlantStudy& study, const std::vector<std::st
     return rows;
 }
 
-/// "Reduced the response delay from 100 generations to 50": by 40 at least, to an eye. With noise "very similar" to
-/// window 30: a third more deviation at most. And a rule that is not quicker than an island at random shows nothing.
+/// Tests "Reduced the response delay from 100 generations to 50", as at least 40 to an eye, and with noise "very
+/// similar" to window 30, as at most a third more deviation. A rule must also be quicker than a random island.
 std::vector<Claim> claims_of(const PlantStudy& study, const std::string& rule) {
     auto of = [&](const std::string& choice, Tracking figure) { return study.of(study.answer(choice), figure); };
     auto less_delay = [&](const std::string& choice) {
@@ -68,8 +68,8 @@ std::vector<Claim> all_claims(const PlantStudy& study) {
     return claims;
 }
 
-/// Known: the printed rule never prefers the shortest window to the longest, and a choice follows at broadcasts.
-/// Others: the same with 240 other seeds.
+/// Judges the delays against those of 240 other seeds. The printed rule never prefers the shortest window to the
+/// longest, and a choice changes at broadcasts only.
 Comparison judged_answers(const PlantStudy& noiseless) {
     Comparison comparison{.name = "delay until 20 % of the change is followed, noiseless", .against = "known"};
     for (auto [choice, known] : {std::pair("printed", 123), {"row", 87}, {"random", 87}, {longest_window, 123}})

@@ -34,8 +34,8 @@ private:
     }
 };
 
-/// "Actually outperformed GA in tracking parameter changes and had smaller variance": ten generations, which an eye
-/// sees, and a deviation that is smaller at all.
+/// Tests "Actually outperformed GA in tracking parameter changes and had smaller variance": ten generations, which an
+/// eye sees, and any smaller deviation.
 void add_claims(std::vector<Claim>& claims, const RivalStudies& studies, const std::string& rule,
                 const PlantStudy& rival) {
     std::size_t answer = studies.islands.answer(rule);
@@ -60,7 +60,7 @@ std::vector<Claim> claims_of(const RivalStudies& studies) {
     return claims;
 }
 
-/// Known: an independent prototype's.
+/// Judges the single algorithm against an independent prototype's.
 Comparison judged_single(const RivalStudies& noiseless) {
     Comparison comparison{.name = "the genetic algorithm of 100 with window 30, noiseless", .against = "known"};
     auto median = [&](Tracking figure) { return noiseless.single.median(0, figure); };

@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::array coarse_populations{24, 30, 50};
 
-/// A row of Table 6.4 and of its control, the conventional string of 37 bits.
+/// A row of Table 6.4 or of its control, the conventional string of 37 bits.
 struct CoarseRow {
-    std::size_t field_bits; ///< of the five parameters
+    std::size_t field_bits; ///< of each of the five parameters
     std::size_t population;
     const char* thesis;
     Expected with_elite, to_the_letter;
@@ -42,7 +42,7 @@ SearchSettings letter_settings(std::size_t population) {
     return settings;
 }
 
-/// Its tallies, in the order of the rows.
+/// A comparison and its tallies, in the order of the rows.
 struct CoarseTable {
     Comparison comparison;
     std::vector<Tally> tallies;
@@ -64,13 +64,13 @@ CoarseTable coarse_table(const ReplayContext& context, const std::string& name, 
     return table;
 }
 
-/// Both halves with so many individuals, and so many bits of the five parameters.
+/// Returns settings with this population for both halves and this number of bits for each of the five parameters.
 CoarseFineSettings pair_settings(std::size_t population, std::size_t field_bits) {
     Recoding coarse = plant_reading(field_bits);
     return {plant_settings(population), plant_settings(population), coarse, coarse.bits};
 }
 
-/// Populations of each half, so that their sum is the control's.
+/// Compares the pair with controls whose population is the sum of both halves.
 Comparison pair_table(const ReplayContext& context) {
     Comparison comparison{.name = "the pair, the fine one's answer; and single searches with as many evaluations",
                           .against = "other",

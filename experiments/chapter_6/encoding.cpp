@@ -8,7 +8,7 @@ namespace placedpar {
 
 namespace {
 
-/// A way to code the plant's string.
+/// A coding of the plant's string.
 struct CodingTried {
     const char* name;
     Coding coding;
@@ -24,7 +24,7 @@ constexpr CodingTried codings[]{
     {.name = "Gray, stuffed a*a*a", .coding = GrayCoding{1}},
 };
 
-/// What else a search is given.
+/// The other settings of a search.
 struct EncodingGroup {
     const char* name;
     std::size_t field_bits, population;
@@ -60,11 +60,11 @@ PlantSearch search_of(const EncodingGroup& group, const CodingTried& tried) {
     return search;
 }
 
-/// Figure to meet: with ranking Gray code follows in 95 % of the runs at least, natural binary in 45 % at most.
+/// Judges that with ranking Gray code follows in at least 95 % of the runs, natural binary in at most 45 %.
 void judge_ranking(Comparison& comparison, const std::vector<Tally>& tallies) {
     for (const Tally& tally : tallies) {
         Cell cell = plain_cell(tally.name, "followed, judged", "", tally.followed_percent(), 0);
-        double most = std::max(45.0, 15 + share_tolerance(15, tally.runs)); // few seeds scatter more
+        double most = std::max(45.0, 15 + share_tolerance(15, tally.runs)); // a few seeds scatter more
         comparison.add(tally.name.starts_with("Gray") ? at_least(95, cell) : at_most(most, cell));
     }
 }

@@ -15,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t most_counted_bits = 7; ///< of the pairs that are all tried
+constexpr std::size_t most_counted_bits = 7; ///< dimension whose pairs are all tried
 
 Genome string_of(std::uint64_t vertex, std::size_t bits) {
     Genome genome(bits);
@@ -25,7 +25,7 @@ Genome string_of(std::uint64_t vertex, std::size_t bits) {
 
 std::size_t bit_difference(std::uint64_t a, std::uint64_t b) { return static_cast<std::size_t>(std::popcount(a ^ b)); }
 
-/// Neighbours of one vertex, by bit difference.
+/// Counts the neighbours of one vertex by bit difference.
 std::vector<std::size_t> count_neighbours(std::uint64_t vertex, std::size_t bits) {
     std::vector<std::size_t> neighbours(bits + 1);
     for (std::uint64_t other = 0; other < std::uint64_t{1} << bits; ++other)
@@ -40,7 +40,7 @@ double binomial(std::size_t of, std::size_t chosen) {
     return count;
 }
 
-/// The thesis prints 0 for difference 0, which is the vertex itself: shown beside ours and not judged.
+/// Returns a cell that is judged unless the difference is 0, which is the vertex itself; the thesis prints 0 for it.
 Cell neighbours_cell(std::size_t bits, std::size_t differ, std::size_t counted) {
     std::string row = fmt::format("neighbours at {} bit{} of difference", differ, differ == 1 ? "" : "s"),
                 column = fmt::format("l = {}", bits);
@@ -59,7 +59,7 @@ Comparison table_6_1() {
     return comparison;
 }
 
-/// The least and the most that was counted.
+/// The least and the greatest count.
 struct Extremes {
     std::size_t least = std::numeric_limits<std::size_t>::max(), most = 0;
 
@@ -69,18 +69,18 @@ struct Extremes {
     }
 };
 
-/// What one-point crossover made of all pairs of parents with one bit difference.
+/// The results of one-point crossover for all pairs of parents with one bit difference.
 struct Children {
-    std::size_t outside = 0;     ///< of the hypercube that the difference of the parents spans
-    std::size_t otherwise = 0;   ///< pairs of offspring that differ in another number of bits than their parents
-    std::size_t from_own = 0;    ///< the greatest difference of A1 from A0, the parent of its first characters
-    std::size_t from_nearer = 0; ///< the greatest difference from the nearer parent
+    std::size_t outside = 0;     ///< offspring outside the hypercube spanned by the difference of the parents
+    std::size_t otherwise = 0;   ///< pairs of offspring whose difference is not that of their parents
+    std::size_t from_own = 0;    ///< greatest difference of A1 from A0, the parent of its first characters
+    std::size_t from_nearer = 0; ///< greatest difference from the nearer parent
 };
 
 void add_children(Children& children, const Genome& a, const Genome& b, std::size_t differ) {
     std::uint64_t parent = a.field(0, a.size()), other = b.field(0, b.size());
     for (std::size_t cut = 1; cut < a.size(); ++cut) {
-        Genome first = b, second = a; // so that the first keeps a's characters before the cut (6.5)
+        Genome first = b, second = a; // the first offspring keeps a's characters before the cut (6.5)
         swap_leading(first, second, cut);
         std::uint64_t child = first.field(0, a.size()), sibling = second.field(0, a.size());
         for (std::uint64_t each : {child, sibling})
@@ -92,7 +92,7 @@ void add_children(Children& children, const Genome& a, const Genome& b, std::siz
     }
 }
 
-/// Every pair of parents on a hypercube, by their bit difference.
+/// Calls `visit` for every pair of parents on a hypercube, with their bit difference.
 template <class Visit>
 void for_each_pair(std::size_t bits, Visit visit) {
     for (std::uint64_t a = 0; a < std::uint64_t{1} << bits; ++a)
@@ -134,7 +134,7 @@ std::size_t new_vertices(const Crossover& crossover, const Genome& a, const Geno
     return vertices.size();
 }
 
-/// A way to cross and how many new vertices it is to reach, of parents that differ in n bits.
+/// A crossover operator, and the expected number of new vertices that it reaches from parents that differ in n bits.
 struct Reach {
     const char* crossover;
     double (*known)(double n);
@@ -149,7 +149,7 @@ constexpr Reach reaches[]{{"one-point", new_by_one_point},
                           {"two-point", new_by_two_point},
                           {"uniform", all_new}};
 
-/// The least and the most of all pairs are to be the same number, and are judged apart where they are not.
+/// Adds the number of vertices that all pairs reach. If the least and the greatest differ, they are judged separately.
 void add_reach(Comparison& comparison, const Reach& reach) {
     Crossover crossover = Crossover::named(reach.crossover);
     std::vector<Extremes> counted(most_counted_bits + 1);
@@ -187,7 +187,7 @@ std::string draw_figure_6_2() {
     return draw_hypercubes("Figure 6.2: a four-dimensional hypercube", {cube}, 1, {});
 }
 
-/// The parents differ in every bit of their space: 00...0 and 11...1.
+/// Draws the offspring of parents that differ in every bit of their space: 00...0 and 11...1.
 DrawnHypercube offspring_between_parents(std::size_t differ) {
     constexpr const char* spaces[]{"", "a link", "a plane", "a cube", "a hypercube of dimension 4"};
     Genome first(differ + 1), second = string_of((std::uint64_t{1} << differ) - 1, differ + 1);

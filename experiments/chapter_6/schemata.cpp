@@ -17,13 +17,13 @@ namespace {
 
 constexpr std::size_t schema_bits = 8, schema_population = 50, schema_generations = 10;
 constexpr double schema_crossover = 0.8, schema_mutation = 0.01;
-constexpr double least_of_bound = 0.99; ///< the claim: so much of the bound is counted at least
+constexpr double least_of_bound = 0.99; ///< the claim: at least this share of the bound is counted
 
-/// Of the schemata of one class, in one run: what equation 6.2 expects at least, what reproduction alone would make of
-/// them, and what came.
+/// The counts of the schemata of one class in one run: the lower bound of equation 6.2, the expectation from
+/// reproduction alone, and the actual number.
 struct SchemaCounts {
     double bound = 0, reproduced = 0, counted = 0;
-    double outcomes = 0, below = 0; ///< single counts, and those that were less than the bound
+    double outcomes = 0, below = 0; ///< single counts, and those below the bound
 
     void add(double expected, double selected, double came) {
         bound += expected;
@@ -34,11 +34,12 @@ struct SchemaCounts {
     }
 };
 
-/// Schemata by the fitness of their strings, each time they are counted. Together, all schemata of the same positions
-/// are always as many as there are strings, whatever a generation does: what becomes of them shows only apart.
-enum class SchemaFit : unsigned char { above, below }; ///< the mean of the population
+/// Classifies schemata by the fitness of their strings, each time they are counted. All schemata of the same positions
+/// together always have as many strings as the population, so only the separate classes show what a generation does to
+/// them.
+enum class SchemaFit : unsigned char { above, below }; ///< relative to the mean fitness of the population
 
-/// By defining length, of order 2; and of order 1, at 0. First those above the mean, then those below.
+/// Schemata of order 2 by defining length, and of order 1 at index 0; first those above the mean, then those below.
 using CountsByClass = std::vector<SchemaCounts>;
 
 std::size_t class_of(std::size_t defining_length, SchemaFit fit) {
@@ -57,7 +58,7 @@ double square_of(const Genome& genome) {
     return x * x;
 }
 
-/// What a generation makes of a schema.
+/// A schema before a generation, and what the generation should make of it.
 struct SchemaBefore {
     double strings, reproduced, bound;
 };
@@ -70,7 +71,7 @@ SchemaBefore look_before(const Schema& schema, const Search& search, const std::
                          settings.mutation_probability)};
 }
 
-/// A generation of a run on f(x) = x^2.
+/// Counts a generation of a run on f(x) = x^2.
 void count_generation(Search& search, const SearchSettings& settings, const std::vector<Schema>& schemata,
                       CountsByClass& counts) {
     std::vector<double> fitness;
@@ -90,7 +91,7 @@ void count_generation(Search& search, const SearchSettings& settings, const std:
     }
 }
 
-/// Five figures for each class.
+/// Returns five figures for each class.
 Figures count_run(const SearchSettings& settings, std::uint64_t seed) {
     CountsByClass counts(2 * schema_bits);
     std::vector<Schema> schemata = counted_schemata();
@@ -106,7 +107,7 @@ Figures count_run(const SearchSettings& settings, std::uint64_t seed) {
 
 enum CountedFigure : std::size_t { bound, reproduced, counted_strings, outcomes, below_bound, figures_of_class };
 
-/// A way to breed, and its runs.
+/// A way of breeding and its runs.
 struct SchemaStudy {
     const char* name;
     std::vector<Figures> runs;
@@ -138,7 +139,7 @@ std::string length_row(std::size_t length) {
     return length == 0 ? "order 1" : fmt::format("order 2, defining length {}", length);
 }
 
-/// Counts over their bounds, with the upper end of the interval: none may be shown to lie below.
+/// Adds counts relative to their bounds, with the upper end of the interval. None may lie below the bound.
 void add_bounds(Comparison& comparison, const SchemaStudy& study, SchemaFit fit) {
     std::string name = study.name;
     for (std::size_t length = 0; length < schema_bits; ++length) {
@@ -162,7 +163,7 @@ Comparison compare_bounds(const std::vector<SchemaStudy>& studies, SchemaFit fit
     return comparison;
 }
 
-/// What is claimed of the fit beyond the bound, each as a number.
+/// Compares the claims that go beyond the bound, each as a number.
 Comparison compare_claims(const SchemaStudy& crossed, const SchemaStudy& uncrossed) {
     Comparison comparison{.name = "claims about schemata above the mean fitness", .against = "claim", .judged = true};
     double most = 0;
@@ -179,8 +180,8 @@ Comparison compare_claims(const SchemaStudy& crossed, const SchemaStudy& uncross
     return comparison;
 }
 
-/// Of what reproduction alone would make of the fit, what is there after crossover and mutation, beside the share that
-/// equation 6.2 leaves of it.
+/// Compares the strings of fit schemata after crossover and mutation with the number from reproduction alone, and with
+/// the share that equation 6.2 guarantees.
 Comparison compare_survival(const SchemaStudy& study) {
     Comparison comparison{.name = "schemata above the mean fitness, counted over what reproduction alone would make of "
                                   "them",
@@ -198,7 +199,7 @@ Comparison compare_survival(const SchemaStudy& study) {
     return comparison;
 }
 
-/// Quotients by defining length, and their intervals.
+/// Returns quotients by defining length, with their intervals.
 Series quotients(const SchemaStudy& study, CountedFigure under) {
     Series series{.name = study.name};
     for (std::size_t length = 1; length < schema_bits; ++length) {

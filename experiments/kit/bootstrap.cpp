@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t bootstrap_samples = 2000;
 constexpr double outside = 0.05;
 
-/// The interval of the statistic of `count` runs drawn with replacement, by their indices.
+/// Returns the interval of a statistic of `count` runs drawn with replacement, by their indices.
 template <class Statistic>
 Interval bootstrap(std::size_t count, Statistic statistic) {
     RandomStream random(0, "bootstrap");

@@ -6,12 +6,13 @@
 
 namespace placedpar {
 
-/// The interval of the median, by the bootstrap: 2,000 samples of as many values, drawn with replacement; their 2.5
-/// and 97.5 % quantiles. The same values give the same interval. REQUIRES: not empty.
+/// Returns the 95 % interval of the median by the bootstrap: the 2.5 and 97.5 % quantiles of the medians of 2,000
+/// samples of the same size, drawn with replacement. The same values give the same interval. REQUIRES: there is a
+/// value.
 Interval median_interval(const std::vector<double>& values);
 
-/// The interval of the quotient of what two figures of each run are in sum, by the bootstrap over runs as
-/// median_interval(). REQUIRES: as many figures of both, at least one; those below positive.
+/// Returns the interval of the quotient of the sums of two figures per run, by the bootstrap over runs as in
+/// median_interval(). REQUIRES: as many figures of both, at least one; those below are positive.
 Interval quotient_interval(const std::vector<double>& above, const std::vector<double>& below);
 
 } // namespace placedpar

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Empty where there is no such file.
+/// Returns "" if there is no such file.
 std::string first_line(const fs::path& file) {
     std::string line;
     std::getline(std::ifstream(file), line);
@@ -40,7 +40,7 @@ std::vector<fs::path> places_of_examples(const fs::path& program, const char* na
 } // namespace
 
 fs::path examples_folder() {
-    std::error_code error; // no program where there is no such file system
+    std::error_code error; // not every system has this file, and then there is no program path
     return examples_folder(fs::read_symlink("/proc/self/exe", error), std::getenv("PLACEDPAR_EXAMPLES"));
 }
 

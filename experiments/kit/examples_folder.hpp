@@ -5,12 +5,12 @@
 
 namespace placedpar {
 
-/// Where the examples are: in the folder that the environment's PLACEDPAR_EXAMPLES names, in
-/// ../share/placedpar/examples beside an installed program, or where the file examples-folder.txt says, which the build
-/// writes beside its program and which is not installed. Throws UserError, naming where it looked.
+/// Returns the folder of the examples. It is the first of: the folder that the environment variable PLACEDPAR_EXAMPLES
+/// names; ../share/placedpar/examples beside an installed program; the folder in the file examples-folder.txt, which
+/// the build writes beside its program and which is not installed. Throws UserError, which names the places searched.
 std::filesystem::path examples_folder();
 
-/// The same for another program and environment. `named`: PLACEDPAR_EXAMPLES; null where it is not set.
+/// Returns the same for another program and environment. `named` is the value of PLACEDPAR_EXAMPLES, or null.
 std::filesystem::path examples_folder(const std::filesystem::path& program, const char* named);
 
 } // namespace placedpar

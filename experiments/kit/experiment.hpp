@@ -17,51 +17,52 @@ namespace placedpar {
 class Interruption; // explore/netlist_run.hpp
 class StudyResults; // explore/study/results.hpp
 
-/// A picture that is no plot, and the name of its file, without .svg.
+/// A picture other than a plot, and the name of its file without .svg.
 struct NamedDrawing {
     std::string name, svg;
 };
 
-/// An experiment of the thesis, run.
+/// The results of an experiment of the thesis.
 struct Replay {
-    std::vector<Comparison> comparisons; ///< judged by the first of them, and by the others that are `judged`
-    std::string constants = {};          ///< for people: which were published, stated as workload, calibrated
-    std::vector<hardware::Constant> constant_table = {}; ///< one by one
+    std::vector<Comparison> comparisons; ///< the first and those that are `judged` decide the result
+    std::string constants = {};          ///< text that states which constants were published, workload or calibrated
+    std::vector<hardware::Constant> constant_table = {}; ///< the same as a list
     std::uint64_t fingerprint = 0;
-    std::vector<NamedPlot> plots = {};       ///< --plots draws them,
-    std::vector<NamedDrawing> drawings = {}; ///< and writes these
+    std::vector<NamedPlot> plots = {};       ///< drawn by --plots
+    std::vector<NamedDrawing> drawings = {}; ///< written by --plots
 
     bool within_tolerance() const { return are_within_tolerance(comparisons); }
 };
 
-/// Of an experiment that runs no processes. The fingerprint is of its tables as printed, so that it does not depend on
-/// the last bits.
+/// Returns the replay of an experiment without processes. The fingerprint is that of the printed tables, so that it
+/// does not depend on the last bits.
 Replay replay_of(std::vector<Comparison> comparisons, std::vector<NamedPlot> plots);
 
-/// What an experiment is run with.
+/// The environment of an experiment.
 struct ReplayContext {
     std::filesystem::path examples;                   ///< the folder of the netlists
     std::uint64_t seed;                               ///< of every random stream
-    std::function<void(const std::string&)> progress; ///< told what is being run; it may throw to end the experiment
-    WarningSink warn;                                 ///< told the warnings of netlists
+    std::function<void(const std::string&)> progress; ///< receives progress; may throw to end the experiment
+    WarningSink warn;                                 ///< receives the warnings of netlists
     Interruption& interruption;                       ///< ends the runs of netlists
-    StudyResults& results;                            ///< what a study has found before, and finds
-    std::size_t seeds = 0;                            ///< over which a study is run: see kit/seed_runs.hpp
+    StudyResults& results;                            ///< earlier results of a study; new ones are added
+    std::size_t seeds = 0;                            ///< number of seeds of a study: see kit/seed_runs.hpp
 };
 
-/// What the file of an experiment says about it: see experiments/README.md.
+/// The description of an experiment in its file: see experiments/README.md.
 struct Experiment {
     std::string_view name, about;
-    std::string_view chapter; ///< of the thesis, or its appendix, or "machine": the experiments come in this order,
-    int number;               ///< and those of a chapter in this one
+    std::string_view chapter; ///< of the thesis, an appendix, or "machine"; this is the order of the list
+    int number;               ///< order within the chapter
     Replay (*run)(const ReplayContext&);
-    std::size_t seeds = 0; ///< of a study by kit/seed_runs.hpp; 0: it is none
+    std::size_t seeds = 0; ///< of a study by kit/seed_runs.hpp; 0: the experiment is not a study
 };
 
-/// Every experiment: one of each file in the folders chapter_*, appendix_* and machine, by chapter and number.
+/// Returns every experiment, one from each file in the folders chapter_*, appendix_* and machine, by chapter and
+/// number.
 const std::vector<Experiment>& experiments();
 
-/// By chapter, appendices and the machine last, and number.
+/// Sorts by chapter, appendices and the machine last, and by number.
 std::vector<Experiment> in_order(std::vector<Experiment>);
 
 } // namespace placedpar

@@ -8,14 +8,14 @@
 
 namespace placedpar {
 
-/// A run of an experiment that did not come to its end, so that there is nothing to compare.
+/// Reports a run that did not complete, so that there is nothing to compare.
 class UnfinishedRun : public std::runtime_error {
 public:
     UnfinishedRun(const std::string& what, Ending how) : std::runtime_error(what), ending(how) {}
     Ending ending;
 };
 
-/// Throws UnfinishedRun when it was requested.
+/// Throws UnfinishedRun if an interruption was requested.
 void end_if_requested(const Interruption&);
 /// Runs a netlist of the examples to its end. Throws RefusedInput and UnfinishedRun.
 RunReport run_to_the_end(const std::filesystem::path& netlist, const Overrides&, const ReplayContext&);

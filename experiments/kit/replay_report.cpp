@@ -15,7 +15,7 @@ boost::json::value or_null(std::optional<double> number) {
     return number ? boost::json::value(*number) : boost::json::value(nullptr);
 }
 
-/// Figures that only some cells have.
+/// Adds a figure that only some cells have.
 void add_if(boost::json::object& json, std::string_view key, std::optional<double> figure) {
     if (figure)
         json[key] = *figure;
@@ -79,7 +79,7 @@ std::string constant_row(std::string_view name, std::string_view value, std::str
     return fmt::format("{:<46}  {:>6} {:<7}  {:<10}  {}\n", name, value, unit, mark, source);
 }
 
-/// Below the name of each group.
+/// Prints the constants below the name of each group.
 std::string print_constants(const std::vector<hardware::Constant>& constants) {
     if (constants.empty())
         return "";

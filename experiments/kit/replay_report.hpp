@@ -10,9 +10,9 @@
 
 namespace placedpar {
 
-/// For people: every comparison, what the constants are, and whether the experiment is within its tolerances.
+/// Returns text for people: every comparison, the constants, and whether the experiment is within its tolerances.
 std::string print_replay(const Replay&);
-/// The same for machines, with what is needed to run it again. `command`: as it was typed.
+/// Returns the same as JSON, with everything needed to repeat the run. `command` is the command line as typed.
 boost::json::object replay_json(const Replay&, std::string_view experiment, std::uint64_t seed,
                                 const std::string& command);
 

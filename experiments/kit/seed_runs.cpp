@@ -14,7 +14,7 @@ namespace placedpar {
 
 namespace {
 
-/// They are named by their places, which come in this order. Where one is not finite, its unit says what it is.
+/// Names the figures by their indices, whose order the names keep. If a figure is not finite, its unit says what it is.
 StudyFigures with_names(const Figures& figures) {
     StudyFigures named;
     for (double figure : figures)
@@ -41,7 +41,7 @@ std::vector<Figures> run_seeds(const ReplayContext& context, const std::string& 
     Study study;
     study.function = [&](const StudyRun& each) { return with_names(run(seeds[each.seed])); };
     study.products = {{.axes = {{"run", {StudyValues("run", fmt::format("\"{}\"", what))}}}}};
-    study.first_seed = 0; // the number of the record, from which its seed is made
+    study.first_seed = 0; // the number of the record, from which its seed is derived
     study.seeds = seeds.size();
     StudySweep sweep(study, context.results);
     const std::size_t missing = sweep.missing().runs;

@@ -15,7 +15,7 @@ using hardware::Provenance;
 
 constexpr std::string_view machine = "machine", evidence = "evidence";
 
-/// Every published figure that the other experiments of the machine compare with, in one table.
+/// Collects in one table every published figure with which the other experiments of the machine are compared.
 class PublishedFigures {
 public:
     void add(const Replay& replay) {
@@ -28,7 +28,7 @@ public:
             }
     }
     const Comparison& all() const { return all_; }
-    /// Those that an experiment has for itself.
+    /// Returns the constants that only one experiment has.
     const std::vector<Constant>& constants() const { return constants_; }
     std::uint64_t fingerprint() const { return fingerprint_.value(); }
 
@@ -48,7 +48,7 @@ Network network_of(const ReplayContext& context, const char* netlist) {
     return load_network(context.examples / netlist, {}, known_problems(context.seed), context.warn);
 }
 
-/// What the thesis's program costs, as Table E.1's netlist states it.
+/// Returns the costs of the thesis's program, as Table E.1's netlist states them.
 std::vector<Constant> of_the_thesis(const Network& cluster) {
     constexpr std::string_view group = "the thesis's program";
     const ProcessInstance& master = *std::ranges::find(cluster.processes, "master", &ProcessInstance::name);

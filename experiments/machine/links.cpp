@@ -10,7 +10,7 @@ namespace placedpar {
 
 namespace {
 
-/// A published rate of a link, in Kbyte/s of 1000 bytes; of both directions the sum.
+/// A published rate of a link, in Kbyte/s of 1000 bytes; for both directions, the sum.
 struct LinkRate {
     const char* source;
     const char* name;
@@ -36,7 +36,7 @@ const std::vector<LinkRate>& databook_rates() {
     return rates;
 }
 
-/// On machines of 20 Mbit/s.
+/// Returns rates measured on machines of 20 Mbit/s.
 const std::vector<LinkRate>& measured_rates() {
     constexpr const char* koontz = "K. Koontz, comp.sys.transputer, January 1991";
     using enum Origin;

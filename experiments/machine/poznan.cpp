@@ -10,7 +10,7 @@ namespace placedpar {
 
 namespace {
 
-/// Half a round trip of a message of n words takes `start_us` + `word_us` n, in microseconds.
+/// A fit of half a round trip: a message of n words takes `start_us` + `word_us` n, in microseconds.
 struct PingPong {
     double start_us = 0, word_us = 0;
 };

@@ -28,12 +28,12 @@ struct MovedBlock {
     WireForm wire_form() const { return WireForm(bytes); }
 };
 
-/// The simulations of one processor, one for each figure.
+/// Simulations of one processor, one for each figure.
 class OneProcessor {
 public:
     explicit OneProcessor(const ReplayContext& context) : context_(context) {}
 
-    /// Mbyte/s, over a soft channel.
+    /// Returns the rate over a soft channel, in Mbyte/s.
     double copying(Cycles access) {
         constexpr std::uint32_t bytes = 1'000'000;
         Simulation simulation;
@@ -46,7 +46,7 @@ public:
         return bytes / (1e3 * in_milliseconds(run(simulation)));
     }
 
-    /// Microseconds from one tick of its clock to the next, as a program reads it.
+    /// Returns the microseconds from one tick of the clock to the next, as a program reads it.
     double tick(Priority priority) {
         Simulation simulation;
         Processor& t800 = simulation.add<Processor>("t800", hertz);
@@ -58,8 +58,8 @@ public:
         return 1e3 * in_milliseconds(long_time) / static_cast<double>(ticks);
     }
 
-    /// Of a process that computes beside another, from the moment at which it got the processor to that at which it
-    /// lost it; for many moments.
+    /// Returns the shortest and the longest turn of a process that computes beside another, from getting the processor
+    /// to losing it, over many starting times.
     std::pair<double, double> shortest_and_longest_turn() {
         std::vector<double> periods;
         for (std::int64_t start = 1; start < 20'480; start += 640)
@@ -68,7 +68,8 @@ public:
         return {least, most};
     }
 
-    /// In timeslice periods, of a process that asks again and again beside `others` that compute.
+    /// Returns the longest wait of a process that repeatedly asks for the processor beside `others` that compute, in
+    /// timeslice periods.
     double longest_wait(int others) {
         Simulation simulation;
         Processor& t800 = simulation.add<Processor>("t800", hertz);
@@ -90,7 +91,7 @@ public:
         return in_periods(longest);
     }
 
-    /// In cycles, where the interrupted process's instructions take so many.
+    /// Returns the longest interrupt latency, in cycles, if the interrupted process has instructions of this length.
     std::int64_t longest_latency(Cycles instruction) {
         std::int64_t longest = 0;
         for (std::int64_t moment = 10'000; moment < 10'060; ++moment) {
@@ -107,7 +108,7 @@ public:
         return longest;
     }
 
-    /// In bit times, one way: half of what a switch adds to a byte and its acknowledge.
+    /// Returns the delay of a crossbar in bit times, one way: half of what a switch adds to a byte and its acknowledge.
     double crossbar_delay() {
         constexpr double bits_per_us = 20;
         double direct = microseconds_a_byte("0"), switched = microseconds_a_byte("1");
@@ -172,7 +173,8 @@ constexpr const char* slices = "databook, 1.3: 1 to 2 periods of 1.024 ms";
 constexpr const char* waits = "databook, 1.3: 2n - 2 periods beside n - 1";
 constexpr const char* cycles_table = "T4 notebook (pahihu/t4)";
 
-/// The bounds are those of waits that a program cannot foresee; the simulation must come near to them.
+/// Compares turns with the databook's bounds. The bounds are for waits that a program cannot foresee, so the simulation
+/// must come near to them.
 void compare_turns(OneProcessor& t800, Comparison& comparison) {
     auto [shortest, longest] = t800.shortest_and_longest_turn();
     comparison.add(

@@ -38,7 +38,7 @@ struct FarmWords {
 using FarmTag = FarmWords::Tag;
 using FarmChannel = Channel<FarmWords>;
 
-/// A tag and so many words after it.
+/// Sends a tag and `words` words after it.
 void send_tagged(FarmChannel& out, FarmTag tag, int words) {
     out.out().output({tag});
     for (int i = 0; i < words; ++i)
@@ -52,10 +52,10 @@ void take_words(FarmChannel& in, int messages) {
         in.in().input();
 }
 
-/// Patches of 8 x 8 pixels, a word each, are sent row by row after their place and size; tasks have a place only.
+/// A patch of 8 x 8 pixels, one word each, is sent row by row after its position and size; a task has a position only.
 constexpr int patch_edge = 8, patch_head = 3, task_head = 2, patches_of_image = 256 / patch_edge * 256 / patch_edge;
 
-/// After its tag.
+/// Passes a patch on, after its tag.
 void pass_patch(FarmChannel& in, FarmChannel& out) {
     take_words(in, patch_head);
     send_tagged(out, FarmTag::patch, patch_head);
@@ -63,7 +63,7 @@ void pass_patch(FarmChannel& in, FarmChannel& out) {
         out.out().output(in.in().input());
 }
 
-/// Passes on patches until the end.
+/// Passes patches on until the end.
 void buffer_patches(FarmChannel& in, FarmChannel& out) {
     while (take_tag(in) == FarmTag::patch)
         pass_patch(in, out);
@@ -75,8 +75,8 @@ struct RayFarmSettings {
     RouterCosts router;
 };
 
-/// The program on its machine: a line of workers, numbered from the controlling processor, on a tree of links, so that
-/// neighbours in the line are up to twenty links apart and all their messages travel in packets.
+/// The program on its machine: a line of workers, numbered from the controlling processor, on a tree of links.
+/// Neighbours in the line are up to twenty links apart, and all their messages travel in packets.
 class RayFarm {
 public:
     /// Calibrated to the published times of 11 workers and of 71.
@@ -108,8 +108,8 @@ private:
         FarmChannel &from_before, &to_before, &onward, &back;
     };
 
-    /// The processor to which a processor's first link to one of a lower number leads: that of the list of links of
-    /// 2 May 2022, of which the program that made the network's description used one a processor since 2023.
+    /// Returns the processor to which a processor's first link to a lower number leads. The table is the list of links
+    /// of 2 May 2022. Since 2023 the program that made the network's description used one link per processor from it.
     std::size_t parent(std::size_t node) const {
         static constexpr std::array<std::uint8_t, 13> two_cards{0, 0, 1, 2, 3, 4, 5, 1, 2, 3, 4, 5, 6};
         static constexpr std::array<std::uint8_t, 73> rack{
@@ -138,7 +138,7 @@ private:
     RouterLink& link_up(std::size_t node) { return *up_[node - 1]; }
 
     FarmChannel& soft() { return channels_.emplace_back(fmt::format("c{}", channels_.size())); }
-    /// Over the tree: up from the one, down to the other.
+    /// Returns a channel through the tree, up from one processor and down to the other.
     FarmChannel& channel(std::size_t from, std::size_t to) {
         std::vector<hardware::Hop> way;
         std::vector<std::size_t> down;
@@ -157,7 +157,7 @@ private:
         return made;
     }
 
-    /// Deals out the tasks, two a worker ahead, and passes on what comes back.
+    /// Adds the process that deals out the tasks, two ahead per worker, and passes the results on.
     void build_control(FarmChannel& to_workers, FarmChannel& from_workers) {
         FarmChannel &tasks = soft(), &dealt = soft(), &done = soft(), &graphics = channel(1, 0);
         Processor* control = processors_[1];
@@ -184,7 +184,7 @@ private:
         simulation_.process(
             "frame", [this, &graphics] { take_image(graphics); }, processors_[0], Priority::high);
     }
-    /// A message to the screen: its length, and its characters, a word each.
+    /// Sends a message to the screen: its length and its characters, one word each.
     static void write(FarmChannel& graphics, std::uint32_t characters) {
         send_tagged(graphics, FarmTag::note, 1);
         graphics.out().output({FarmTag::data, characters});
@@ -220,7 +220,8 @@ private:
         done_ = now();
     }
 
-    /// Four processes of high priority pass on tasks and patches; the renderer computes at low priority.
+    /// Adds a worker: four processes of high priority pass on tasks and patches, and the renderer computes at low
+    /// priority.
     void build_worker(Processor& processor, const WorkerChannels& at) {
         FarmChannel &feed = soft(), &idle = soft(), &own = soft(), &mixed_own = soft(), &mixed_back = soft();
         auto add = [&](const char* name, Process::Body body, Priority priority) {
@@ -237,9 +238,9 @@ private:
         add(
             " renderer", [&feed, &own, &idle] { render(feed, own, idle); }, Priority::low);
     }
-    /// A worker keeps one task beside the one that it renders; others go on to the next.
+    /// Keeps one task besides the one being rendered, and passes others on.
     static void pass_tasks(FarmChannel& from_before, FarmChannel& onward, FarmChannel& feed, FarmChannel& idle) {
-        int held = 0; // with that which is being rendered
+        int held = 0; // including the one being rendered
         bool open = true;
         auto give = [&feed] { send_tagged(feed, FarmTag::render, task_head); };
         auto rendered = [&](const FarmWords&) {
@@ -299,7 +300,7 @@ private:
     Time done_{};
 };
 
-/// A run beside the published time.
+/// A run and the published time.
 struct RayFarmRun {
     RayFarmSettings settings;
     const char* router;

@@ -8,21 +8,21 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// A link's place in the main valve, whether or not the link is active.
+/// The position of a link in the main valve, whether or not the link is active.
 struct ValvePosition {
     Link link;
     bool pump;
-    std::optional<Link> next; ///< none: the bypass leads to the tank, or nowhere
+    std::optional<Link> next; ///< nullopt: the bypass leads to the tank or is blocked
     bool shut = false;
 };
 
 /// Pump 1 feeds the bucket and then the boom, pump 2 the swing and then the stick.
 constexpr ValvePosition bucket_then_boom{Link::bucket, true, Link::boom}, boom_last{Link::boom, false, {}},
     swing_then_stick{Link::swing, true, Link::stick}, stick_last{Link::stick, false, {}};
-/// The cross-over: flow past the stick (the boom) continues to the last link of the other branch.
+/// The cross-over: flow past the stick (or the boom) continues to the last link of the other branch.
 constexpr ValvePosition stick_then_boom{Link::stick, false, Link::boom},
     boom_then_stick{Link::boom, false, Link::stick};
-/// The first link of a branch alone with its pump, because the pressure downstream is higher.
+/// The first link of a branch is alone with its pump, because the pressure downstream is higher.
 constexpr ValvePosition bucket_alone{Link::bucket, true, {}, true}, swing_alone{Link::swing, true, {}, true};
 
 using MainValve = std::array<ValvePosition, 4>; // upstream before downstream
@@ -42,7 +42,7 @@ const ValvePosition& place_of(const MainValve& valve, Link link) {
     return *std::ranges::find(valve, link, &ValvePosition::link);
 }
 
-/// The next active link that the flow past `place` reaches.
+/// Returns the next active link that the flow past `place` reaches.
 std::optional<Link> next_active(const MainValve& valve, const ValvePosition& place, LinkSet active) {
     std::optional<Link> next = place.next;
     while (next && !active.contains(*next))
@@ -50,7 +50,7 @@ std::optional<Link> next_active(const MainValve& valve, const ValvePosition& pla
     return next;
 }
 
-/// The first active link downstream of a pump.
+/// Returns the first active link downstream of a pump.
 std::optional<Link> fed_by(const MainValve& valve, const ValvePosition& first, LinkSet active) {
     return active.contains(first.link) ? first.link : next_active(valve, first, active);
 }

@@ -13,16 +13,16 @@
 
 namespace placedpar::hydraulics {
 
-/// Equation 3.8 takes the absolute value of the flow into the cylinder, equation 3.11 does not. The inner
-/// absolute value gives windows of falling pressure a second optimum, at C + 2 Q_i / |dP/dt|.
+/// Selects whether the flow into the cylinder enters the error as its absolute value, as in equation 3.8, or signed, as
+/// in equation 3.11. The absolute value gives windows of falling pressure a second optimum, at C + 2 Q_i / |dP/dt|.
 enum class InletFlow : unsigned char { absolute, as_signed };
 
-/// As the thesis prints it: absolute for one link (3.8), signed for more (3.11).
+/// Returns the form that the thesis prints: absolute for one link (3.8), signed for more (3.11).
 inline InletFlow printed_inlet_flow(std::size_t links) {
     return links == 1 ? InletFlow::absolute : InletFlow::as_signed;
 }
 
-/// A LinkSample as the equations below take it: what does not depend on a compliance is worked out.
+/// The terms of a LinkSample in the equations below. What does not depend on a compliance is computed in advance.
 struct LinkTerms {
     double inlet_psi;
     double inlet_slope_psi_per_s;
@@ -36,7 +36,7 @@ inline LinkTerms terms_of(const LinkSample& sample, const FlowConstants& flow) {
             1 / flow.conductance(sample.inlet_in2), flow.conductance(sample.bypass_in2)};
 }
 
-/// One for each junction of a circuit, in its order.
+/// The terms of each junction of a circuit, in its order.
 using CircuitTerms = boost::container::static_vector<LinkTerms, all_links.size()>;
 
 /// REQUIRES: at most 4 samples.
@@ -47,11 +47,11 @@ inline CircuitTerms terms_of(std::span<const LinkSample> samples, const FlowCons
     return terms;
 }
 
-/// One number for each junction of a circuit, in its order; entries past the last junction mean nothing.
+/// One value for each junction of a circuit, in its order; entries beyond the last junction are undefined.
 template <typename T>
 using PerJunction = std::array<T, all_links.size()>;
 
-/// 3.5, 3.6: the flow into the cylinder, and the pressure that it makes at the junction.
+/// These two functions return the flow into the cylinder (3.5) and the pressure that it causes at the junction (3.6).
 template <typename T>
 T inlet_flow(const LinkTerms& link, const T& compliance_in3_per_psi) {
     return cylinder_flow(link.piston_flow_in3_per_s, link.inlet_slope_psi_per_s, compliance_in3_per_psi);
@@ -61,7 +61,7 @@ T junction_psi(const LinkTerms& link, const T& inlet) {
     return resisted_drop(link.inlet_resistance, inlet) + link.inlet_psi;
 }
 
-/// What the pumps of a junction deliver and the cylinder does not take.
+/// Returns the flow of the junction's pumps that the cylinder does not take.
 template <typename T>
 T flow_left(const Junction& junction, const T& inlet, const FlowConstants& flow, InletFlow form) {
     using std::abs;
@@ -69,12 +69,12 @@ T flow_left(const Junction& junction, const T& inlet, const FlowConstants& flow,
     return junction.pumps * flow.pump_in3_per_s - taken;
 }
 
-/// By how much the flows at each junction of a circuit fail to balance, in in^3/s: inflow, less the flow into the
-/// cylinder, less the flow through the bypass. Pressures at the junctions are not measured but estimated from the flows
-/// into the cylinders (3.6). Where the next junction's estimate is higher, nothing flows through the bypass.
+/// Returns the imbalance of flow at each junction of a circuit, in in^3/s: inflow, minus the flow into the cylinder,
+/// minus the flow through the bypass. Pressures at the junctions are not measured but estimated from the flows into the
+/// cylinders (3.6). If the next junction's estimate is higher, nothing flows through the bypass.
 ///
-/// T is double, or several doubles at once (orifice.hpp). `compliance_in3_per_psi` and `terms` have one entry for
-/// each junction, in the circuit's order. REQUIRES: at most 4 junctions, terms of samples with inlet_in2 > 0.
+/// T is double, or several doubles at once (orifice.hpp). `compliance_in3_per_psi` and `terms` have one entry for each
+/// junction, in the circuit's order. REQUIRES: at most 4 junctions, terms of samples with inlet_in2 > 0.
 template <typename T>
 PerJunction<T> missing_flows_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi,
                                        const CircuitTerms& terms, const FlowConstants& flow, InletFlow form) {
@@ -102,7 +102,7 @@ PerJunction<T> missing_flows_in3_per_s(const Circuit& circuit, std::span<const T
     return missing_flows_in3_per_s<T>(circuit, compliance_in3_per_psi, terms_of(samples, flow), flow, form);
 }
 
-/// The same of a junction that is alone, as whole circuits have it.
+/// Returns the same imbalance for a junction that forms a circuit by itself.
 template <typename T>
 T missing_flow_in3_per_s(const Junction& junction, const T& compliance_in3_per_psi, const LinkTerms& link,
                          const FlowConstants& flow, InletFlow form) {
@@ -112,9 +112,9 @@ T missing_flow_in3_per_s(const Junction& junction, const T& compliance_in3_per_p
     return left - bypass_flow(link.bypass_conductance, T(junction_psi(link, inlet) - flow.tank_psi));
 }
 
-/// The sum of the absolute values of the missing flows. With one junction this is the error of equations 3.5 to
-/// 3.8, with two in series the error of 3.10 and 3.11; the other circuits extend these in the same way.
-/// REQUIRES: as missing_flows_in3_per_s().
+/// Returns the sum of the absolute values of the missing flows. With one junction this is the error of equations 3.5 to
+/// 3.8, with two in series the error of 3.10 and 3.11; the other circuits extend these in the same way. REQUIRES: the
+/// same as missing_flows_in3_per_s().
 template <typename T>
 T circuit_error_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi, const CircuitTerms& terms,
                           const FlowConstants& flow, InletFlow form) {

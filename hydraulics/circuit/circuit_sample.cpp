@@ -23,7 +23,7 @@ std::vector<double> spool_by_voltage(const Record& record, Link link, double spo
     return spool_from_volts(record.of(link, Sensor::servo), record.time_s, spool_lag_per_s, record.period_s);
 }
 
-/// The areas of one link at every instant, as far as identification needs them.
+/// Returns the areas of one link at every instant.
 std::vector<OrificeAreas> areas_of(const Record& record, Link link, const LinkCalibration& calibration) {
     AreasFrom from = areas_from(record.channels(), link, calibration.from);
     if (from == AreasFrom::areas)
@@ -32,12 +32,12 @@ std::vector<OrificeAreas> areas_of(const Record& record, Link link, const LinkCa
                                     ? record.of(link, Sensor::spool)
                                     : spool_by_voltage(record, link, calibration.constants.spool_lag_per_s);
     std::vector<OrificeAreas> areas;
-    for (double spool_in : spool) // sensor noise may take it a little below 0
+    for (double spool_in : spool) // sensor noise may make it slightly negative
         areas.push_back(boom_orifices(std::max(spool_in - calibration.spool_offset_in, 0.0)));
     return areas;
 }
 
-/// A link's channels in the record.
+/// The channels of one link in the record.
 struct LinkChannels {
     const std::vector<double>&inlet_psi, &angle_deg;
     std::vector<OrificeAreas> areas;

@@ -14,7 +14,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// The constants as the solver moves them: k and Q in hundreds, P_e in tens of psi, so that all are of order 1.
+/// The scales of the solver's variables: k and Q in hundreds, P_e in tens of psi, so that all are of order 1.
 constexpr double flow_scale = 100, tank_scale = 10;
 
 Eigen::VectorXd scaled(const FlowConstants& constants) {
@@ -26,7 +26,7 @@ FlowConstants unscaled(const Eigen::VectorXd& x, double relief_psi) {
     return {x[0] * flow_scale, x[1] * flow_scale, x[2] * tank_scale, relief_psi};
 }
 
-/// What Eigen's solver minimises.
+/// The residuals that Eigen's solver minimises.
 struct SpoolResiduals : Eigen::DenseFunctor<double> {
     SpoolResiduals(std::span<const SteadyFlowPoint> points, double relief)
         : DenseFunctor(3, static_cast<int>(points.size())), table(points), relief_psi(relief) {}
@@ -44,7 +44,8 @@ struct SpoolResiduals : Eigen::DenseFunctor<double> {
     double relief_psi;
 };
 
-/// Standard deviations of the fitted constants: the inverse of the normal matrix times the variance that is left.
+/// Returns the standard deviations of the fitted constants: the inverse of the normal matrix times the residual
+/// variance.
 FlowConstants deviation_of(const Eigen::VectorXd& x, const Eigen::NumericalDiff<SpoolResiduals>& problem,
                            double squares) {
     Eigen::MatrixXd slopes(problem.values(), problem.inputs());

@@ -8,7 +8,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// The pressure at which flow Q parts into two outlets; infinite when both are shut. With u^2 the drop over
+/// Returns the pressure at which flow Q splits into two outlets; infinite if both are shut. With u^2 the drop over
 /// `high`: Q = a u + b sqrt(u^2 + D), a quadratic in u whose positive root is written without cancellation.
 double common_psi(const Outlet& high, const Outlet& low, double flow) {
     double a = high.conductance, b = low.conductance, difference_psi = high.psi - low.psi;
@@ -30,7 +30,8 @@ FlowSplit split_flow(const Outlet& inlet, const Outlet& bypass, double flow_in3_
         double in = flow_through(inlet, relief_psi), by = flow_through(bypass, relief_psi);
         return {relief_psi, in, by, flow_in3_per_s - in - by};
     }
-    // The outlet of the lower pressure takes the rest, so that the sum is exact to a rounding; a shut one nothing.
+    // The outlet with the lower pressure takes the rest, so that the sum is exact to a rounding. A shut outlet takes
+    // nothing.
     if (inlet.conductance == 0 || bypass.conductance == 0)
         return {psi, inlet.conductance == 0 ? 0 : flow_in3_per_s, inlet.conductance == 0 ? flow_in3_per_s : 0, 0};
     if (loaded) {

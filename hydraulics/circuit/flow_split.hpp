@@ -8,15 +8,15 @@ namespace placedpar::hydraulics {
 /// An orifice that leads to a known pressure.
 struct Outlet {
     double conductance; ///< k a, in^3/s per root psi
-    double psi;         ///< beyond the orifice
+    double psi;         ///< pressure beyond the orifice
 };
 
-/// Never backwards.
+/// Returns the flow through the outlet, which never flows backwards.
 inline double flow_through(const Outlet& outlet, double psi) {
     return orifice_flow(outlet.conductance, psi - outlet.psi);
 }
 
-/// Where a junction's flow goes.
+/// The flows that leave a junction.
 struct FlowSplit {
     double pump_psi;         ///< P
     double inlet_in3_per_s;  ///< Q_i >= 0
@@ -24,18 +24,18 @@ struct FlowSplit {
     double relief_in3_per_s; ///< over the relief valve; INVARIANT: the three add up to the pump's flow
 };
 
-/// The pressure at which `flow_in3_per_s` parts into two outlets, neither of which flows backwards, in closed
-/// form. At the relief pressure the rest of the flow goes over the relief valve. REQUIRES: conductances not
-/// below 0, flow > 0.
+/// Returns the pressure at which `flow_in3_per_s` splits into two outlets, neither of which flows backwards, in closed
+/// form. At the relief pressure the rest of the flow passes the relief valve. REQUIRES: conductances not below 0, flow
+/// > 0.
 FlowSplit split_flow(const Outlet& inlet, const Outlet& bypass, double flow_in3_per_s, double relief_psi);
 
-/// Solves equations 3.1 to 3.3 for P, Q_i and Q_e. The thesis's equations have no solution when the bypass
-/// takes the whole flow at a pressure below P_i; here a load check valve then keeps Q_i at 0, as in the
-/// machine. REQUIRES: inlet_in2 >= 0, bypass_in2 >= 0, pump flow > 0.
+/// Solves equations 3.1 to 3.3 for P, Q_i and Q_e. The equations have no solution if the bypass takes the whole flow at
+/// a pressure below P_i. In that case a load check valve keeps Q_i at 0, as in the machine. REQUIRES: inlet_in2 >= 0,
+/// bypass_in2 >= 0, pump flow > 0.
 FlowSplit split_flow(double inlet_in2, double bypass_in2, double inlet_psi, const FlowConstants& constants);
 
-/// The pump pressure if the inlet were shut; infinite when the bypass is shut too. The path to the cylinder
-/// is predicted open when this exceeds the cylinder's pressure.
+/// Returns the pump pressure with the inlet shut; infinite if the bypass is shut too. The path to the cylinder is
+/// predicted to be open if this pressure exceeds the cylinder's.
 double bypass_only_psi(double bypass_in2, const FlowConstants& constants);
 
 } // namespace placedpar::hydraulics

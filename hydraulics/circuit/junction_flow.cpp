@@ -34,12 +34,12 @@ private:
     struct Outlets {
         Outlet inlet, bypass;
 
-        /// The pressure above which something flows out.
+        /// Returns the pressure above which there is outflow.
         double lowest_psi() const {
             return std::min(inlet.conductance > 0 ? inlet.psi : infinity,
                             bypass.conductance > 0 ? bypass.psi : infinity);
         }
-        /// Of the outlets with that pressure beyond them.
+        /// Returns the conductance of the outlets with that pressure beyond them.
         double lowest_conductance() const {
             double lowest = lowest_psi();
             return (inlet.psi == lowest ? inlet.conductance : 0) + (bypass.psi == lowest ? bypass.conductance : 0);
@@ -60,7 +60,8 @@ private:
 
     double pumped(std::size_t junction) const { return circuit_[junction].pumps * constants_.pump_in3_per_s; }
 
-    /// The flow into the junction at pressure `psi`; leaves the junctions upstream solved for that pressure.
+    /// Returns the flow into the junction at pressure `psi`, and leaves the upstream junctions solved for that
+    /// pressure.
     double inflow(std::size_t junction, double psi) const {
         double sum = pumped(junction);
         for (std::size_t i = 0; i < junction; ++i)
@@ -78,7 +79,7 @@ private:
                 {constants_.conductance(bypass_in2), next_psi}};
     }
 
-    /// Solves the junction and all upstream of it, with `next_psi` beyond its bypass.
+    /// Solves the junction and all junctions upstream of it, with `next_psi` beyond its bypass.
     void solve(std::size_t junction, double next_psi) const {
         Outlets outlets = outlets_of(junction, next_psi);
         if (fed_by_pumps_alone(junction)) {
@@ -93,7 +94,7 @@ private:
             balance(junction, outlets, most);
     }
 
-    /// Junction without inflow at its lowest pressure.
+    /// Sets a junction without inflow to its lowest pressure.
     void leave_unreached(std::size_t junction, const Outlets& outlets) const {
         double before = -infinity;
         for (std::size_t i = 0; i < junction; ++i)
@@ -103,7 +104,8 @@ private:
         flows_[junction] = {before > -infinity ? before : drained, 0, 0, 0};
     }
 
-    /// Finds the pressure at which inflow and outflow balance, or the relief pressure. `most`: inflow at the lowest.
+    /// Finds the pressure at which inflow and outflow balance, or the relief pressure. `most` is the inflow at the
+    /// lowest pressure.
     void balance(std::size_t junction, const Outlets& outlets, double most) const {
         double psi = balanced_psi(junction, outlets, most);
         double in = flow_through(outlets.inlet, psi), by = flow_through(outlets.bypass, psi);
@@ -114,8 +116,8 @@ private:
         flows_[junction] = {psi, in, by, relieving ? rest : 0};
     }
 
-    /// Solve for u, pressure = lowest + u^2: flows are smooth in u where they begin. At the greatest u the lowest
-    /// outlet alone takes all that comes, or the relief pressure is reached.
+    /// Solves for u, where pressure = lowest + u^2, because flows are smooth in u where they begin. At the greatest u,
+    /// either the lowest outlet alone takes the whole inflow, or the relief pressure is reached.
     double balanced_psi(std::size_t junction, const Outlets& outlets, double most) const {
         double lowest = outlets.lowest_psi(), highest = constants_.relief_psi;
         if (lowest >= highest)
@@ -125,7 +127,7 @@ private:
         auto psi_at = [=](double u) { return u < relieved ? std::min(lowest + u * u, highest) : highest; };
         auto excess = [&](double u) { return inflow(junction, psi_at(u)) - outlets.flow(psi_at(u)); };
         double least = excess(greatest);
-        if (least >= 0) // relieving; or a rounding
+        if (least >= 0) // the relief valve is open, or it is a rounding error
             return psi_at(greatest);
         std::uintmax_t iterations = 200;
         auto [below, above] = boost::math::tools::toms748_solve(
@@ -133,10 +135,9 @@ private:
         return psi_at(below + (above - below) / 2);
     }
 
-    /// Adds the flow that rounding left over to the outlet whose pressure drop it changes least: the drop is
-    /// flow^2 / conductance^2, so that is the outlet of the greater conductance^2 / flow. An outlet without flow
-    /// gets none, unless both are without: then the flow is too small to show in the pressure, and goes where the
-    /// pressure is lowest.
+    /// Adds the flow left over by rounding to the outlet whose pressure drop it changes least. The drop is flow^2 /
+    /// conductance^2, so this is the outlet with the greater conductance^2 / flow. An outlet without flow gets none,
+    /// unless both have none: then the flow is too small to affect the pressure and goes to the lowest pressure.
     static void give_rest(const Outlets& outlets, double rest, double& in, double& by) {
         double a = outlets.inlet.conductance, b = outlets.bypass.conductance;
         bool to_inlet = a * a * by >= b * b * in;

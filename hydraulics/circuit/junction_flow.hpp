@@ -8,11 +8,11 @@
 
 namespace placedpar::hydraulics {
 
-/// What a junction finds open, and against which pressure.
+/// The open orifices at a junction and the pressure of its link.
 struct JunctionOpening {
     double link_psi;   ///< P_i of the junction's link
     double inlet_in2;  ///< a_i >= 0
-    double bypass_in2; ///< a_e >= 0; of no effect where the circuit keeps the bypass shut
+    double bypass_in2; ///< a_e >= 0; ignored where the circuit keeps the bypass shut
 };
 
 /// The flow at one junction.
@@ -23,19 +23,19 @@ struct JunctionFlow {
     double relief_in3_per_s; ///< >= 0; only where a pump feeds the junction
 };
 
-/// Solves a circuit's steady flow: at every junction the flow from pumps and from upstream bypasses leaves through
-/// the inlet, the bypass and the relief valve; each flow is k a sqrt(drop) and, by its check valve, never
-/// backwards (equations B.3 and B.4, with the load checks that they leave out).
+/// Solves a circuit's steady flow. At every junction the flow from pumps and upstream bypasses leaves through the
+/// inlet, the bypass and the relief valve. Each flow is k a sqrt(drop) and, because of its check valve, never backwards
+/// (equations B.3 and B.4, plus the load checks that they leave out).
 ///
-/// The flow through a bypass falls as the pressure beyond it rises. So, from the last junction upstream, each
-/// junction's pressure is the one root of a decreasing function; to evaluate it at a trial pressure, the junctions
-/// upstream are solved for that pressure. A junction fed by pumps alone is solved in closed form. There is a
-/// solution for all areas and pressures.
+/// The flow through a bypass falls as the pressure beyond it rises. From the last junction upstream, each junction's
+/// pressure is therefore the only root of a decreasing function. To evaluate it at a trial pressure, the junctions
+/// upstream are solved for that pressure. A junction fed only by pumps is solved in closed form. There is a solution
+/// for all areas and pressures.
 ///
-/// A junction that no flow reaches has the highest pressure of the junctions whose open bypasses lead there; if
-/// there is none, the lowest pressure beyond its own open orifices; if these are shut, too, the tank's.
-/// INVARIANT of the result: flow is conserved at every junction to 1e-9 of a pump's flow.
-/// REQUIRES: one opening a junction, written to as many flows; pump flow > 0, relief pressure finite.
+/// A junction that no flow reaches has the highest pressure of the junctions whose open bypasses lead to it. Without
+/// such junctions it has the lowest pressure beyond its own open orifices, or the tank's if these are shut too.
+/// INVARIANT of the result: flow is conserved at every junction to 1e-9 of a pump's flow. REQUIRES: one opening and one
+/// result per junction; pump flow > 0, relief pressure finite.
 void solve_junctions(const Circuit&, std::span<const JunctionOpening>, const FlowConstants&, std::span<JunctionFlow>);
 
 std::vector<JunctionFlow> solve_junctions(const Circuit&, std::span<const JunctionOpening>, const FlowConstants&);

@@ -4,7 +4,7 @@
 
 namespace placedpar::hydraulics {
 
-/// A leak across a piston (2.3.2), from its start on.
+/// A leak across a piston (2.3.2) that begins at `start_s`.
 struct PistonLeak {
     double in3_per_s_psi = 0; ///< k_l; 0: the seal is tight
     double start_s = 0;
@@ -15,14 +15,15 @@ inline double leakage_in3_per_s(double leak_in3_per_s_psi, double inlet_psi, dou
     return leak_in3_per_s_psi * (inlet_psi - outlet_psi);
 }
 
-/// By how much the compliance seems to grow, to a model without the leak.
+/// Returns the apparent growth of the compliance in a model without the leak, in in^3/psi.
 ///
-/// The flow is Q_i = C_i dP_i/dt + A_i dX/dt + Q_l; the model lets C_i' dP_i/dt stand for the first and the last
-/// term. (The thesis prints 2.5 with both C_i' and Q_l, from which its 2.7 would not follow.) At one instant
-/// C_i' - C_i = Q_l / (dP_i/dt), of which 2.8 is the lower bound; over a window, the C_i' that misses least has
+/// The flow is Q_i = C_i dP_i/dt + A_i dX/dt + Q_l; in the model C_i' dP_i/dt replaces the first and the last term.
+/// (The thesis prints 2.5 with both C_i' and Q_l, from which its 2.7 would not follow.) At one instant
+///   C_i' - C_i = Q_l / (dP_i/dt),
+/// of which 2.8 is the lower bound. Over a window, the C_i' with the least error has
 ///   C_i' - C_i = sum(Q_l dP_i/dt) / sum((dP_i/dt)^2).
-/// In in^3/psi. Throws std::invalid_argument when the numbers of flows and slopes differ, or no slope is other
-/// than 0: then a leak cannot be told by the compliance.
+/// Throws std::invalid_argument if the numbers of flows and slopes differ, or if all slopes are 0, so that a leak has
+/// no apparent compliance.
 double apparent_compliance_change(std::span<const double> leak_in3_per_s, std::span<const double> slope_psi_per_s);
 
 } // namespace placedpar::hydraulics

@@ -9,7 +9,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-// The matrices have a fixed size: sums over a dynamic one could depend on where its memory is aligned.
+// The matrices have a fixed size, since sums over a dynamic size could depend on the alignment of its memory.
 using Points = Eigen::Matrix<double, line_fit_points, 1>;
 
 } // namespace

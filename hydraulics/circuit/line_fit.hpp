@@ -9,18 +9,18 @@ namespace placedpar::hydraulics {
 /// The thesis limits the piecewise least-squares line to 5 samples (3.1.2).
 inline constexpr std::size_t line_fit_points = 5;
 
-/// Least-squares lines through 5 equally spaced samples; the slope belongs to the middle one, 2 periods back.
-/// (Paired with the newest sample instead, it would bias the compliance by +17 %.) Exact for quadratics;
-/// white noise of deviation s gives the slope a deviation s / (sqrt(10) period), 15.811 s at 20 ms.
+/// Fits least-squares lines to 5 equally spaced samples. The slope belongs to the middle sample, 2 periods back.
+/// (Combined with the newest sample instead, it would bias the compliance by +17 %.) The slope is exact for quadratics.
+/// White noise of standard deviation s gives it a deviation of s / (sqrt(10) period), 15.811 s at 20 ms.
 class CentredLineFit {
 public:
     /// Throws std::invalid_argument unless period_s > 0.
     explicit CentredLineFit(double period_s);
 
-    /// Per second. REQUIRES: has_slope(values.size(), centre).
+    /// Returns the slope per second. REQUIRES: has_slope(values.size(), centre).
     double slope_per_s(std::span<const double> values, std::size_t centre) const;
 
-    /// Are there two samples on either side?
+    /// Returns whether there are two samples on either side.
     static bool has_slope(std::size_t size, std::size_t centre) {
         constexpr std::size_t side = line_fit_points / 2;
         return centre >= side && centre + side < size;

@@ -10,47 +10,48 @@ namespace placedpar::hydraulics {
 
 class Parameters; // hydraulics/data/parameters.hpp
 
-/// How sensors' readings become flows and areas.
+/// This file converts sensor readings to flows and areas.
 
-/// What the pump side of a link takes up per radian of its joint, in^3/rad: A_i times the moment arm; for the swing,
-/// the displacement of its motor.
+/// Returns the volume that the pump side of a link takes per radian of its joint, in in^3/rad: A_i times the moment
+/// arm. For the swing it is the displacement of its motor.
 constexpr double piston_in3_per_rad(double inlet_area_in2, double moment_arm_in) {
     return inlet_area_in2 * moment_arm_in;
 }
 
-/// Where the areas of a link's orifices come from: as they were read, or by the boom's functions A.3 to A.9 from the
-/// spool, or from the servo-valve's voltage by A.1 and A.2.
+/// Selects the source of a link's orifice areas: read directly, computed by the boom's functions A.3 to A.9 from the
+/// spool, or by A.1 and A.2 from the servo-valve's voltage.
 enum class AreasFrom : unsigned char { areas, spool, servo };
 
-/// What the readings of one link become flows by.
+/// The constants that convert the readings of one link to flows.
 struct LinkConstants {
-    double piston_in3_per_rad = 0; ///< taken up by the pump side per radian of the joint
+    double piston_in3_per_rad = 0; ///< volume taken by the pump side per radian of the joint
     double spool_lag_per_s = 0;    ///< a_0 of A.2
 
     double piston_in3_per_deg() const { return piston_in3_per_rad * std::numbers::pi / 180; }
     friend bool operator==(const LinkConstants&, const LinkConstants&) = default;
 };
 
-/// By the rows inlet_area, moment_arm and spool_lag of each link.
+/// Reads the rows inlet_area, moment_arm and spool_lag of each link.
 PerLink<LinkConstants> link_constants(const Parameters& parameters);
 
-/// What turns the readings of one link into flows and areas.
+/// Everything that converts the readings of one link to flows and areas.
 struct LinkCalibration {
     LinkConstants constants;
-    double spool_offset_in = 0;         ///< by which the spool's readings, or A.1, are too high
-    std::optional<AreasFrom> from = {}; ///< none: the first of the three that the record has
+    double spool_offset_in = 0;         ///< amount by which the spool's readings, or A.1, are too high
+    std::optional<AreasFrom> from = {}; ///< nullopt: the first of the three sources that the record has
 };
 using LinkCalibrations = PerLink<LinkCalibration>;
 
-/// By link_constants(), without an offset.
+/// Returns link_constants(), without an offset.
 LinkCalibrations link_calibrations(const Parameters& parameters);
 
-/// The source that is asked for, or the first of the three that is there of the link.
+/// Returns `asked`, or else the first of the three sources that the link has.
 AreasFrom areas_from(const ChannelSet& there, Link link, std::optional<AreasFrom> asked);
 
-/// What flows and areas of a link come from: inlet pressure, angle, and what its areas are found by.
+/// Returns the channels from which a link's flows and areas are computed: inlet pressure, angle, and the source of its
+/// areas.
 ChannelSet channels_needed(Link link, AreasFrom from);
-/// Throws UnfitRecord, naming the first of those that is missing and the channels there are.
+/// Throws UnfitRecord, naming the first missing one of these channels and those present.
 void require_channels(const Record& record, Link link, AreasFrom from);
 
 } // namespace placedpar::hydraulics

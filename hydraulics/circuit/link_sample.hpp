@@ -7,15 +7,15 @@
 
 namespace placedpar::hydraulics {
 
-/// What the error of identification needs of one link at one sampling instant.
+/// The values of one link at one instant that enter the error of identification.
 struct LinkSample {
     double inlet_psi;             ///< P_i, the raw reading
-    double inlet_slope_psi_per_s; ///< of the 5-point line
-    double piston_flow_in3_per_s; ///< A_i times the piston velocity, of the 5-point line
+    double inlet_slope_psi_per_s; ///< slope of the 5-point line
+    double piston_flow_in3_per_s; ///< A_i times the piston velocity, from the 5-point line
     double inlet_in2;             ///< a_i; from the spool
     double bypass_in2;            ///< a_e
 
-    /// As plain numbers, in the order above.
+    /// The number of values, which are in the order above.
     static constexpr std::size_t channels = 5;
     /// REQUIRES: values.size() >= channels.
     static LinkSample from(std::span<const double> values) {
@@ -25,22 +25,22 @@ struct LinkSample {
     friend bool operator==(const LinkSample&, const LinkSample&) = default;
 };
 
-/// The equations by which a supposed compliance is judged, one link at a time. Units may be of any consistent system;
-/// T is as in orifice.hpp, and `conductance` is k a of the inlet or the bypass.
+/// These equations judge a trial compliance, one link at a time. Any consistent system of units may be used. T is as in
+/// orifice.hpp, and `conductance` is k a of the inlet or the bypass.
 
-/// 3.5, B.2: the flow into the cylinder moves the piston and swells the pump side.
+/// Returns the flow into the cylinder (3.5, B.2), which moves the piston and expands the pump side.
 template <typename T>
 T cylinder_flow(double piston_flow, double pressure_slope, const T& compliance) {
     return piston_flow + pressure_slope * compliance;
 }
 
-/// 3.6, B.3: the pressure at the junction that drives this flow into the link.
+/// Returns the pressure at the junction that drives this flow into the link (3.6, B.3).
 template <typename T>
 T junction_pressure(double inlet_conductance, double link_pressure, const T& flow) {
     return orifice_drop(inlet_conductance, flow) + link_pressure;
 }
 
-/// 3.7, B.3: what leaves a junction through the bypass. `drop` is to the tank or to the next junction.
+/// Returns the flow from a junction through the bypass (3.7, B.3). `drop` is to the tank or to the next junction.
 template <typename T>
 T bypass_flow(double bypass_conductance, const T& drop) {
     return orifice_flow(bypass_conductance, drop);

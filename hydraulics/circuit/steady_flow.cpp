@@ -12,7 +12,8 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// Central, of fixed step: exact to about the square of the step against the scale on which `f` bends.
+/// Returns the central difference with a fixed step. Its error is about the square of the step relative to the scale on
+/// which `f` curves.
 template <class Function>
 double slope(const Function& f, double at, double step) {
     return (f(at + step) - f(at - step)) / (2 * step);

@@ -5,22 +5,23 @@
 
 namespace placedpar::hydraulics {
 
-/// Where the pump's flow goes when the boom's spool and the cylinder's pressure stand still. REQUIRES: spool_in >= 0.
+/// Returns the split of the pump's flow while the boom's spool and the cylinder's pressure are constant. REQUIRES:
+/// spool_in >= 0.
 FlowSplit steady_boom_flow(double spool_in, double inlet_psi, const FlowConstants& constants);
 
-/// The inverse of steady_boom_flow in its first argument, for the feedforward of the thesis's controller
-/// (2.3.2). Between the opening of the load check valve and the shutting of the bypass the flow grows with the
-/// spool from 0 to the pump's, so there is exactly one. Throws std::domain_error for a flow outside of that range and
-/// for a pressure at which the relief valve opens before the flow is reached.
+/// Returns the spool position for a flow, the inverse of steady_boom_flow. The feedforward of the thesis's controller
+/// uses it (2.3.2). From the opening of the load check valve to the shutting of the bypass, the flow grows with the
+/// spool from 0 to the pump's, so there is exactly one solution. Throws std::domain_error for a flow outside that
+/// range, and for a pressure at which the relief valve opens before the flow is reached.
 double boom_spool_for_flow(double inlet_in3_per_s, double inlet_psi, const FlowConstants& constants);
 
-/// How the steady flow Q_i responds to small changes.
+/// The response of the steady flow Q_i to small changes.
 struct FlowSensitivity {
     double to_spool_in3_per_s_in;     ///< dQ_i / dx
     double to_pressure_in3_per_s_psi; ///< dQ_i / dP_i, negative
 };
 
-/// REQUIRES: the load check valve is open and the spool is not within 1e-4 in of an end of a branch of the
+/// REQUIRES: the load check valve is open, and the spool is at least 1e-4 in from each end of a branch of the
 /// spool-orifice functions, where the derivative jumps.
 FlowSensitivity boom_flow_sensitivity(double spool_in, double inlet_psi, const FlowConstants& constants);
 

@@ -6,18 +6,18 @@
 
 namespace placedpar::hydraulics {
 
-/// The boom's voltage-spool function A.1: the spool, in inches, that a servo-valve voltage asks for. Strictly
-/// increasing for every voltage. Raising direction only: the thesis gives no function for lowering.
+/// Returns the spool position, in inches, that a servo-valve voltage demands: the boom's voltage-spool function A.1. It
+/// is strictly increasing for every voltage. It holds for raising only; the thesis gives no function for lowering.
 double desired_spool_in(double volts);
 
-/// Its inverse, the spool-voltage function by which a controller finds the voltage; to the last bits.
-/// Throws std::invalid_argument when the spool is below 0 or not finite.
+/// Returns the voltage for a spool position, accurate to the last bits: the inverse of A.1, which a controller uses.
+/// Throws std::invalid_argument if the spool is below 0 or not finite.
 double servo_volts(double spool_in);
 
-/// An offset that creeps: a worn spool, a servo-valve's pressure regulation, or the sensor that measured both
-/// (2.3.2). Whole from the start when the rate is 0.
+/// An offset that grows with time: a worn spool, the pressure regulation of a servo-valve, or the sensor that measured
+/// both (2.3.2). With rate 0 it is constant.
 struct OffsetDrift {
-    double at_start = 0;   ///< in the unit of the quantity that it is added to
+    double at_start = 0;   ///< in the unit of the quantity to which it is added
     double rate_per_s = 0; ///< that unit per second
 
     double at(double time_s) const { return at_start + rate_per_s * time_s; }
@@ -28,22 +28,21 @@ struct DriftedVoltageSpool {
     OffsetDrift volts;
     OffsetDrift spool_in;
 
-    /// Never below 0, where the spool's travel ends for us.
+    /// Returns the spool position, which is never below 0, where we assume that the spool's travel ends.
     double desired_spool_in(double volts_commanded, double time_s) const;
 };
 
-/// The spool's dynamics A.2, a first-order lag, exact for a command that is held over each sampling period:
-///   Spool(k) = Desired(k-1) (1 - e) + e Spool(k-1),  e = exp(-a_0 T).
-/// The thesis prints k in place of both k-1. With Desired(k) the spool would run a period ahead, and the
-/// compliance found by it would be 17 % off.
+/// The dynamics of the spool, A.2: a first-order lag, exact for a command that is held over each sampling period.
+/// Spool(k) = Desired(k-1) (1 - e) + e Spool(k-1) with e = exp(-a_0 T). The thesis prints k in place of both k-1. With
+/// Desired(k) the spool would be a period early, and a compliance found with it would be 17 % off.
 class SpoolLag {
 public:
     /// Throws std::invalid_argument unless lag and period are above 0.
     SpoolLag(double lag_per_s, double period_s, double spool_in);
 
-    /// The spool now.
+    /// Returns the present spool position.
     double spool_in() const { return spool_in_; }
-    /// Lets a period pass, or several, in which the command is `desired_in`.
+    /// Advances by one period, or several, with the command `desired_in`.
     void hold(double desired_in, double periods = 1) {
         double kept = periods == 1 ? kept_ : std::pow(kept_, periods);
         spool_in_ = desired_in * (1 - kept) + kept * spool_in_;
@@ -54,12 +53,12 @@ private:
     double spool_in_;
 };
 
-/// The spool at each of the voltages' sampling instants, at rest at the first voltage's before them
-/// (experiment 2 of 3.1.3). Throws like SpoolLag.
+/// Returns the spool at each sampling instant of the voltages. Before the first one, the spool is at rest at the first
+/// voltage (experiment 2 of 3.1.3). Throws what SpoolLag throws.
 std::vector<double> spool_from_volts(std::span<const double> volts, double lag_per_s, double period_s,
                                      const DriftedVoltageSpool& = {});
-/// The same at instants that are whole numbers of periods apart, as a record's are. Over a gap the last command before
-/// it is held: exact if it was constant. REQUIRES: as many instants as voltages, rising.
+/// Returns the same for instants that are whole numbers of periods apart, as in a record. Over a gap the last command
+/// before it is held, which is exact if it was constant. REQUIRES: as many instants as voltages, in rising order.
 std::vector<double> spool_from_volts(std::span<const double> volts, std::span<const double> time_s, double lag_per_s,
                                      double period_s, const DriftedVoltageSpool& = {});
 

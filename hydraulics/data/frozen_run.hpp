@@ -6,22 +6,23 @@
 
 namespace placedpar::hydraulics {
 
-/// A gauge that reads less has no pressure to read: at sea level (the row oil.atmospheric_pressure) nothing is left.
+/// The lowest gauge pressure, at which nothing is left of the atmospheric pressure at sea level (the row
+/// oil.atmospheric_pressure).
 inline constexpr double vacuum_psi = -14.7;
 
-/// Samples in which a sensor repeats one reading, and after which it jumps to where what it reads has gone meanwhile.
+/// Samples in which a sensor repeats one reading and after which it jumps to the present value.
 struct FrozenRun {
-    std::size_t first, last; ///< past the end
-    double jump;             ///< at its end
+    std::size_t first, last; ///< `last` is one past the end
+    double jump;             ///< step at the end of the run
 };
 
-/// All ours: equal readings for a tenth of a second, at least five, for a pressure or a joint that moves passes a
-/// converter's code in less; a jump of 40 psi, or of half a degree, that is greater than the step after it, for what
-/// has rested begins to move slowly and gathers speed.
+/// These limits are all ours. A run has equal readings for 0.1 s, at least five: a pressure or a joint that moves
+/// passes a converter's code in less time. The jump is at least 40 psi, or half a degree, and greater than the step
+/// after it, because a body at rest starts slowly and gathers speed.
 std::size_t fewest_frozen(double period_s);
 inline constexpr double least_jump_psi = 40, least_jump_deg = 0.5;
 
-/// The first of them. `fewest`: equal readings, by fewest_frozen().
+/// Returns the first frozen run. `fewest` is the number of equal readings, from fewest_frozen().
 std::optional<FrozenRun> frozen_run(std::span<const double> readings, double least_jump, std::size_t fewest);
 
 } // namespace placedpar::hydraulics

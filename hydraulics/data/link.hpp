@@ -16,15 +16,15 @@ inline constexpr std::array<Link, 4> all_links{Link::bucket, Link::boom, Link::s
 
 constexpr std::size_t index_of(Link link) { return static_cast<std::size_t>(link); }
 
-/// One value for each link, by index_of(link).
+/// One value for each link, at index_of(link).
 template <typename T>
 using PerLink = std::array<T, all_links.size()>;
 
-/// "bucket", ...
+/// Returns "bucket" and so on.
 std::string_view name_of(Link);
-/// The thesis's "BU", "BO", "ST", "SW", as in C_BUi.
+/// Returns the thesis's "BU", "BO", "ST", "SW", as in C_BUi.
 std::string_view symbol_of(Link);
-/// By name or symbol; none when there is no such link.
+/// Returns the link with this name or symbol, or nullopt.
 std::optional<Link> link_named(std::string_view);
 
 /// A set of links.

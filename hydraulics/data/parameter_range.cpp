@@ -8,7 +8,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-// How the names end.
+// The ends of the names.
 constexpr auto positive = std::to_array<std::string_view>({
     ".orifice",          ".relief",      "flow.pump",          "rounded.pump",      "let_area",
     ".moment_arm",       ".mass",        ".friction_velocity", "let_compliance",    "spool_lag",

@@ -6,19 +6,20 @@
 
 namespace placedpar::hydraulics {
 
-/// The values, in this room's unit, that a constant of a machine can have.
+/// The valid values of a machine's constant, in this room's unit.
 struct ParameterRange {
     double least = -std::numeric_limits<double>::infinity();
     bool least_included = true;
 
-    /// Not of nan and infinity.
+    /// Returns false for NaN and infinity.
     bool contains(double value) const;
-    /// "above 0", "0 or above".
+    /// Returns "above 0" or "0 or above".
     std::string expected() const;
 };
 
-/// By the parameter's name: an area or a mass is above 0, a noise 0 or above; an offset, a load or a voltage may have
-/// either sign. All readers of parameters ask here; what depends on several of them is checked where they are used.
+/// Returns the range, which depends on the parameter's name. An area or a mass is above 0, a noise is 0 or above; an
+/// offset, a load or a voltage may have either sign. All readers of parameters use this function. Conditions that
+/// involve several parameters are checked where these are used.
 ParameterRange range_of(std::string_view parameter);
 
 } // namespace placedpar::hydraulics

@@ -16,38 +16,38 @@ namespace placedpar::hydraulics {
 struct Parameter {
     std::string name;   ///< "boom.inlet_area"
     double value;       ///< in this room's unit of its quantity
-    std::string unit;   ///< the room's
-    std::string mark;   ///< thesis, fitted, ours; measured in a user's file
-    std::string source; ///< where it comes from
+    std::string unit;   ///< this room's unit of the quantity
+    std::string mark;   ///< thesis, fitted or ours; in a user's file also measured
+    std::string source; ///< origin of the value
 };
 
-/// A name that no parameter has.
+/// Reports a name that no parameter has.
 class UnknownParameter : public std::invalid_argument {
 public:
     explicit UnknownParameter(std::string_view name);
 };
 
-/// The constants of a machine by name, from a text in the form of excavator.csv:
+/// The constants of the machine by name, from a text in the form of excavator.csv:
 ///
 ///     name,value,unit,mark,source
 ///     boom.inlet_area,206.5,cm^2,measured,"data sheet, both cylinders"
 class Parameters {
 public:
-    /// Those of excavator.csv, which is part of the program; read when first asked for.
+    /// Returns the constants of excavator.csv, which is part of the program. They are read at the first call.
     static const Parameters& excavator();
 
     /// Throws UnknownParameter.
     double operator[](std::string_view name) const;
-    /// None when there is no such parameter.
+    /// Returns null if there is no such parameter.
     const Parameter* find(std::string_view name) const;
     const std::vector<Parameter>& all() const { return parameters_; }
     /// Throws UnknownParameter.
     void set(std::string_view name, double value);
-    /// In place of the parameter of the same name. Throws UnknownParameter when there is none.
+    /// Replaces the parameter of the same name. Throws UnknownParameter if there is none.
     void put(Parameter parameter);
 
-    /// Reads a text whose rows replace the parameters of the same name; any unit of the quantity is converted.
-    /// Faults: an unknown name, a unit of another quantity, no number or one out of the parameter's range
+    /// Reads a text whose rows replace the parameters of the same name, converting any unit of the quantity. Faults: an
+    /// unknown name, a unit of another quantity, a value that is not a number or outside the parameter's range
     /// (parameter_range.hpp), an unknown mark.
     void read(std::string_view text, std::vector<Diagnostic>& faults);
 

@@ -13,7 +13,7 @@
 
 namespace placedpar::hydraulics {
 
-/// What is measured at a link.
+/// The quantities measured at a link.
 enum class Sensor : unsigned char {
     inlet_pressure,  ///< psi: P_i, the pump side
     outlet_pressure, ///< psi: P_o, the drain side
@@ -28,12 +28,12 @@ inline constexpr std::array<Sensor, 7> all_sensors{Sensor::inlet_pressure, Senso
                                                    Sensor::spool,          Sensor::servo,           Sensor::inlet_area,
                                                    Sensor::bypass_area};
 
-/// "inlet_pressure", ... as in the header of a record's file: boom.inlet_pressure [psi].
+/// Returns "inlet_pressure" and so on, as in the header of a record's file: boom.inlet_pressure [psi].
 std::string_view name_of(Sensor);
 Quantity quantity_of(Sensor);
 std::optional<Sensor> sensor_named(std::string_view);
 
-/// Which sensors of which links.
+/// A set of sensors of links.
 class ChannelSet {
 public:
     bool contains(Link link, Sensor sensor) const { return there_[index_of(link)][static_cast<std::size_t>(sensor)]; }
@@ -49,17 +49,17 @@ struct Stretch {
     std::size_t first, last;
 };
 
-/// Measurements of an excavator's motion: every channel is read at the same instants, a fixed period apart except for
+/// Measurements of an excavator's motion. All channels are read at the same instants, a fixed period apart except at
 /// gaps.
 class Record {
 public:
     std::string description;
     double period_s = 0;
-    /// Rising; INVARIANT: neighbours are a whole number of periods apart, within sampling_tolerance.
+    /// Rising. INVARIANT: the times of neighbours differ by a whole number of periods, within sampling_tolerance.
     std::vector<double> time_s;
 
     std::size_t size() const { return time_s.size(); }
-    /// One value for each instant, in the unit of the sensor's quantity; empty where it was not measured.
+    /// Returns one value for each instant, in the unit of the sensor's quantity; empty if it was not measured.
     const std::vector<double>& of(Link link, Sensor sensor) const {
         return channels_[index_of(link)][static_cast<std::size_t>(sensor)];
     }
@@ -67,24 +67,24 @@ public:
         return channels_[index_of(link)][static_cast<std::size_t>(sensor)];
     }
     bool has(Link link, Sensor sensor) const { return !of(link, sensor).empty(); }
-    /// The links with at least one sensor in the record.
+    /// Returns the links with at least one sensor in the record.
     LinkSet links() const;
     ChannelSet channels() const;
 
-    /// The stretches between its gaps.
+    /// Returns the parts of the record between its gaps.
     std::vector<Stretch> stretches() const;
 
 private:
     std::array<std::array<std::vector<double>, all_sensors.size()>, all_links.size()> channels_;
 };
 
-/// A record that lacks what an identification of it needs; what() says what is missing, without the record's name.
+/// Reports a record that lacks data for an identification; what() states what is missing, without the record's name.
 class UnfitRecord : public UserError {
 public:
     using UserError::UserError;
 };
 
-/// Beyond what is ever measured, in any unit of this room; slopes and squares of such values are finite.
+/// A limit beyond all measured values in any unit of this room; slopes and squares of such values are finite.
 inline constexpr double largest_reading = 1e12;
 
 /// One value of a record.
@@ -94,10 +94,10 @@ struct SensorReading {
     double time_s, value;
 };
 
-/// The first that is not finite or beyond largest_reading: the earliest, and of its instant the first channel.
+/// Returns the earliest reading that is not finite or beyond largest_reading, and within an instant the first channel.
 std::optional<SensorReading> first_unmeasurable(const Record& record);
 
-/// How far a sample may be from its regular instant, as a share of the period.
+/// The largest distance of a sample from its regular instant, as a share of the period.
 inline constexpr double sampling_tolerance = 0.02;
 
 } // namespace placedpar::hydraulics

@@ -14,7 +14,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// What the greatest value of a channel on an excavator is ordinarily between, in this room's unit.
+/// The usual range of a channel's greatest value on an excavator, in this room's unit.
 struct Ordinary {
     double least, most;
 };
@@ -36,7 +36,7 @@ Ordinary ordinary(Sensor sensor) {
 
 bool within(double value, const Ordinary& usual) { return value >= usual.least && value <= usual.most; }
 
-/// The units in which the number that stands in the text would be ordinary.
+/// Returns the units in which the number in the text would be usual.
 std::string likely_units(Quantity quantity, double number, const Ordinary& usual) {
     std::string likely;
     for (const Unit& unit : units_of(quantity))
@@ -58,7 +58,7 @@ double median_step(std::span<const double> time_s) {
     return *middle;
 }
 
-/// The fault between two neighbouring samples, if there is one.
+/// Returns the fault between two neighbouring samples, if there is one.
 std::optional<Diagnostic> fault_of_step(double step_s, double period_s, const TextCell& time, std::size_t line,
                                         std::size_t line_before) {
     auto fault = [&](bool refused, std::string message, std::string hint) {
@@ -83,7 +83,7 @@ std::optional<Diagnostic> fault_of_step(double step_s, double period_s, const Te
     return std::nullopt;
 }
 
-/// Is a step further from whole periods than slopes allow?
+/// Returns whether a step deviates from whole periods by more than slopes allow.
 bool jitters(const Record& record) {
     for (std::size_t i = 1; i < record.size(); ++i) {
         double periods = (record.time_s[i] - record.time_s[i - 1]) / record.period_s;

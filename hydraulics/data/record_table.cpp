@@ -15,7 +15,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// "boom.spool [in]" in its two parts; the unit is empty where there are no brackets.
+/// Splits "boom.spool [in]" into its two parts; the unit is empty if there are no brackets.
 std::pair<std::string, std::string> name_and_unit(const std::string& header) {
     std::size_t open = header.find('[');
     if (open == std::string::npos || header.back() != ']')
@@ -25,10 +25,10 @@ std::pair<std::string, std::string> name_and_unit(const std::string& header) {
     return {name, header.substr(open + 1, header.size() - open - 2)};
 }
 
-/// What a column is called; none when there is no such column.
+/// The meaning of a column name.
 struct Channel {
     Link link{};
-    std::optional<Sensor> sensor = std::nullopt; ///< none: the time
+    std::optional<Sensor> sensor = std::nullopt; ///< nullopt: the time
 
     Quantity quantity() const { return sensor ? quantity_of(*sensor) : Quantity::time; }
 };
@@ -44,7 +44,7 @@ std::optional<Channel> channel_named(const std::string& name) {
     return Channel{*link, sensor};
 }
 
-/// As loggers write that there is no reading.
+/// Returns whether the cell is one of the words that loggers write for a missing reading.
 bool is_missing(const TextCell& cell) {
     constexpr std::array<std::string_view, 5> words{"", "-", "nan", "na", "null"};
     std::string text = cell.text;
@@ -52,7 +52,7 @@ bool is_missing(const TextCell& cell) {
     return std::ranges::find(words, text) != words.end();
 }
 
-/// Decimals that tell all times apart, as far as they were given.
+/// Returns the number of decimals that distinguishes all times, as far as they were given.
 int time_decimals(const Record& record) {
     int decimals = 3;
     for (double scale = 1e3; decimals < 9; ++decimals, scale *= 10)
@@ -63,7 +63,7 @@ int time_decimals(const Record& record) {
     return decimals;
 }
 
-/// No "-0.000", whose sign could hang on a last bit.
+/// Prints no "-0.000", since its sign could depend on the last bit.
 std::string print_number(double value, int decimals) {
     std::string text = fmt::format("{:.{}f}", value, decimals);
     bool zero = text.find_first_not_of("-0.") == std::string::npos;
@@ -133,7 +133,7 @@ void RecordReader::skip_missing(std::vector<Diagnostic>& faults) {
                                 fmt::format("{} left out, this the first of them", counted(skipped, "row"))));
 }
 
-/// In this room's unit.
+/// Returns the value in this room's unit.
 double RecordReader::value_in(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults) const {
     const TextCell& cell = row.cells[column.index];
     if (is_missing(cell)) {
@@ -187,13 +187,13 @@ void RecordReader::check(Record& record, std::vector<Diagnostic>& faults) {
     for (const Column& column : columns_)
         if (column.sensor && record.period_s > 0 && record.has(column.link, *column.sensor))
             check_readings(column, record, faults);
-    if (has_errors(faults)) // what may be why
+    if (has_errors(faults)) // these faults may be the cause of others
         std::ranges::move(finish(), std::back_inserter(faults));
     before_ = std::move(last);
     period_s_ = record.period_s;
 }
 
-/// Warnings of the header that an earlier piece gave.
+/// Removes the header's warnings that an earlier piece gave.
 void RecordReader::forget_told(std::vector<Diagnostic>& faults) {
     std::set<std::size_t> now = told_;
     std::erase_if(faults, [&](const Diagnostic& fault) {
@@ -205,7 +205,7 @@ void RecordReader::forget_told(std::vector<Diagnostic>& faults) {
     told_ = std::move(now);
 }
 
-/// Are there rows to be looked at, or was there something before that goes on?
+/// Returns whether there are rows to read, or an earlier piece to continue.
 bool RecordReader::read_table(std::string_view lines, std::vector<Diagnostic>& faults) {
     table_.rows.clear();
     line_ = append_lines(table_, lines, line_, faults);
@@ -215,7 +215,7 @@ bool RecordReader::read_table(std::string_view lines, std::vector<Diagnostic>& f
         faults.push_back(error_at(0, 0, "the header is missing", "such as time [s],boom.inlet_pressure [psi]"));
         return false;
     }
-    if (table_.rows.empty() && !before_) { // a header, or a file whose line ends were lost
+    if (table_.rows.empty() && !before_) { // only a header, or a file whose line ends were lost
         faults.push_back(error_at(0, 0, fmt::format("0 samples, expected at least {}", fewest_samples),
                                   "below the header, a line for each instant; lines end in LF or in CR LF"));
         return false;

@@ -17,15 +17,15 @@
 namespace placedpar::hydraulics {
 
 struct ReadRecord {
-    std::optional<Record> record; ///< none when a fault refuses the text
+    std::optional<Record> record; ///< nullopt if a fault made the text unusable
     std::vector<Diagnostic> faults;
 };
 
-/// What a record is read for.
+/// States which channels a record must have.
 struct RecordNeeds {
-    /// Of the channels that a header names, those that must have a value in every row; all of them if not given.
+    /// Returns, from the channels that a header names, those that must have a value in every row. If empty, all must.
     std::function<ChannelSet(const ChannelSet&)> of = {};
-    /// Leaves rows out that lack one, in place of refusing the record.
+    /// Whether rows that lack such a value are left out; otherwise the record is refused.
     bool skip_missing = false;
 };
 
@@ -35,41 +35,40 @@ struct RecordNeeds {
 ///     time [s],boom.inlet_pressure [psi],boom.angle [deg],boom.spool [in]
 ///     0.00,1555.1,0.000,0.1297
 ///
-/// Columns: time, and LINK.SENSOR for the four links and the sensors of record.hpp. Any unit of the quantity
-/// is converted. A column of another name is warned of and left out.
+/// Columns are time, and LINK.SENSOR for the four links and the sensors of record.hpp. Any unit of the quantity is
+/// converted. A column with another name causes a warning and is ignored. A channel that is not needed and has an empty
+/// cell is ignored.
 ///
-/// A channel that is not needed and has an empty cell is left out.
-///
-/// Refused: a column or its unit missing, wrong or repeated; no column of a sensor; no number, or one larger than
-/// anything measured; times that go back, repeat with other readings, or are further from whole periods apart than
-/// jitter_tolerance; a period that changes;
-/// fewer than `fewest_samples` rows; what split_table refuses. Warned of: identical rows in succession (used once),
-/// jittered times (resampled), gaps, channels that never change, channels and periods that would be ordinary in another
-/// unit, pressures below vacuum and frozen ones. Faults come in the order of their lines.
+/// The text is refused if: a column or its unit is missing, wrong or repeated; there is no sensor column; a value is
+/// not a number or larger than any measurement; times go back, repeat with other readings, or deviate from whole
+/// periods by more than jitter_tolerance; the period changes; there are fewer than `fewest_samples` rows; or
+/// split_table refuses it. There are warnings about: successive identical rows (used once), jittered times (resampled),
+/// gaps, channels that never change, channels and periods that would be usual in another unit, pressures below vacuum,
+/// and frozen pressures and angles. Faults are in the order of their lines.
 ReadRecord read_record(std::string_view text, const RecordNeeds& needs = {});
 
-/// The same, of a text of any length, piece by piece.
+/// Reads a text of any length in pieces, as read_record reads a whole one.
 class RecordReader {
 public:
     explicit RecordReader(RecordNeeds needs = {}) : needs_(std::move(needs)) {}
 
-    /// Reads the next whole lines of the text. The period is the first piece's. Warnings of the header come once; no
-    /// record when a fault refuses the piece, and then the reader is not to be used any more.
+    /// Reads the next whole lines of the text. The first piece determines the period. Warnings about the header are
+    /// given once. If a fault makes the piece unusable, there is no record, and the reader must not be used any more.
     ReadRecord read(std::string_view lines);
-    /// The text is over: what is to be said of whole channels.
+    /// Returns the warnings about whole channels at the end of the text.
     std::vector<Diagnostic> finish() const;
 
 private:
-    /// What a column of the text holds.
+    /// A column of the text.
     struct Column {
         std::size_t index;
-        std::size_t at; ///< column of its name in the header's line
+        std::size_t at; ///< position of its name in the header's line
         std::string name;
         const Unit* unit;
         Link link{};
-        std::optional<Sensor> sensor = {}; ///< none: the time
+        std::optional<Sensor> sensor = {}; ///< nullopt: the time
         bool needed = true;
-        double least = std::numeric_limits<double>::infinity(), greatest = -least; ///< so far
+        double least = std::numeric_limits<double>::infinity(), greatest = -least; ///< range of the values so far
 
         std::vector<double>& of(Record& record) const { return sensor ? record.of(link, *sensor) : record.time_s; }
     };
@@ -87,17 +86,17 @@ private:
 
     RecordNeeds needs_;
     TextTable table_;      ///< the rows of the newest piece
-    std::size_t line_ = 1; ///< the next
+    std::size_t line_ = 1; ///< number of the next line
     std::vector<Column> columns_;
     std::optional<RowBefore> before_;
     std::optional<double> period_s_;
-    std::set<std::size_t> told_; ///< columns of the header that have been warned of
+    std::set<std::size_t> told_; ///< header columns that a warning has been given for
 };
 
 /// The sensors' line fit needs 5 samples.
 inline constexpr std::size_t fewest_samples = 5;
 
-/// As read_record reads it, every channel that was measured, in this room's units.
+/// Returns a text that read_record reads, with every measured channel in this room's units.
 std::string print_record(const Record& record);
 
 } // namespace placedpar::hydraulics

@@ -10,7 +10,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// The whole periods from the first sample to each.
+/// Returns the number of whole periods from the first sample to each.
 std::vector<double> whole_periods(const Record& record) {
     std::vector<double> periods{0};
     for (std::size_t i = 1; i < record.size(); ++i)
@@ -18,7 +18,7 @@ std::vector<double> whole_periods(const Record& record) {
     return periods;
 }
 
-/// The neighbour on whose line to sample i the reading at the given time lies; i itself where gaps are on both sides.
+/// Returns the neighbour of sample i for the interpolation at the given time, or i itself if gaps are on both sides.
 std::size_t neighbour(std::size_t i, double time_s, std::span<const double> times_s, std::span<const double> periods) {
     bool before = i > 0 && periods[i] - periods[i - 1] == 1;
     bool after = i + 1 < periods.size() && periods[i + 1] - periods[i] == 1;

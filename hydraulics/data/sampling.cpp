@@ -11,9 +11,9 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// Bounds of ours: five slower samples would be longer than a transient, and quicker readings are untested.
+/// The limits are ours: five slower samples would be longer than a transient, and faster readings are untested.
 constexpr double slowest_s = 0.1, quickest_s = 0.0001;
-/// By which a stated period may be beyond them.
+/// The tolerance of these limits for a stated period.
 constexpr double rounding = 1 + 1e-6;
 
 double mean_of(std::span<const double> values) {

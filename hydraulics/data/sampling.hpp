@@ -6,31 +6,31 @@
 
 namespace placedpar::hydraulics {
 
-/// The thesis samples every 20 ms: slopes over five samples, windows and movements are made for about that.
+/// The thesis samples every 20 ms. Slopes over five samples, windows and movements are designed for about that period.
 inline constexpr double method_period_s = 0.020;
 
-/// How readings become the samples that identification is made for: each is the mean of so many readings in
-/// succession, none is dropped, and the samples are as near to method_period_s apart as whole readings allow.
+/// States how readings become the samples for identification. Each sample is the mean of `readings` successive
+/// readings, and none is dropped. The samples are as near to method_period_s apart as whole readings allow.
 struct Sampling {
-    double reading_s = method_period_s; ///< from one reading to the next
-    std::size_t readings = 1;           ///< that make a sample
+    double reading_s = method_period_s; ///< time between two readings
+    std::size_t readings = 1;           ///< number of readings per sample
 
-    /// Throws UnfitRecord, with the reason, for readings that are too slow or too quick.
+    /// Throws UnfitRecord, with the reason, if the readings are too slow or too fast.
     static Sampling of(double reading_s);
 
     double period_s() const { return reading_s * static_cast<double>(readings); }
-    /// So many samples are nearest to this time, at least one.
+    /// Returns the number of samples nearest to this time, at least one.
     std::size_t samples_in(double duration_s) const;
 };
 
-/// "1 kHz", "50 Hz": of readings so far apart.
+/// Returns the rate of readings at this period: "1 kHz", "50 Hz".
 std::string rate_text(double period_s);
-/// "1 kHz averaged to 50 Hz, 20 readings each".
+/// Returns a text such as "1 kHz averaged to 50 Hz, 20 readings each".
 std::string print_sampling(const Sampling&);
 
-/// The record's readings as such samples; each stands at the middle of its readings. A sample holds no readings from
-/// both sides of a gap, and what is left over before one is left out. A voltage is what is held from one sample to the
-/// next: the mean of the readings between their middles.
+/// Returns the record with its readings averaged to samples, each at the middle of its readings. No sample combines
+/// readings from both sides of a gap, and readings left over before a gap are dropped. A voltage is held from one
+/// sample to the next, so it is the mean of the readings between their middles.
 Record averaged(const Record& record, const Sampling& sampling);
 
 } // namespace placedpar::hydraulics

@@ -7,9 +7,9 @@
 
 namespace placedpar::hydraulics {
 
-/// What a number measures. This room works in one unit of each, the thesis's.
+/// The quantities that numbers measure. This room uses one unit for each, the thesis's.
 enum class Quantity : unsigned char {
-    number,        ///< of no unit
+    number,        ///< without a unit
     time,          ///< s
     pressure,      ///< psi, gauge
     length,        ///< in
@@ -29,28 +29,29 @@ enum class Quantity : unsigned char {
     volume,        ///< in^3
     voltage_rate,  ///< V/s
     stiffness,     ///< lbf/in
-    inertance,     ///< psi s^2/in^3: pressure that speeds a line's flow up
-    resistance     ///< psi s/in^3: pressure that a line's flow loses
+    inertance,     ///< psi s^2/in^3: pressure per acceleration of a line's flow
+    resistance     ///< psi s/in^3: pressure loss per flow in a line
 };
 
-/// A unit, and its size in this room's unit of the same quantity.
+/// A unit and its size in this room's unit of the same quantity.
 struct Unit {
     std::string_view name;
     Quantity quantity;
     double factor;
 };
 
-/// Pascals in a psi and metres in an inch; all other factors between the systems follow from these.
+/// Pascals per psi and metres per inch. All other factors between the systems follow from these.
 inline constexpr double pascal_per_psi = 6894.757293168361;
 inline constexpr double metre_per_inch = 0.0254;
 inline constexpr double deg_per_rad = 180 / std::numbers::pi;
 
-/// None when no such unit is known. "cm^3/s", "kPa", "deg"; the room's own unit of a quantity has factor 1.
+/// Returns the unit with a name such as "cm^3/s", "kPa" or "deg", or null. This room's own unit of a quantity has
+/// factor 1.
 const Unit* unit_named(std::string_view name);
 
-/// All units of a quantity, the room's own first.
+/// Returns all units of a quantity, this room's own first.
 std::vector<Unit> units_of(Quantity);
-/// "psi, Pa, kPa, MPa or bar", for messages.
+/// Returns a text for messages: "psi, Pa, kPa, MPa or bar".
 std::string list_units(Quantity);
 std::string_view name_of(Quantity);
 

@@ -9,24 +9,24 @@
 
 namespace placedpar::hydraulics {
 
-/// The sensors of the measured excavator's boom: noise first, then a converter each.
+/// The sensors of the measured excavator's boom: each adds noise first and then passes a converter.
 struct BoomSensors {
     MeasurementNoise noise;
     Converter pressure;     ///< from 0 psi on
     Converter resolver;     ///< of 360 deg
     Converter spool;        ///< from 0 in on
-    double spool_offset_in; ///< by which the spool's sensor reads too high
+    double spool_offset_in; ///< amount by which the spool's sensor reads too high
     double joint_at_rest_deg;
     double period_s;
 };
 
-/// By the rows sensors.*, noise.*, fault.spool_offset and excavator.joint_at_rest.
+/// Reads the rows sensors.*, noise.*, fault.spool_offset and excavator.joint_at_rest.
 BoomSensors boom_sensors(const Parameters& parameters = Parameters::excavator());
 
-/// Every sensor of the boom, read every period: both pressures at the valve's ends of their hoses, the angle, the
-/// spool, and the voltage that the control system asked for. Draws four normal numbers a sample in the order inlet
-/// pressure, outlet pressure, angle, spool, even without noise. Throws UnfitScenario (requirement.hpp) when the period
-/// is not a whole multiple of the motion's step.
+/// Reads every sensor of the boom once a period: both pressures at the valve's ends of their hoses, the angle, the
+/// spool, and the voltage that the control system commanded. Draws four normal numbers a sample, in the order inlet
+/// pressure, outlet pressure, angle, spool, even without noise. Throws UnfitScenario (requirement.hpp) if the period is
+/// not a whole multiple of the motion's step.
 Record read_boom_sensors(std::span<const MeasuredState> motion, const MeasuredExcavator& excavator,
                          const BoomSensors& sensors, const UniformSource& uniform);
 

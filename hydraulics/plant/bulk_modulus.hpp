@@ -4,7 +4,7 @@
 
 namespace placedpar::hydraulics {
 
-/// Hydraulic oil with air in it that is free, never dissolved, as in Figure 2.3 of the thesis.
+/// Hydraulic oil with free air in it, which never dissolves, as in Figure 2.3 of the thesis.
 struct AirOilMixture {
     double air_fraction;        ///< x_0, of the volume at atmospheric pressure
     double polytropic_exponent; ///< N: 1 isothermal, 1.4 adiabatic
@@ -12,17 +12,17 @@ struct AirOilMixture {
     double atmospheric_psia;    ///< P_0
 };
 
-/// The oil of the rows oil.bulk_modulus and oil.atmospheric_pressure with so much air.
+/// Returns the oil of the rows oil.bulk_modulus and oil.atmospheric_pressure with this fraction of air.
 AirOilMixture air_oil_mixture(double air_fraction, double polytropic_exponent = 1,
                               const Parameters& parameters = Parameters::excavator());
 
-/// beta = -V dP/dV of the mixture, from V = V_oil + V_air (P_0 / P)^(1/N), the shrinking of the oil neglected in V
-/// itself. Grows with pressure, falls with the air fraction, tends to the oil's. REQUIRES: psia > 0, an absolute
-/// pressure; 0 <= air_fraction < 1.
+/// Returns beta = -V dP/dV of the mixture, from V = V_oil + V_air (P_0 / P)^(1/N). The shrinking of the oil in V itself
+/// is neglected. beta grows with pressure, falls with the air fraction, and tends to the oil's. REQUIRES: psia > 0, an
+/// absolute pressure; 0 <= air_fraction < 1.
 double bulk_modulus_psi(const AirOilMixture& mixture, double psia);
 
-/// The absolute pressure at which beta is `share` of the oil's; below it the mixture is softer still. REQUIRES:
-/// 0 < air_fraction < 1, 0 < share < 1.
+/// Returns the absolute pressure at which beta is `share` of the oil's; below it the mixture is softer. REQUIRES: 0 <
+/// air_fraction < 1, 0 < share < 1.
 double psia_at_modulus(const AirOilMixture& mixture, double share);
 
 /// Equation 2.2: C_fluid = V / beta.

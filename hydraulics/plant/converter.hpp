@@ -6,21 +6,21 @@
 
 namespace placedpar::hydraulics {
 
-/// An analogue-digital converter, or the other way round.
+/// An analogue-to-digital or digital-to-analogue converter.
 struct Converter {
     double range;
-    int bits; ///< 0: it passes values as they are
+    int bits; ///< 0: values pass unchanged
 
-    /// The least difference it can tell; 0 without bits.
+    /// Returns the resolution; 0 without bits.
     double step() const;
-    /// The nearest code's value, half to even; the error is at most half a step.
+    /// Returns the value of the nearest code, half to even. The error is at most half a step.
     double operator()(double value) const;
-    /// The same, kept within [least, least + range - step].
+    /// Returns the same, limited to [least, least + range - step].
     double limited(double value, double least) const;
 };
 
-/// The bits that a row of the parameters gives. Throws UnfitScenario (requirement.hpp) unless it is a whole number from
-/// 0 to 32.
+/// Returns the number of bits in a row of the parameters. Throws UnfitScenario (requirement.hpp) unless it is a whole
+/// number from 0 to 32.
 int bits_of(const Parameters& parameters, std::string_view name);
 
 } // namespace placedpar::hydraulics

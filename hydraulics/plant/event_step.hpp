@@ -9,36 +9,36 @@
 
 namespace placedpar::hydraulics {
 
-/// A system of ordinary differential equations that is smooth but for events: valves that open and shut,
-/// knees of a curve, commands. `Mode` says which of them hold; where it stays the same, the system is smooth.
+/// A system of ordinary differential equations that is smooth except at events: valves that open and shut, knees of a
+/// curve, commands. `Mode` identifies the smooth part; while it is unchanged, the system is smooth.
 template <typename S>
 concept ModalSystem = requires(S system, const std::vector<double>& state, std::vector<double>& rate, double time_s) {
     { system.rate(state, rate, time_s) } -> std::same_as<typename S::Mode>;
     requires std::equality_comparable<typename S::Mode>;
 };
 
-/// The classical Runge-Kutta method of order 4 (Boost.Odeint) that steps up to each event and starts anew
-/// after it, so that the order of convergence survives events.
+/// Integrates by the classical Runge-Kutta method of order 4 (Boost.Odeint). It steps up to each event and restarts
+/// after it, so that the order of convergence holds across events.
 ///
-/// A step is clean when all its stages and its end see the mode of its beginning.
+/// A step is clean if all its stages and its end have the mode of its beginning.
 /// 1. Try the step to the end.
-/// 2. Unclean: bisect to the longest clean one, and go on from there.
-/// 3. A step of the resolution unclean: the event is less than that away, so hop across; hops double until a step is
-///    clean again, so that even events without end let time pass.
-/// 4. Past the limit of pieces, as when a valve chatters: step to the end, whatever events lie on the way.
+/// 2. If it is unclean, bisect to the longest clean step, take it, and continue from there.
+/// 3. If a step of the resolution is unclean, the event is less than that away: take this step across it. Such hops
+///    double until a step is clean again, so that time advances even with endless events.
+/// 4. After the limit of pieces, as when a valve chatters, step to the end regardless of events.
 ///
-/// Events that undo each other between the stages of one step are not seen: choose the step accordingly.
+/// Events that cancel each other between the stages of one step are not seen, so choose the step accordingly.
 template <ModalSystem System>
 class EventStepper {
 public:
     using State = std::vector<double>;
     using Mode = typename System::Mode;
 
-    /// Hops, and so the places of events, are this fine; an error in the state of the same order is far below
-    /// any reading's.
+    /// The length of the first hop, which limits the accuracy of the times of events. The resulting error of the state
+    /// is far below the resolution of any reading.
     static constexpr double resolution_s = 1e-12;
 
-    /// Into how many pieces one call may cut its step, and a call on average; an event takes about 5.
+    /// The largest number of pieces of one call, and of a call on average; an event takes about 5.
     static constexpr double most_pieces = 64, pieces_a_call = 0.5;
 
     EventStepper(const System& system, State state, double time_s)
@@ -51,7 +51,7 @@ public:
     const Mode& mode() const { return now_.mode; }
     double time_s() const { return time_s_; }
 
-    /// To be called when the system's equations have changed.
+    /// Must be called when the system's equations have changed.
     void system_changed() { now_.mode = system_.rate(now_.state, now_.rate, time_s_); }
 
     /// Advances to `end_s`; calls event(time_s, mode before, mode after) at each event.
@@ -79,7 +79,7 @@ private:
         Mode mode;
     };
 
-    /// Tries a step from now; leaves its end in `next_`.
+    /// Tries a step from the present state and leaves its end in `next_`.
     bool clean(double step_s) {
         tried_s_ = step_s;
         bool same = true;
@@ -93,7 +93,7 @@ private:
         return same && next_.mode == now_.mode;
     }
 
-    /// The longest clean step to within a thousandth; the steps that follow cover the rest.
+    /// Returns the longest clean step to within a thousandth. The steps that follow cover the rest.
     double long_clean(double clean_s, double unclean_s) {
         while (unclean_s - clean_s > std::max(resolution_s, unclean_s / 1024)) {
             double middle_s = clean_s + (unclean_s - clean_s) / 2;
@@ -118,7 +118,7 @@ private:
     Point now_, next_;
     double time_s_;
     double allowance_ = most_pieces;
-    double tried_s_ = 0; ///< the step to `next_`; 0: none has been tried from now
+    double tried_s_ = 0; ///< length of the step to `next_`; 0: none has been tried from the present state
 };
 
 } // namespace placedpar::hydraulics

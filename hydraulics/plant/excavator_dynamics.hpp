@@ -8,40 +8,41 @@
 
 namespace placedpar::hydraulics {
 
-/// Which valves are open and which branch of each curve holds at one link and its junction.
+/// The open valves and the branch of each curve at one link and its junction.
 struct LinkMode {
     bool inlet_open = false;  ///< the junction's pressure exceeds the link's
-    bool bypass_open = false; ///< ... the next junction's
+    bool bypass_open = false; ///< the junction's pressure exceeds the next junction's
     bool relieving = false;
     bool leaking = false;
-    int spool_branch = 0;    ///< between which knees of A.3 to A.9 the spool stands
+    int spool_branch = 0;    ///< interval between knees of A.3 to A.9 in which the spool is
     std::size_t command = 0; ///< begun_and_ended() of the valve's command
 
     friend bool operator==(const LinkMode&, const LinkMode&) = default;
 };
 
-/// The differential equations of a scenario: for every link
-///   C_i P_i' = Q_i - A_i v - Q_l              B.2, 2.5
-///   C_o P_o' = A_o v + Q_l - Q_o              3.4, where there is a drain side
-///   M v' = A_i P_i - A_o P_o - F - friction,  x' = v
-///   spool' = a_0 (desired - spool)            A.2
-/// with the flows of all junctions at once (junction_flow.hpp). Solved by event_step.hpp.
+/// The differential equations of a scenario, which event_step.hpp solves. For every link:
+///   C_i P_i' = Q_i - A_i v - Q_l (B.2, 2.5);
+///   C_o P_o' = A_o v + Q_l - Q_o (3.4, if there is a drain side);
+///   M v' = A_i P_i - A_o P_o - F - friction, x' = v;
+///   spool' = a_0 (desired - spool) (A.2).
+/// The flows of all junctions are solved together (junction_flow.hpp).
 class ExcavatorDynamics {
 public:
     using State = std::vector<double>;
     using Mode = std::vector<LinkMode>; ///< in the order of the scenario's links
 
-    /// Of each link's part of the state.
+    /// The components of each link's part of the state.
     enum Component : std::size_t { inlet_psi, outlet_psi, piston_in, velocity_in_per_s, spool_in, components };
 
-    /// REQUIRES: a valid scenario, which outlives this.
+    /// REQUIRES: a valid scenario, which outlives this object.
     explicit ExcavatorDynamics(const ExcavatorScenario&);
 
-    /// Every load is held: drain sides at tank pressure, inlet pressures in balance, spools at rest.
+    /// Returns the state in which every load is held: drain sides at tank pressure, inlet pressures in balance, spools
+    /// at rest.
     State at_rest() const;
-    /// The derivative, and the mode in which it holds.
+    /// Computes the derivative and returns the mode in which it holds.
     Mode rate(const State&, State& derivative, double time_s) const;
-    /// Of each link, at its junction.
+    /// Returns the flow at each link's junction.
     std::vector<JunctionFlow> flows(const State&, double time_s) const;
     OrificeAreas areas(const State&, std::size_t link, double time_s) const;
 
@@ -52,8 +53,8 @@ private:
 
     const ExcavatorScenario& scenario_;
     Circuit circuit_;
-    std::vector<std::size_t> link_at_;     ///< of each junction
-    std::vector<std::size_t> junction_of_; ///< of each link
+    std::vector<std::size_t> link_at_;     ///< index of the link at each junction
+    std::vector<std::size_t> junction_of_; ///< index of the junction of each link
 };
 
 } // namespace placedpar::hydraulics

@@ -11,7 +11,7 @@ namespace placedpar::hydraulics {
 /// The true state of one link at one instant.
 struct LinkState {
     double inlet_psi;         ///< P_i
-    double outlet_psi;        ///< P_o; the tank's where the drain side is left out
+    double outlet_psi;        ///< P_o; the tank's pressure if the drain side is left out
     double piston_in;         ///< x, 0 at the start
     double velocity_in_per_s; ///< v
     double spool_in;          ///< 0 for a valve without a spool
@@ -24,8 +24,8 @@ struct ExcavatorState {
     std::vector<LinkState> links; ///< in the scenario's order
 };
 
-/// A load check valve has opened or shut: to the integration's accuracy, but no better than some 10 ns, before
-/// which the pressure over the inlet is lost in its rounding.
+/// The opening or shutting of a load check valve. Its time is as accurate as the integration, but not better than some
+/// 10 ns, because nearer to the event the pressure drop over the inlet is smaller than its rounding error.
 struct CheckEvent {
     double time_s;
     Link link;
@@ -33,19 +33,18 @@ struct CheckEvent {
 };
 
 struct ExcavatorMotion {
-    std::vector<ExcavatorState> states; ///< one an integration step, the first at time 0
+    std::vector<ExcavatorState> states; ///< one per integration step, the first at time 0
     std::vector<CheckEvent> checks;     ///< in order of time
 };
 
-/// Simulates a scenario from rest: equations B.2 to B.5 or, with spools, 3.1 to 3.4 and A.2 to A.9, for all
-/// active links, with load checks, relief valves, friction and leaks (excavator_dynamics.hpp). Steps end at
-/// every instant at which a valve opens or shuts, a curve has a knee or a command begins, and the method's
-/// order 4 holds across them (event_step.hpp), as far as the equations are smooth between them: the drain side
-/// is not where its pressure passes the tank's.
-/// Throws UnfitScenario (requirement.hpp) when the scenario is not valid.
+/// Simulates a scenario from rest: equations B.2 to B.5 or, with spools, 3.1 to 3.4 and A.2 to A.9. The simulation
+/// covers all active links, with load checks, relief valves, friction and leaks (excavator_dynamics.hpp). Steps end at
+/// every instant at which a valve opens or shuts, a curve has a knee or a command begins, so that the method's order 4
+/// holds across them (event_step.hpp). The exception is the drain side, whose equation is not smooth where its pressure
+/// passes the tank's. Throws UnfitScenario (requirement.hpp) if the scenario is not valid.
 ExcavatorMotion simulate_excavator(const ExcavatorScenario&);
 
-/// The same; the states are shown one by one instead of kept.
+/// Simulates the scenario likewise, but gives each state to `show` instead of keeping it.
 std::vector<CheckEvent> simulate_excavator(const ExcavatorScenario&, const std::function<void(ExcavatorState&&)>& show);
 
 } // namespace placedpar::hydraulics

@@ -14,7 +14,7 @@ namespace {
 
 constexpr Requirement scenario_needs{"excavator scenario"};
 
-/// "the boom's mass"
+/// Returns a text such as "the boom's mass".
 std::string its(std::string_view link, std::string_view what) { return fmt::format("the {}'s {}", link, what); }
 
 void require_valid(const LinkMechanics& mechanics, std::string_view link) {
@@ -56,7 +56,7 @@ void require_valid(const SpoolOrifices& valve, std::string_view link) {
 void require_valid(const ExcavatorScenario& scenario) {
     scenario_needs.positive("the integration step", scenario.integration_step_s);
     scenario_needs.positive("the duration", scenario.duration_s);
-    constexpr double most_steps = 2e6; // a motion is kept whole
+    constexpr double most_steps = 2e6; // limited because a whole motion is kept in memory
     if (scenario.duration_s > most_steps * scenario.integration_step_s)
         scenario_needs.refuse("the duration", scenario.duration_s,
                               fmt::format("at most {:g} integration steps", most_steps));

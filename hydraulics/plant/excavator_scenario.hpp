@@ -10,7 +10,7 @@
 
 namespace placedpar::hydraulics {
 
-/// A link that moves, and what moves it.
+/// A moving link, with its valve and its leak.
 struct ActiveLink {
     Link link;
     LinkMechanics mechanics;
@@ -18,19 +18,19 @@ struct ActiveLink {
     PistonLeak leak = {};
 };
 
-/// What excavator_motion.hpp simulates: any set of links in any configuration of the main valve.
+/// The input of excavator_motion.hpp: any set of links in any configuration of the main valve.
 struct ExcavatorScenario {
     FlowConstants flow{};
     Configuration configuration{};
     std::vector<ActiveLink> links; ///< each link at most once
     double duration_s = 0;         ///< > 0
-    double integration_step_s = 0; ///< > 0; also how often the motion is noted
+    double integration_step_s = 0; ///< > 0; also the interval between the states that are kept
 };
 
-/// Throws UnfitScenario (requirement.hpp), which says which value cannot be simulated, and what is expected.
+/// Throws UnfitScenario (requirement.hpp), which names the invalid value and its valid range.
 void require_valid(const ExcavatorScenario&);
 
-/// The junctions of all active links, circuit after circuit, each upstream before downstream.
+/// Returns the junctions of all active links, circuit after circuit, each upstream before downstream.
 Circuit junctions_of(const ExcavatorScenario&);
 
 } // namespace placedpar::hydraulics

@@ -12,12 +12,12 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// The rows fault.leak* are of the boom.
+/// Returns the leak of a link; the rows fault.leak* are the boom's.
 PistonLeak leak_of(Link link, const Parameters& parameters) {
     return link == Link::boom ? PistonLeak{parameters["fault.leak"], parameters["fault.leak_start"]} : PistonLeak{};
 }
 
-/// The valve of B.5 of a link whose row names begin with `name`.
+/// Returns the valve of B.5 of a link whose row names begin with `name`.
 TimedOrifices two_link_orifices(std::string_view name, const Parameters& parameters) {
     auto value = [&](std::string_view what) { return parameters[fmt::format("two_links.{}_{}", name, what)]; };
     return {.inlet_final_in2 = value("inlet_final"),
@@ -28,7 +28,8 @@ TimedOrifices two_link_orifices(std::string_view name, const Parameters& paramet
             .step_time_s = 0};
 }
 
-/// The link's pressure when it has taken up the asked flow. Where its junction's bypass is shut, it takes all.
+/// Returns the demanded flow and the link's pressure at that flow. If its junction's bypass is shut, the link takes the
+/// whole flow.
 FlowTarget target_of(const Junction& junction, const FlowConstants& flow, const Parameters& parameters) {
     LinkMechanics link = coupled_mechanics(junction.link, parameters);
     double in = junction.through == Through::nowhere ? junction.pumps * flow.pump_in3_per_s

@@ -7,18 +7,18 @@
 
 namespace placedpar::hydraulics {
 
-/// Scenarios with the numbers of excavator.csv.
+/// This file builds scenarios from the numbers of excavator.csv.
 
-/// The boom is held, then the operator asks for 4 deg/s: with spool, leak and drain side, in configuration a. The
-/// motion follows the rows `motion`.*: scenario_a, a step, or scenario_b, a ramp.
+/// Returns a scenario in which the boom is held until the operator demands 4 deg/s: with spool, leak and drain side, in
+/// configuration a. The motion follows the rows `motion`.*: scenario_a, a step, or scenario_b, a ramp.
 ExcavatorScenario single_boom_scenario(const Parameters& parameters = Parameters::excavator(),
                                        std::string_view motion = "scenario_a");
 
-/// Scenario R2, the simulation of 3.2: bucket and boom, branch 1 of configuration a, a step of both by B.5.
+/// Returns scenario R2, the simulation of 3.2: bucket and boom, branch 1 of configuration a, a step of both by B.5.
 ExcavatorScenario two_link_scenario(const Parameters& parameters = Parameters::excavator());
 
-/// The links `active` in any configuration, with a step of all: B.5 with the final areas that give each the flow
-/// that the controller asks for. REQUIRES: a link is active.
+/// Returns a scenario with the links `active` in any configuration and a step of all. The valves follow B.5, with final
+/// areas that give each link the flow that the controller demands. REQUIRES: a link is active.
 ExcavatorScenario step_scenario(Configuration configuration, LinkSet active,
                                 const Parameters& parameters = Parameters::excavator());
 

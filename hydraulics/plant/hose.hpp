@@ -2,15 +2,15 @@
 
 namespace placedpar::hydraulics {
 
-/// A hose by the second-order model: its fluid moves as one mass between two compliances, one at the valve's end and
-/// one at the cylinder's. The thesis's first-order pipe model has only their sum.
+/// A second-order model of a hose: its fluid moves as one mass between two compliances, one at the valve's end and one
+/// at the cylinder's. The thesis's first-order pipe model has only their sum.
 struct Hose {
     double inertance_psi_s2_per_in3; ///< I = density length / bore
     double resistance_psi_s_per_in3; ///< R, laminar
-    double valve_share;              ///< of the compliance that is at the valve's end
+    double valve_share;              ///< share of the compliance at the valve's end
 };
 
-/// The two compliances.
+/// The compliances at the two ends.
 struct HoseEnds {
     double valve_in3_per_psi, cylinder_in3_per_psi;
 };
@@ -21,12 +21,13 @@ inline HoseEnds ends_of(const Hose& hose, double compliance_in3_per_psi) {
     return {valve, compliance_in3_per_psi - valve};
 }
 
-/// The line's state, or the rate at which it changes. Flow counts from the first end to the second.
+/// The line's state, or the rate at which it changes. Flow is positive from the first end to the second.
 struct HoseLine {
     double first_psi, flow_in3_per_s, second_psi;
 };
 
-/// Rates of a line with compliances `first` and `second`, whose first end is fed and whose second end is drawn from.
+/// Returns the rates of a line with compliances `first` and `second`, fed at its first end and drawn from at its
+/// second.
 inline HoseLine rates_of(const Hose& hose, double first_in3_per_psi, double second_in3_per_psi, const HoseLine& line,
                          double fed_in3_per_s, double drawn_in3_per_s) {
     return {(fed_in3_per_s - line.flow_in3_per_s) / first_in3_per_psi,
@@ -35,7 +36,7 @@ inline HoseLine rates_of(const Hose& hose, double first_in3_per_psi, double seco
             (line.flow_in3_per_s - drawn_in3_per_s) / second_in3_per_psi};
 }
 
-/// The undamped natural frequency of the fluid between the two ends, both shut: sqrt((1/C_1 + 1/C_2) / I).
+/// Returns the undamped natural frequency of the fluid between the two shut ends: sqrt((1/C_1 + 1/C_2) / I).
 double natural_rad_per_s(const Hose& hose, const HoseEnds& ends);
 
 } // namespace placedpar::hydraulics

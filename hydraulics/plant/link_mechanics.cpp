@@ -36,7 +36,7 @@ LinkMechanics coupled_mechanics(Link link, const Parameters& parameters) {
             .mass_lbf_s2_per_in = value("mass"),
             .damping_lbf_s_per_in = parameters[fmt::format("two_links.{}_damping", name_of(link))],
             .friction_lbf = 0,
-            .friction_velocity_in_per_s = 1, // of no effect without friction
+            .friction_velocity_in_per_s = 1, // ignored without friction
             .load_lbf = value("gravity"),
             .inlet_compliance_in3_per_psi = value("inlet_compliance"),
             .outlet_compliance_in3_per_psi = 0,

@@ -8,39 +8,39 @@
 
 namespace placedpar::hydraulics {
 
-/// The simplified valve of B.5: it answers a step input by areas that approach their final values like
-/// exp(-rate t), without a spool. Before the step the inlet and the outlet are shut.
+/// The simplified valve of B.5. After a step input its areas approach their final values like exp(-rate t), without a
+/// spool. Before the step the inlet and the outlet are shut.
 struct TimedOrifices {
     double inlet_final_in2;  ///< a_i1
     double bypass_rest_in2;  ///< a_e0
     double bypass_final_in2; ///< a_e1
-    double outlet_final_in2; ///< 0 where the drain side is left out, as the thesis does
+    double outlet_final_in2; ///< 0 if the drain side is left out, as in the thesis
     double rate_per_s;       ///< a_0
     double step_time_s;
 };
 
-/// A spool that is asked for `desired_in` from `time_s` on, or to go there evenly within a ramp.
+/// A command for the spool: to go to `desired_in` at `time_s`, at once or evenly within a ramp.
 struct SpoolStep {
     double time_s;
     double desired_in;
     double ramp_s = 0;
 };
 
-/// A main valve whose spool follows commands by the lag of A.2 and opens the orifices of A.3 to A.9, which
-/// are the boom's: those of the other links are not printed. (voltage_spool.hpp turns voltages into commands.)
+/// A main valve whose spool follows commands with the lag of A.2 and opens the orifices of A.3 to A.9. These are the
+/// boom's, since those of the other links are not printed. (voltage_spool.hpp turns voltages into commands.)
 struct SpoolOrifices {
-    double rest_in;               ///< the spool before the first step
-    std::vector<SpoolStep> steps; ///< in order of time, each after the ramp before it
+    double rest_in;               ///< spool position before the first step
+    std::vector<SpoolStep> steps; ///< in order of time; each begins after the previous ramp has ended
 };
 
 using LinkValve = std::variant<TimedOrifices, SpoolOrifices>;
 
-/// B.5.
+/// Returns the areas by B.5.
 OrificeAreas areas_at(const TimedOrifices& valve, double time_s);
-/// The spool that the command asks for.
+/// Returns the spool position that the command demands.
 double desired_in(const SpoolOrifices& valve, double time_s);
-/// How many steps of the command have begun, and how many ramps have ended: while that stays the same, the command is
-/// smooth.
+/// Returns the number of steps that have begun plus the number of ramps that have ended. While it is unchanged, the
+/// command is smooth.
 std::size_t begun_and_ended(const LinkValve& valve, double time_s);
 
 } // namespace placedpar::hydraulics

@@ -11,10 +11,10 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// Below this there is vapour, and the mixture's formula is out of its range.
+/// Below this pressure there is vapour, and the mixture's formula is not valid.
 constexpr double least_psia = 1;
 
-/// The cylinder's end of the inlet side: what was asked for, and what free air adds to it. The air gathers there.
+/// Returns the compliance of the cylinder's end of the inlet side, increased by free air, which gathers there.
 double cylinder_compliance(const MeasuredExcavator& excavator, double without_air, double psi) {
     if (excavator.oil.air_fraction == 0)
         return without_air;

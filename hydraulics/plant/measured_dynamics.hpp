@@ -8,15 +8,15 @@
 
 namespace placedpar::hydraulics {
 
-/// The measured excavator as a system of ordinary differential equations:
+/// The differential equations of the measured excavator, which event_step.hpp solves. On either side of the piston a
+/// hose connects the valve and the cylinder.
 ///
-///   valve --- hose --- cylinder, on either side of the piston
-///   C_v P_v' = Q_i - q,  I q' = P_v - P_c - R q,  C_c P_c' = q - A_i v - Q_l          inlet
-///   C_c P_oc' = A_o v + Q_l - q_o,  I q_o' = P_oc - P_ov - R q_o,  C_v P_ov' = q_o - Q_o   drain
-///   M v' = A_i P_c - A_o P_oc - F_g - b v - friction(v, z),  Q_l = k_l (P_c - P_oc)
-///   spool' = a_0 (desired - spool)
+///   inlet: C_v P_v' = Q_i - q, I q' = P_v - P_c - R q, C_c P_c' = q - A_i v - Q_l;
+///   drain: C_c P_oc' = A_o v + Q_l - q_o, I q_o' = P_oc - P_ov - R q_o, C_v P_ov' = q_o - Q_o;
+///   piston: M v' = A_i P_c - A_o P_oc - F_g - b v - friction(v, z), Q_l = k_l (P_c - P_oc);
+///   spool: spool' = a_0 (desired - spool).
 ///
-/// with Q_i from the flow split 3.1 to 3.3, fed by the rippling pump, and Q_o by 3.4. Solved by event_step.hpp.
+/// Q_i comes from the flow split 3.1 to 3.3, fed by the rippling pump, and Q_o from 3.4.
 class MeasuredDynamics {
 public:
     enum Component : std::size_t {
@@ -33,7 +33,7 @@ public:
         components
     };
     using State = std::vector<double>;
-    /// Which valves are open and which branch of each curve holds.
+    /// The open valves and the branch of each curve.
     struct Mode {
         bool inlet_open = false;
         bool relieving = false;
@@ -43,15 +43,15 @@ public:
         friend bool operator==(const Mode&, const Mode&) = default;
     };
 
-    /// REQUIRES: the excavator outlives this.
+    /// REQUIRES: the excavator outlives this object.
     explicit MeasuredDynamics(const MeasuredExcavator& excavator) : excavator_(excavator) { hold(0); }
 
     State at_rest() const;
-    /// Keeps the command and the drift as they are at this instant.
+    /// Holds the command and the drift at their values at this instant.
     void hold(double time_s);
-    /// The derivative, and the mode in which it holds.
+    /// Computes the derivative and returns the mode in which it holds.
     Mode rate(const State& state, State& derivative, double time_s) const;
-    /// With its ripple.
+    /// Returns the pump's flow, with its ripple.
     double pump_in3_per_s(double time_s) const;
     FlowSplit flows(const State& state, double time_s) const;
     double leak_in3_per_s(const State& state, double time_s) const;
@@ -64,8 +64,8 @@ private:
     double desired_spool_in_ = 0;
 };
 
-/// Flow of the drain side through an orifice (3.4), either way; laminar near a drop of 0, so that it has a slope there:
-/// Q = k a drop / (drop^2 + laminar^2)^(1/4).
+/// Returns the flow of the drain side through an orifice (3.4), in either direction. It is laminar near a drop of 0, so
+/// that its slope is finite there: Q = k a drop / (drop^2 + laminar^2)^(1/4).
 double drain_in3_per_s(double outlet_in2, double drop_psi, double laminar_psi, const FlowConstants& flow);
 
 } // namespace placedpar::hydraulics

@@ -21,7 +21,7 @@ StickFriction friction_of(const Parameters& parameters) {
             .bristle_damping_lbf_s_per_in = parameters["stiction.bristle_damping"]};
 }
 
-/// Both the sensor and A.1 read too high by the offset: a voltage gives that much less spool than A.1 says.
+/// Both the sensor and A.1 read too high by the offset, so a voltage moves the spool that much less than A.1 states.
 DriftedVoltageSpool voltage_spool_of(const Parameters& parameters) {
     return {{parameters["fault.servo_bias"], parameters["fault.servo_drift"]}, {-parameters["fault.spool_offset"], 0}};
 }
@@ -49,7 +49,7 @@ MeasuredExcavator measured_excavator(const Parameters& parameters) {
 }
 
 double held_volts(const MeasuredExcavator& excavator, double time_s) {
-    // A sampling instant belongs to the period that it begins, even if rounding puts it a bit early.
+    // A sampling instant belongs to the period that it begins, even if rounding puts it slightly early.
     double sample = std::floor(time_s / excavator.sampling_period_s + 1e-6);
     const Converter& converter = excavator.servo_converter;
     return converter.limited(volts_at(excavator.command, sample * excavator.sampling_period_s), -converter.range / 2);

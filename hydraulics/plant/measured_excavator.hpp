@@ -13,41 +13,41 @@
 
 namespace placedpar::hydraulics {
 
-/// The flow of an axial piston pump is not quite constant.
+/// The ripple in the flow of an axial piston pump.
 struct PumpRipple {
-    double amplitude;       ///< of the flow, of the fundamental
+    double amplitude;       ///< of the fundamental, relative to the flow
     double frequency_per_s; ///< pistons times shaft speed
 };
 
-/// What stands in for the excavator of the thesis, whose recordings we do not have: the boom in configuration a,
-/// with the effects that the model which identifies it leaves out. Where the two agree (orifices, masses, areas) it
-/// reads the same rows of excavator.csv.
+/// Replaces the excavator of the thesis, whose recordings we do not have. It is the boom in configuration a, with
+/// effects that the model for identification leaves out. Where both models agree (orifices, masses, areas) they read
+/// the same rows of excavator.csv.
 struct MeasuredExcavator {
     FlowConstants flow;
-    LinkMechanics boom; ///< its friction_velocity does not matter here
+    LinkMechanics boom; ///< its friction_velocity is not used
     PumpRipple ripple;
     Hose inlet_hose, outlet_hose;
     StickFriction friction;
-    AirOilMixture oil; ///< of the inlet side
+    AirOilMixture oil; ///< oil of the inlet side
     double oil_volume_in3;
     double drain_laminar_psi;
     PistonLeak leak;
-    DriftedVoltageSpool voltage_spool; ///< what the servo-valve makes of a voltage
+    DriftedVoltageSpool voltage_spool; ///< the servo-valve's response to a voltage
     double dead_time_s;
     ServoCommand command;
-    double sampling_period_s;  ///< for which the control system holds a voltage
-    Converter servo_converter; ///< makes the voltage, from - range / 2 to range / 2
+    double sampling_period_s;  ///< time for which the control system holds a voltage
+    Converter servo_converter; ///< outputs the voltage, from - range / 2 to range / 2
     double duration_s;
     double integration_step_s;
 };
 
-/// By the rows of the record scenario `excavator` (record_scenario.hpp).
+/// Reads the rows of the record scenario `excavator` (record_scenario.hpp).
 MeasuredExcavator measured_excavator(const Parameters& parameters = Parameters::excavator());
 
-/// The voltage at the servo-valve: the command as it was at the last sampling instant, through the converter.
+/// Returns the voltage at the servo-valve: the command at the last sampling instant, through the converter.
 double held_volts(const MeasuredExcavator& excavator, double time_s);
 
-/// Throws UnfitScenario (requirement.hpp), which says which value cannot be simulated, and what is expected.
+/// Throws UnfitScenario (requirement.hpp), which names the invalid value and its valid range.
 void require_valid(const MeasuredExcavator& excavator);
 
 } // namespace placedpar::hydraulics

@@ -42,7 +42,7 @@ std::vector<MeasuredState> simulate_measured_excavator(const MeasuredExcavator& 
         motion.push_back(state_at(dynamics, stepper.state(), time_s));
         if (i == steps)
             return motion;
-        // Constant within a step: a command that begins does so between two.
+        // The command is constant within a step: a command begins between two steps.
         dynamics.hold(time_s + step_s / 2);
         stepper.system_changed();
         stepper.advance_to(static_cast<double>(i + 1) * step_s, [](auto&&...) {});

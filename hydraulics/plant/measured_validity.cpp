@@ -58,7 +58,7 @@ void require_valid_command(const MeasuredExcavator& excavator) {
         excavator_needs.refuse("the servo's bits", excavator.servo_converter.bits, "0 to 32");
 }
 
-/// The drain with the spool at its furthest has the steepest slope at a drop of 0: k a / sqrt(laminar).
+/// Returns the steepest slope of the drain: with the spool at its furthest and a drop of 0 it is k a / sqrt(laminar).
 double drain_rate_per_s(const MeasuredExcavator& excavator) {
     double spool_in = 0;
     for (double time_s : {0.0, excavator.duration_s})
@@ -70,8 +70,8 @@ double drain_rate_per_s(const MeasuredExcavator& excavator) {
     return slope / ends_of(excavator.outlet_hose, excavator.boom.outlet_compliance_in3_per_psi).valve_in3_per_psi;
 }
 
-/// The method is stable up to 2.78 of a decay's rate times the step, and of an oscillation's; the latter should be
-/// traced, not only survive.
+/// The method is stable if a decay rate times the step is at most 2.78, and similarly for an oscillation. Oscillations
+/// need a shorter step, so that they are also traced accurately.
 void require_short_step(const MeasuredExcavator& excavator) {
     const LinkMechanics& boom = excavator.boom;
     auto resolve = [&](std::string_view what, double rate_per_s, double most) {
@@ -93,7 +93,7 @@ void require_short_step(const MeasuredExcavator& excavator) {
     resolve("the bristles' damping",
             (excavator.friction.bristle_damping_lbf_s_per_in + boom.damping_lbf_s_per_in) / boom.mass_lbf_s2_per_in,
             stable);
-    if (excavator.friction.coulomb_lbf > 0) // sliding as fast as the pump can make it
+    if (excavator.friction.coulomb_lbf > 0) // the fastest sliding that the pump can cause
         resolve("the bristles in sliding",
                 excavator.friction.bristle_stiffness_lbf_per_in * excavator.flow.pump_in3_per_s / boom.inlet_area_in2 /
                     excavator.friction.coulomb_lbf,
@@ -127,7 +127,7 @@ void require_valid(const MeasuredExcavator& excavator) {
     excavator_needs.finite("the leak's start", excavator.leak.start_s);
     require_valid_command(excavator);
     require_short_step(excavator);
-    constexpr double most_steps = 2e6; // the motion is kept whole
+    constexpr double most_steps = 2e6; // limited because the whole motion is kept in memory
     if (excavator.duration_s > most_steps * excavator.integration_step_s)
         excavator_needs.refuse("the duration", excavator.duration_s,
                                fmt::format("at most {:g} integration steps", most_steps));

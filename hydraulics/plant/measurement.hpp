@@ -10,44 +10,44 @@ namespace placedpar::hydraulics {
 
 class Parameters; // hydraulics/data/parameters.hpp
 
-/// Standard deviations of white Gaussian noise on each sensor.
+/// The standard deviations of the white Gaussian noise on each sensor.
 struct MeasurementNoise {
     double pressure_psi = 0;
     double angle_deg = 0;
     double spool_in = 0;
-    double area_share = 0; ///< of an orifice area, where that is what is measured
+    double area_share = 0; ///< relative to an orifice area, if areas are measured
 };
 
-/// By the rows noise.*.
+/// Reads the rows noise.*.
 MeasurementNoise measurement_noise(const Parameters& parameters);
 
-/// Noise levels of the identification studies (ours).
+/// The noise levels of the identification studies (ours).
 inline constexpr MeasurementNoise no_noise{};
 inline constexpr MeasurementNoise low_noise{2, 0.003, 0.0003, 0.001};
 inline constexpr MeasurementNoise mid_noise{5, 0.005, 0.0005, 0.002};
 inline constexpr MeasurementNoise high_noise{10, 0.01, 0.001, 0.004};
 
-/// Numbers uniform in [0, 1) from the caller, so that the record is a function of the caller's seed.
+/// A source of numbers uniform in [0, 1), given by the caller, so that the record is a function of the caller's seed.
 using UniformSource = std::function<double()>;
 
-/// One number from the standard normal distribution, by Box and Muller's cosine: two uniform numbers.
+/// Returns one number from the standard normal distribution, by Box and Muller's cosine, from two uniform numbers.
 double standard_normal(const UniformSource& uniform);
 
 /// The thesis samples every 20 ms.
 inline constexpr double sampling_period_s = 0.020;
 
-/// Readings come in steps, far below any noise. This keeps the last bits of exp, log and tanh, in which one
-/// processor's mathematical library may differ from another's, out of the record and of all that follows from it.
+/// The resolutions of readings, far below any noise. Rounding removes the last bits of exp, log and tanh, which may
+/// differ between mathematical libraries, from the record and everything computed from it.
 inline constexpr double pressure_resolution_psi = 0x1p-20;
 inline constexpr double angle_resolution_deg = 0x1p-30;
 inline constexpr double spool_resolution_in = 0x1p-30;
 inline constexpr double area_resolution_in2 = 0x1p-30;
 
-/// The reading of a value in such steps. REQUIRES: resolution is a power of two, so that dividing and
-/// multiplying are exact.
+/// Rounds a value to the resolution. REQUIRES: the resolution is a power of two, so that dividing and multiplying are
+/// exact.
 double reading(double value, double resolution);
 
-/// The step of a motion that is noted at equal steps. Throws UnfitScenario for fewer than two states.
+/// Returns the step of a motion whose states are equally spaced. Throws UnfitScenario for fewer than two states.
 template <class State>
 double step_of(std::span<const State> motion) {
     if (motion.size() < 2)
@@ -55,7 +55,7 @@ double step_of(std::span<const State> motion) {
     return motion[1].time_s - motion[0].time_s;
 }
 
-/// Steps of a motion from one sample to the next. Throws UnfitScenario unless that is a whole number.
+/// Returns the number of steps of a motion per sample. Throws UnfitScenario unless it is a whole number.
 std::size_t steps_in(double period_s, double step_s);
 
 } // namespace placedpar::hydraulics

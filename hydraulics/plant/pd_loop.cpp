@@ -11,7 +11,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// s^3 + square s^2 + linear s + constant.
+/// The coefficients of s^3 + square s^2 + linear s + constant.
 struct Denominator {
     double square, linear, constant;
 };
@@ -20,7 +20,7 @@ Denominator denominator(const PdLoop& loop) {
     return {loop.a2_per_s, loop.a1_per_s2 + loop.a0_per_s3 * loop.kv_s, loop.kp * loop.a0_per_s3};
 }
 
-/// Of theta, theta', theta''.
+/// Returns the matrix that maps theta, theta', theta'' to their derivatives.
 Eigen::Matrix3d companion(const PdLoop& loop) {
     Denominator d = denominator(loop);
     Eigen::Matrix3d matrix;

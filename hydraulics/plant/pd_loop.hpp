@@ -20,11 +20,11 @@ struct PdLoop {
     double kv_s;      ///< velocity gain
 };
 
-/// The loop with which Figures 2.8 and 2.9 are drawn again (excavator.csv), at the compliance C of Figure 2.8.
+/// Returns the loop for which Figures 2.8 and 2.9 are redrawn (excavator.csv), at the compliance C of Figure 2.8.
 PdLoop reference_pd_loop(const Parameters& parameters = Parameters::excavator());
 
-/// What a_0, a_1 and a_2 are made of, in SI. The coefficients follow from J th'' = D_m P_L (two chambers share the
-/// load pressure), C P_L' = 2 K_x x - K_pi P_L - 2 D_m th' and x = K_p (th_d - th) - K_v th'.
+/// The physical quantities behind a_0, a_1 and a_2, in SI units. The coefficients follow from J th'' = D_m P_L (two
+/// chambers share the load pressure), C P_L' = 2 K_x x - K_pi P_L - 2 D_m th' and x = K_p (th_d - th) - K_v th'.
 struct HydraulicJoint {
     double compliance_m3_per_pa;          ///< C
     double displacement_m3_per_rad;       ///< D_m
@@ -35,37 +35,40 @@ struct HydraulicJoint {
 
 PdLoop pd_loop_of(const HydraulicJoint& joint, double kp, double kv_s);
 
-/// All three coefficients go with 1 / C. REQUIRES: factor > 0.
+/// Returns the loop with the compliance multiplied by `factor`; all three coefficients are proportional to 1 / C.
+/// REQUIRES: factor > 0.
 PdLoop with_compliance(const PdLoop& loop, double factor);
 
-/// With a_1 and a_2 exchanged, as the thesis prints them: then a_2 s^2 and s^3 are not of one dimension.
+/// Returns the loop with a_1 and a_2 exchanged, as the thesis prints them. Then a_2 s^2 and s^3 have different
+/// dimensions.
 PdLoop as_printed(const PdLoop& loop);
 
-/// Roots of the denominator, per second: eigenvalues of its companion matrix, by growing real part, of a pair the
-/// one below the real axis first.
+/// Returns the roots of the denominator, per second: the eigenvalues of its companion matrix, by growing real part. In
+/// a complex pair, the root below the real axis comes first.
 std::array<std::complex<double>, 3> poles(const PdLoop& loop);
 
-/// Of the pair of complex poles.
+/// The oscillation of the pair of complex poles.
 struct Oscillation {
-    double damping;           ///< zeta; negative when it grows
+    double damping;           ///< zeta; negative if the oscillation grows
     double natural_rad_per_s; ///< omega_n
 };
 
-/// None when all poles are real.
+/// Returns nullopt if all poles are real.
 std::optional<Oscillation> oscillation(const PdLoop& loop);
 
-/// Routh: a_2 (a_1 + a_0 K_v) / (K_p a_0). The loop is stable when this is above 1; as it goes with 1 / C, it is also
-/// the factor by which C may grow. REQUIRES: all coefficients and gains > 0.
+/// Returns Routh's a_2 (a_1 + a_0 K_v) / (K_p a_0). The loop is stable if it is above 1. It is proportional to 1 / C,
+/// so it is also the factor by which C may grow. REQUIRES: all coefficients and gains > 0.
 double stability_margin(const PdLoop& loop);
 
-/// theta for theta_d = 1 from rest, at 0, step_s, 2 step_s ...: exact at these times (matrix exponential).
+/// Returns theta for theta_d = 1 from rest, at 0, step_s, 2 step_s and so on. It is exact at these times (matrix
+/// exponential).
 std::vector<double> step_response(const PdLoop& loop, double step_s, std::size_t count);
 
 /// Figures of a step response.
 struct StepFigures {
-    double overshoot_percent; ///< of the final value 1; 0 when it never exceeds it
-    double peak_time_s;       ///< of the greatest value
-    double settling_time_s;   ///< from here on within 2 % of the final value
+    double overshoot_percent; ///< relative to the final value 1; 0 if never exceeded
+    double peak_time_s;       ///< time of the greatest value
+    double settling_time_s;   ///< time from which the response stays within 2 % of the final value
 };
 
 /// REQUIRES: the loop is stable and the response long enough to settle. Times are whole multiples of step_s.

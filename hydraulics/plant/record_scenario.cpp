@@ -19,7 +19,7 @@ bool in_group(std::string_view name, std::initializer_list<std::string_view> gro
     return std::ranges::any_of(groups, [&](std::string_view group) { return name.starts_with(group); });
 }
 
-/// Of every scenario. The rounded constants are another set, for other experiments.
+/// Returns whether every scenario uses the parameter. The rounded constants are a separate set, for other experiments.
 bool used_by_all(std::string_view name) {
     return in_group(name, {"flow.", "boom.", "noise.", "sensors.period"}) && !name.starts_with("flow.rounded.");
 }
@@ -30,7 +30,7 @@ bool used_by_simple_plant(std::string_view name) {
 
 bool scenario_a_uses(std::string_view name) { return used_by_simple_plant(name) || name.starts_with("scenario_a."); }
 
-/// The rows in which scenario B's machine differs from A's.
+/// The rows in which scenario B's machine differs from scenario A's.
 constexpr std::array<std::string_view, 5> machine_of_b{"mass", "damping", "friction", "gravity", "spool_lag"};
 
 bool scenario_b_uses(std::string_view name) {
@@ -41,7 +41,7 @@ bool scenario_b_uses(std::string_view name) {
 }
 
 bool excavator_uses(std::string_view name) {
-    if (name == "boom.friction_velocity") // the measured excavator sticks instead
+    if (name == "boom.friction_velocity") // the measured excavator has stiction instead
         return false;
     return used_by_all(name) ||
            in_group(name, {"fault.", "excavator.", "valve.", "pump.", "hose.", "stiction.", "oil.", "sensors."});
@@ -101,7 +101,7 @@ Record record_two_links(const Parameters& parameters, const LinksInMotion&, cons
 }
 
 bool links_use(std::string_view name) {
-    if (in_group(name, {"boom.", "stick.", "swing."})) // what the bucket has all links have
+    if (in_group(name, {"boom.", "stick.", "swing."})) // all links use what the bucket uses
         return Parameters::excavator().find(fmt::format("bucket{}", name.substr(name.find('.')))) != nullptr;
     if (name.starts_with("two_links."))
         return name.ends_with("_damping") ||

@@ -11,7 +11,7 @@
 
 namespace placedpar::hydraulics {
 
-/// The links that move, in a configuration of the main valve.
+/// The moving links and the configuration of the main valve.
 struct LinksInMotion {
     Configuration configuration = Configuration::a;
     LinkSet links;
@@ -20,26 +20,26 @@ struct LinksInMotion {
 /// A motion of a simulated machine that can be recorded.
 struct RecordScenario {
     std::string_view name;  ///< "excavator"
-    std::string_view about; ///< a phrase
+    std::string_view about; ///< a short description
 
-    /// The machine's constants with those of the scenario in place of the machine's own.
+    /// Returns the machine's constants, with the scenario's own constants in place of the machine's.
     Parameters (*parameters)(const Parameters& machine);
-    /// Does the record depend on this parameter?
+    /// Returns whether the record depends on this parameter.
     bool (*uses)(std::string_view parameter);
-    /// Simulates and measures. Throws UnfitScenario (requirement.hpp) when a parameter is out of its range.
+    /// Simulates and measures. Throws UnfitScenario (requirement.hpp) if a parameter is out of its range.
     Record (*make)(const Parameters& parameters, const LinksInMotion& moving, const UniformSource& uniform);
-    /// Moves any links in any configuration; the other scenarios look at `parameters` only.
+    /// Whether the scenario can move any links in any configuration; the others ignore `moving`.
     bool any_links = false;
 };
 
-/// scenario-a and scenario-b of the simple plant, two-links and links of appendix B, and the measured machine,
-/// excavator.
+/// Returns the scenarios: scenario-a and scenario-b of the simple plant, two-links and links of appendix B, and
+/// excavator, the measured machine.
 std::span<const RecordScenario> record_scenarios();
 
-/// None when there is no such scenario.
+/// Returns null if there is no such scenario.
 const RecordScenario* record_scenario_named(std::string_view name);
 
-/// The rows of noise.* for one of the levels none, low, mid and high; empty when there is no such level.
+/// Returns the rows of noise.* for one of the levels none, low, mid and high; empty if there is no such level.
 std::vector<Parameter> noise_rows(const Parameters& machine, std::string_view level);
 
 } // namespace placedpar::hydraulics

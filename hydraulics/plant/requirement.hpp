@@ -6,15 +6,15 @@
 
 namespace placedpar::hydraulics {
 
-/// A machine or a motion of it that cannot be simulated or measured; what() says which value is wrong and what is
-/// expected.
+/// Reports a machine or a motion that cannot be simulated or measured; what() names the invalid value and its valid
+/// range.
 class UnfitScenario : public UserError {
 public:
     using UserError::UserError;
 };
 
-/// What the values of a machine or a scenario must be for it to be simulated. All throw UnfitScenario:
-/// "measured machine: the boom's mass is -1, expected above 0".
+/// Checks the values of a machine or a scenario. All functions throw UnfitScenario, such as "measured machine: the
+/// boom's mass is -1, expected above 0".
 struct Requirement {
     std::string_view of; ///< "measured machine"
 
@@ -22,7 +22,7 @@ struct Requirement {
     void positive(std::string_view what, double value) const;
     void not_negative(std::string_view what, double value) const;
     void finite(std::string_view what, double value) const;
-    /// Above 0 and below 1.
+    /// Requires a value above 0 and below 1.
     void share(std::string_view what, double value) const;
 };
 

@@ -6,8 +6,8 @@
 
 namespace placedpar::hydraulics {
 
-/// What the control system asks of the boom's servo-valve: a voltage, reached by a ramp or at once, and later perhaps
-/// another.
+/// The control system's command to the boom's servo-valve: a voltage, reached by a ramp or at once, and optionally a
+/// second voltage later.
 struct ServoCommand {
     double at_rest_volts;
     double step_time_s;
@@ -17,10 +17,10 @@ struct ServoCommand {
     double second_volts;
 };
 
-/// By the rows excavator.servo_*, excavator.step_time and excavator.second_time.
+/// Reads the rows excavator.servo_*, excavator.step_time and excavator.second_time.
 ServoCommand servo_command(const Parameters& parameters);
 
-/// The command at an instant, before any converter.
+/// Returns the command at an instant, before any converter.
 double volts_at(const ServoCommand& command, double time_s);
 
 } // namespace placedpar::hydraulics

@@ -6,7 +6,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// 1 at rest, 0 when sliding.
+/// Returns 1 at rest and tends to 0 when sliding.
 double sticking(const StickFriction& friction, double velocity_in_per_s) {
     double ratio = velocity_in_per_s / friction.stribeck_in_per_s;
     return std::exp(-ratio * ratio);

@@ -4,8 +4,8 @@ namespace placedpar::hydraulics {
 
 /// Dry friction with stiction: the LuGre model (C. Canudas de Wit, H. Olsson, K. J. Astrom, P. Lischinsky, "A new model
 /// for control of systems with friction", 1995), without its viscous part. The surfaces hold each other by bristles
-/// that give like springs, up to the break-away force, and slip at the Coulomb force. Known limits: it breaks away at
-/// less when the force rises fast, and creeps under vibration.
+/// that bend like springs up to the break-away force, and slip at the Coulomb force. Known limits: it breaks away at a
+/// lower force if the force rises fast, and it creeps under vibration.
 struct StickFriction {
     double coulomb_lbf;
     double breakaway_lbf;                ///< >= coulomb_lbf
@@ -14,13 +14,13 @@ struct StickFriction {
     double bristle_damping_lbf_s_per_in; ///< sigma_1; fades with velocity, which keeps the model passive
 };
 
-/// The force of steady sliding: g(v) = F_c + (F_s - F_c) exp(-(v / v_s)^2).
+/// Returns the force of steady sliding: g(v) = F_c + (F_s - F_c) exp(-(v / v_s)^2).
 double sliding_force_lbf(const StickFriction&, double velocity_in_per_s);
 
-/// How fast the bristles bend: z' = v - sigma_0 |v| z / g(v).
+/// Returns the rate at which the bristles bend: z' = v - sigma_0 |v| z / g(v).
 double bristle_rate_in_per_s(const StickFriction&, double velocity_in_per_s, double bristle_in);
 
-/// The force against the motion: sigma_0 z + sigma_1 exp(-(v / v_s)^2) z'.
+/// Returns the force against the motion: sigma_0 z + sigma_1 exp(-(v / v_s)^2) z'.
 double friction_force_lbf(const StickFriction&, double velocity_in_per_s, double bristle_in);
 
 } // namespace placedpar::hydraulics

@@ -12,10 +12,10 @@ using namespace hydraulics;
 
 namespace {
 
-// Pump 1 feeds bucket and boom, pump 2 swing and stick; through the cross-over each may feed others too.
+// Pump 1 feeds bucket and boom, pump 2 swing and stick. Through the cross-over each may feed the others too.
 constexpr std::array<LinkSet, 2> branches{LinkSet{Link::bucket, Link::boom}, LinkSet{Link::stick, Link::swing}};
 
-/// What is off by how much, and where to look.
+/// Describes the deviation and the part to inspect.
 std::string what_is_off(const LinkVerdict& link) {
     const Deviation& mean = link.verdict.deviation;
     const WayUnits& units = link.units;

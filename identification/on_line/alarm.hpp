@@ -12,40 +12,40 @@
 namespace placedpar::identification {
 
 enum class AlarmKind : unsigned char {
-    compliance,     ///< air in the oil, a hose that gives
-    leak,           ///< of a hose or past a piston
-    offset,         ///< the spool is not where its sensor says
-    drift,          ///< the spool is not where the servo-valve's voltage says
-    leak_or_offset, ///< one of the two, or a leak or a drift
-    sensor,         ///< readings that no machine gives
-    branch          ///< all links of a branch are off in the same way: what they share
+    compliance,     ///< air in the oil, or a hose that gives way
+    leak,           ///< from a hose or past a piston
+    offset,         ///< the spool is not at the position that its sensor reads
+    drift,          ///< the spool is not at the position that the servo-valve's voltage demands
+    leak_or_offset, ///< either a leak, or an offset or a drift
+    sensor,         ///< physically impossible readings
+    branch          ///< all links of a branch are off in the same way, so a shared part is at fault
 };
 
 inline constexpr std::array<AlarmKind, 7> all_alarm_kinds{
     AlarmKind::compliance,     AlarmKind::leak,   AlarmKind::offset, AlarmKind::drift,
     AlarmKind::leak_or_offset, AlarmKind::sensor, AlarmKind::branch};
 
-/// None of sound, and where nothing can be told.
+/// Returns nullopt for a sound link and for verdicts that decide nothing.
 std::optional<AlarmKind> alarm_of(VerdictKind kind);
 std::string_view name_of(AlarmKind);
 
 struct Alarm {
     AlarmKind kind;
-    hydraulics::LinkSet links; ///< one link, or all of a branch
-    std::string text;          ///< a sentence for people
+    hydraulics::LinkSet links; ///< one link, or all links of a branch
+    std::string text;          ///< a sentence for the operator
 
-    /// Alarms of the same kind and links are the same alarm, even if the figures in their texts differ.
+    /// Compares kind and links only; the figures in the texts may differ.
     friend bool operator==(const Alarm& a, const Alarm& b) { return a.kind == b.kind && a.links == b.links; }
 };
 
-/// What is said of a link, and what its deviation is counted in.
+/// The verdict on a link and the units of its deviation.
 struct LinkVerdict {
     Verdict verdict;
     WayUnits units;
 };
 
-/// The alarms that hold, ordered by kind and link. Cross-check 2 of thesis 3.3 locates the fault: where all links of a
-/// branch are off in the same way, what they share is at fault, their pump or what supplies their valves.
+/// Returns the active alarms, ordered by kind and link. Cross-check 2 of thesis 3.3 locates the fault: if all links of
+/// a branch are off in the same way, the fault is in a part that they share, their pump or the supply of their valves.
 std::vector<Alarm> find_alarms(const hydraulics::PerLink<LinkVerdict>& verdicts);
 
 } // namespace placedpar::identification

@@ -7,21 +7,21 @@
 
 namespace placedpar::identification {
 
-/// The compliance of a link as one population set has found it, once settled.
+/// The settled compliance of a link as found by one population set.
 struct SetEstimate {
     hydraulics::LinkSet set;
     double compliance_in3_per_psi; ///< the newest settled value
     double lasting_in3_per_psi;    ///< median over the last transients
-    std::size_t transients;        ///< that settled; at most kept_transients
-    double time_s;                 ///< of the newest
+    std::size_t transients;        ///< number of settled transients; at most kept_transients
+    double time_s;                 ///< time of the newest settled value
 };
 
-/// Cross-check 1 of thesis 3.3: the same compliance, found by several population sets under different hydraulic
-/// configurations.
+/// Cross-check 1 of thesis 3.3 compares the compliances that several population sets found for one link under different
+/// hydraulic configurations.
 struct LinkCheck {
-    std::vector<SetEstimate> estimates; ///< ordered by name of set, none of them stale
+    std::vector<SetEstimate> estimates; ///< ordered by name of set, without stale ones
 
-    /// (greatest - least) / median; 0 with fewer than two estimates.
+    /// Returns (greatest - least) / median, or 0 for fewer than two estimates.
     double spread() const;
 };
 

@@ -15,11 +15,11 @@ using namespace hydraulics;
 
 namespace {
 
-/// The share of a sample's period by which one may be early or late, or a reading late. Beyond it, 5 samples no longer
-/// count as equally spaced, and the windows begin anew.
+/// The share of a sample's period by which a sample may be early or late, or a reading late. Beyond it, 5 samples no
+/// longer count as equally spaced, and the windows restart.
 constexpr double jitter = 0.1;
 
-/// The alarms of `a` that are not in `b`.
+/// Returns the alarms of `a` that are not in `b`.
 std::vector<Alarm> without(const std::vector<Alarm>& a, const std::vector<Alarm>& b) {
     std::vector<Alarm> rest;
     std::ranges::copy_if(a, std::back_inserter(rest),
@@ -85,12 +85,12 @@ const SetProblem& Diagnosis::problem(LinkSet set) {
 void Diagnosis::change(const ConfigurationChange& change) {
     if (state_.configuration == change.configuration && state_.active == change.active)
         return;
-    restart_windows(); // of the sets in use until now
+    restart_windows(); // restarts the sets in use until now
     state_.configuration = change.configuration;
     state_.active = change.active;
     for (Link link : all_links)
         if (!state_.active.contains(link))
-            state_.tracks[index_of(link)] = {}; // its voltage is not read any more
+            state_.tracks[index_of(link)] = {}; // its voltage is no longer read
 }
 
 void Diagnosis::restart_windows() {

@@ -7,18 +7,18 @@
 
 namespace placedpar::identification {
 
-/// What the on-line diagnosis has to know of an excavator.
+/// The constants of an excavator that the on-line diagnosis needs.
 struct ExcavatorParameters {
     double period_s = 0; ///< between samples
     hydraulics::FlowConstants flow{};
     hydraulics::PerLink<hydraulics::LinkConstants> links{};
-    hydraulics::PerLink<double> compliance_in3_per_psi{}; ///< in health, of machines of its kind; above 0
+    hydraulics::PerLink<double> compliance_in3_per_psi{}; ///< of healthy machines of its kind; above 0
 
     friend bool operator==(const ExcavatorParameters&, const ExcavatorParameters&) = default;
 };
 
-/// By the rows of link_constants(), flow_constants() and inlet_compliance of each link; a sample every 20 ms, as in the
-/// thesis.
+/// Takes the rows of link_constants(), flow_constants() and the inlet_compliance of each link. The sampling period is
+/// 20 ms, as in the thesis.
 ExcavatorParameters excavator_parameters(const hydraulics::Parameters& parameters);
 
 } // namespace placedpar::identification

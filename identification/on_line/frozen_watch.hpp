@@ -5,15 +5,15 @@
 
 namespace placedpar::identification {
 
-/// Tells, reading by reading, a sensor that has frozen and then jumps to where what it reads has gone meanwhile, by the
-/// rule of hydraulics/data/frozen_run.hpp.
+/// Detects a sensor that freezes and then jumps to the present value, reading by reading, by the rule of
+/// hydraulics/data/frozen_run.hpp.
 class FrozenWatch {
 public:
-    /// All that a restart needs.
+    /// Holds everything that is needed to restore the object.
     struct State {
         std::optional<double> last;
-        std::size_t equal = 0; ///< readings equal to the last, it included
-        double jump = 0;       ///< from a long run to the last; 0: none
+        std::size_t equal = 0; ///< number of equal readings up to the last, the last included
+        double jump = 0;       ///< change from a long run of equal readings to the last reading; 0: none
 
         friend bool operator==(const State&, const State&) = default;
     };
@@ -23,9 +23,10 @@ public:
     const State& state() const { return state_; }
     friend bool operator==(const FrozenWatch&, const FrozenWatch&) = default;
 
-    /// Did it freeze, for so many readings? Told one reading after the jump.
+    /// Returns whether the sensor froze for at least `fewest` readings and then jumped by at least `least_jump`. The
+    /// result comes one reading after the jump.
     bool take(double reading, double least_jump, std::size_t fewest);
-    /// After a gap the next reading follows none.
+    /// Forgets the readings after a gap.
     void restart() { state_ = {}; }
 
 private:

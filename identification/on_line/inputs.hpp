@@ -8,15 +8,14 @@
 
 namespace placedpar::identification {
 
-/// What a control system tells the on-line diagnosis of its excavator, in plain values: how they arrive is the
-/// monitor's business.
+/// These types hold what a control system reports about its excavator. The monitor handles how they arrive.
 
 struct ConfigurationChange {
     hydraulics::Configuration configuration;
     hydraulics::LinkSet active;
 };
 
-/// A valve is known by its spool, by the voltage that moves the spool, or by the areas that it opens.
+/// The opening of a valve is given by the position of its spool, by the voltage that moves the spool, or by its areas.
 struct SpoolPosition {
     double spool_in;
 };
@@ -27,7 +26,7 @@ struct ValveAreas {
     double inlet_in2, bypass_in2;
 };
 
-/// What the sensors of one link read at one sampling instant.
+/// The readings of one link's sensors at one instant.
 struct Reading {
     double inlet_psi;
     double angle_deg;
@@ -37,12 +36,12 @@ struct Reading {
 /// The readings of one sampling instant.
 struct ExcavatorSample {
     double time_s;
-    hydraulics::PerLink<std::optional<Reading>> links; ///< none: the link was not read
+    hydraulics::PerLink<std::optional<Reading>> links; ///< nullopt: the link was not read
 };
 
 /// The compliances of a healthy excavator.
 struct Baseline {
-    hydraulics::PerLink<std::optional<double>> compliance_in3_per_psi; ///< none: leave the link's as it is
+    hydraulics::PerLink<std::optional<double>> compliance_in3_per_psi; ///< nullopt: keep the link's present value
 };
 
 } // namespace placedpar::identification

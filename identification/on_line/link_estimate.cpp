@@ -11,7 +11,7 @@ namespace placedpar::identification {
 
 namespace {
 
-/// The newest value comes in; the oldest leaves.
+/// Appends the value and drops the oldest ones beyond `limit`.
 void push_bounded(std::vector<double>& values, double value, std::size_t limit) {
     if (values.size() >= limit)
         values.erase(values.begin(), values.end() - static_cast<std::ptrdiff_t>(limit - 1));
@@ -20,7 +20,7 @@ void push_bounded(std::vector<double>& values, double value, std::size_t limit) 
 
 bool agree(const std::vector<double>& values, double their_median, double step, double within) {
     auto [least, greatest] = std::ranges::minmax(values);
-    // A difference of the search's resolution is no disagreement.
+    // A difference of twice the search's resolution still counts as agreement.
     return greatest - least <= std::max(within * their_median, 2 * step);
 }
 
@@ -60,7 +60,7 @@ void LinkEstimate::add(double compliance, double time_s, double step, const Diag
     const double value = median(state_.recent_in3_per_psi);
     if (!agree(state_.recent_in3_per_psi, value, step, settings.settled_within))
         return;
-    // Excitation that keeps crossing the gate makes no new transient.
+    // Excitation that keeps crossing the gate does not start a new transient.
     double since_s = time_s - state_.settled_time_s;
     bool same = !state_.settled_in3_per_psi.empty() && since_s >= 0 && since_s < transients_apart_s;
     if (state_.settled || same)

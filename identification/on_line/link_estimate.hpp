@@ -11,31 +11,31 @@ namespace placedpar::identification {
 
 struct DiagnosisSettings; // identification/on_line/settings.hpp
 
-/// What a population set knows of the compliance of one of its links.
+/// Estimates the compliance of one link of a population set.
 ///
-/// A transient is a run of samples during which the link's pressure moves enough to tell its compliance. The estimate
-/// moves during transients and is frozen between them. It is settled when, within one transient, the best individuals
-/// of the last generations agree.
+/// A transient is a run of samples during which the link's pressure moves enough to determine its compliance. The
+/// estimate moves during transients and is frozen between them. It is settled when the best individuals of the last
+/// generations agree within one transient.
 class LinkEstimate {
 public:
-    /// All that a restart needs.
+    /// Holds everything that is needed to restore the object.
     struct State {
         std::vector<double> recent_in3_per_psi;  ///< of the best individuals, oldest first
-        std::vector<double> settled_in3_per_psi; ///< one for each of the last transients that settled
-        double standard_error_in3_per_psi = 0;   ///< of the newest, by least squares on its window; 0: none yet
-        double settled_error_in3_per_psi = 0;    ///< of the newest settled value
-        double time_s = 0;                       ///< of the sample that moved the estimate last
-        double settled_time_s = 0;               ///< of the sample that moved the newest settled value
-        double excitation_psi_per_s = 0;         ///< rms slope of the inlet pressure over the window
-        bool excited = false;                    ///< the excitation is above the gate
-        bool fits = true;                        ///< the best individual had positive fitness
-        bool settled = false;                    ///< within this transient
+        std::vector<double> settled_in3_per_psi; ///< one for each of the last settled transients
+        double standard_error_in3_per_psi = 0; ///< of the newest estimate, by least squares on its window; 0: none yet
+        double settled_error_in3_per_psi = 0;  ///< of the newest settled value
+        double time_s = 0;                     ///< time of the sample that last moved the estimate
+        double settled_time_s = 0;             ///< time of the sample that moved the newest settled value
+        double excitation_psi_per_s = 0;       ///< rms slope of the inlet pressure over the window
+        bool excited = false;                  ///< the excitation is above the gate
+        bool fits = true;                      ///< the best individual had positive fitness
+        bool settled = false;                  ///< whether it has settled in the present transient
         std::size_t generations_in_transient = 0;
 
         friend bool operator==(const State&, const State&) = default;
     };
 
-    /// Settled values closer together than this belong to one transient; ours: an operator's movements are seconds
+    /// Merges settled values closer in time than this into one transient. Ours: an operator's movements are seconds
     /// apart.
     static constexpr double transients_apart_s = 1;
 
@@ -44,28 +44,28 @@ public:
     const State& state() const { return state_; }
     friend bool operator==(const LinkEstimate&, const LinkEstimate&) = default;
 
-    /// Tells it the excitation of the window; below the gate the transient is over.
+    /// Takes the rms slope of the pressure over the window. Below the gate the transient ends.
     void excite(double rms_psi_per_s, const DiagnosisSettings& settings);
     void end_transient();
-    /// The best individual of a generation; `step` is the resolution of the search.
+    /// Adds the best individual of a generation; `step` is the resolution of the search.
     void add(double compliance_in3_per_psi, double time_s, double step_in3_per_psi, const DiagnosisSettings& settings);
-    /// What the noise of the window leaves uncertain, by least squares, after its generations.
+    /// Sets the standard error by least squares on the window, after the window's generations.
     void add_error(double standard_error_in3_per_psi);
-    /// No individual explains the window: nothing is added.
+    /// Records that no individual explains the window, so nothing is added.
     void nothing_fits() { state_.fits = false; }
 
     bool excited() const { return state_.excited; }
-    /// Median of the recent best; none before the first generation.
+    /// Returns the median of the recent best individuals; nullopt before the first generation.
     std::optional<double> compliance_in3_per_psi() const;
-    /// Of those: the least and the greatest. REQUIRES: a compliance.
+    /// Returns the least and the greatest of the recent best individuals. REQUIRES: there is a compliance.
     std::pair<double, double> spread_in3_per_psi() const;
-    /// Why the newest should not be believed as it stands; nothing before there is one.
+    /// Returns the reasons why the newest estimate may be wrong; none before there is an estimate.
     std::vector<Flag> flags(const DiagnosisSettings& settings) const;
-    /// Why the newest settled value should not be. REQUIRES: there is one.
+    /// Returns the reasons why the newest settled value may be wrong. REQUIRES: there is one.
     std::vector<Flag> settled_flags(const DiagnosisSettings& settings) const;
-    /// The newest settled value.
+    /// Returns the newest settled value.
     std::optional<double> settled_in3_per_psi() const;
-    /// Median over the last transients.
+    /// Returns the median over the last settled transients.
     std::optional<double> lasting_in3_per_psi() const;
 
 private:

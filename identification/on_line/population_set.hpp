@@ -17,25 +17,25 @@ struct Individual; // gaprocs/policies/individual.hpp
 
 namespace placedpar::identification {
 
-/// A population and what it has found. Both outlive changes of configuration.
+/// A population and its estimates. Both outlive changes of configuration.
 ///
-/// Its random numbers depend on the seed, the names of excavator and set, and how many samples it has seen. So what it
-/// finds is a function of its own samples, independent of other sets, and a restart does not change it.
+/// Its random numbers depend on the seed, the names of excavator and set, and the number of samples seen. Its results
+/// are therefore a function of its own samples, independent of other sets, and a restart does not change them.
 class PopulationSet {
 public:
-    /// All that a restart needs.
+    /// Holds everything that is needed to restore the object.
     struct State {
         std::vector<Genome> population; ///< the elite first
         std::vector<SetSample> window;  ///< oldest first
         std::size_t to_skip = 0;        ///< usable samples still to be skipped
-        std::uint64_t samples = 0;      ///< seen, usable or not
+        std::uint64_t samples = 0;      ///< number seen, usable or not
         std::uint64_t generations = 0;
-        std::vector<LinkEstimate> estimates; ///< of each link, in the order of links_of()
+        std::vector<LinkEstimate> estimates; ///< one for each link, in the order of links_of()
 
         friend bool operator==(const State&, const State&) = default;
     };
 
-    /// Draws the first population. `name` names the random streams.
+    /// Draws the first population. `name` is part of the names of the random streams.
     PopulationSet(hydraulics::LinkSet links, const DiagnosisSettings& settings, std::uint64_t seed, std::string name);
     PopulationSet(hydraulics::LinkSet links, const DiagnosisSettings& settings, std::uint64_t seed, std::string name,
                   State state);
@@ -43,19 +43,19 @@ public:
     hydraulics::LinkSet links() const { return links_; }
     const State& state() const { return state_; }
 
-    /// Adds the newest sample to the window and, when window and gate allow it, makes the trials. Gives the number of
-    /// generations made.
-    /// REQUIRES: the problem is one of this set's links.
+    /// Adds the newest sample to the window and makes the trials if window and gate allow it. Returns the number of
+    /// generations made. REQUIRES: the problem is one of this set's links.
     std::size_t take(const SetProblem& problem, const SetSample& sample, double time_s);
 
-    /// After a change of configuration or a gap in the samples: earlier samples say nothing of the present circuit.
-    /// Population and estimates stay.
+    /// Empties the window after a change of configuration or a gap in the samples, because earlier samples do not
+    /// describe the present circuit. Population and estimates stay.
     void restart_window();
 
 private:
     void push(const SetSample& sample);
     void evolve(const SetProblem& problem, double time_s);
-    /// Restores the columns of links that are not excited from the former population: their bits would only drift.
+    /// Restores the columns of links without excitation from the former population, since their bits would drift at
+    /// random.
     void keep_frozen_columns(const std::vector<Genome>& former);
     void add_errors(const SetProblem& problem);
     void record(const SetProblem& problem, const Individual& best, double time_s);

@@ -10,20 +10,20 @@
 
 namespace placedpar::identification {
 
-/// The fifteen population sets of Figure 3.13: one for every non-empty set of links, in the figure's order.
+/// Returns the fifteen population sets of Figure 3.13: one for each non-empty set of links, in the figure's order.
 const std::array<hydraulics::LinkSet, 15>& all_population_sets();
 
-/// "P1a" ... "P4". REQUIRES: not empty.
+/// Returns "P1a" ... "P4". REQUIRES: the set is not empty.
 std::string_view name_of_set(hydraulics::LinkSet);
 std::optional<hydraulics::LinkSet> set_named(std::string_view);
 
-/// Links in the order in which a set's binary string codes them: the order of Figure 3.13 in every circuit.
+/// Returns the links in the order in which a set's binary string codes them: that of Figure 3.13 in every circuit.
 std::vector<hydraulics::Link> links_of(hydraulics::LinkSet);
-/// Where the link stands in links_of(set). REQUIRES: set.contains(link).
+/// Returns the index of the link in links_of(set). REQUIRES: set.contains(link).
 std::size_t position_in(hydraulics::LinkSet set, hydraulics::Link link);
 
-/// The sets to be searched while these links are active: from each coupled group of the configuration its active links.
-/// Ordered by name.
+/// Returns the sets to search while these links are active: the active links of each coupled group of the
+/// configuration. The sets are ordered by name.
 std::vector<hydraulics::LinkSet> sets_in_use(hydraulics::Configuration, hydraulics::LinkSet active);
 
 } // namespace placedpar::identification

@@ -29,7 +29,8 @@ WholeMovement whole_movement(const Deviation& deviation, double health_in3_per_p
     return {deviation, units, health_in3_per_psi + units.compliance_in3_per_psi * deviation.by[0]};
 }
 
-/// A search for several compliances at once can settle on a wrong string.
+/// Compares the estimate with the whole movement, since a search for several compliances at once can settle on a wrong
+/// string.
 void confirm(LinkFinding& link) {
     if (!link.compliance_in3_per_psi || !link.whole)
         return;
@@ -40,7 +41,7 @@ void confirm(LinkFinding& link) {
         link.flags.push_back(*flag);
 }
 
-/// Flags a link whose movement shows a leak or an offset and does not tell which. A link whose areas are read has no
+/// Flags a link whose movement shows a leak or an offset without telling which. A link whose areas are measured has no
 /// offset.
 void note_leak_or_offset(LinkFinding& link) {
     constexpr double errors = 3;

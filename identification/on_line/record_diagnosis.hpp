@@ -12,42 +12,44 @@
 
 namespace placedpar::identification {
 
-/// What least squares over all of a movement, rest included, finds of a link at once: what a verdict rests on.
+/// The result for one link of least squares over a complete movement, rest included. Verdicts are based on it.
 struct WholeMovement {
-    Deviation deviation; ///< from the link's compliance in health, no leak, no offset
+    Deviation deviation; ///< from a healthy link: its compliance in health, no leak, no offset
     WayUnits units;
     double compliance_in3_per_psi;
 };
 
-/// What a movement of a record tells of one link: where its estimate settled, or else where it stood last.
+/// The result of a movement for one link: its settled estimate, or else its last one.
 struct LinkFinding {
     hydraulics::Link link;
-    std::optional<double> compliance_in3_per_psi; ///< none: the pressure never moved enough
+    std::optional<double> compliance_in3_per_psi; ///< nullopt: the pressure never moved enough
     double standard_error_in3_per_psi = 0;        ///< of least squares on the window of the estimate
-    std::pair<double, double> spread_in3_per_psi; ///< the least and the greatest of the last generations' best
+    std::pair<double, double> spread_in3_per_psi; ///< least and greatest of the last generations' best
     std::vector<Flag> flags;                      ///< empty: nothing unusual
-    std::optional<WholeMovement> whole = {};      ///< none: too few samples
+    std::optional<WholeMovement> whole = {};      ///< nullopt: too few samples
 };
 
-/// From the valves' opening to their closing, or to a gap of the record, or 4 s of it: see Movement.
+/// The results of one movement. It lasts from the valves' opening to their closing, to a gap in the record, or for 4 s:
+/// see Movement.
 struct MovementFinding {
-    hydraulics::LinkSet set; ///< that moved together
-    double from_s, to_s;     ///< of the record
+    hydraulics::LinkSet set; ///< the links that moved together
+    double from_s, to_s;     ///< times in the record
     std::vector<LinkFinding> links;
 };
 
-/// A machine's record, diagnosed as the service does it while the machine works: the same samples give the same
-/// estimates and verdicts, to the bit, where seed and name are the same. Records of any length may be given in pieces.
+/// Diagnoses a record as the service does while the machine works. The same samples, seed and name give the same
+/// estimates and verdicts, bit by bit. Records of any length may be given in pieces.
 class RecordDiagnosis {
 public:
     RecordDiagnosis(Diagnosis diagnosis, const DiagnosisSettings& settings,
                     const hydraulics::PerLink<LinkReader>& readers)
         : diagnosis_(std::move(diagnosis)), settings_(settings), readers_(readers) {}
 
-    /// The next piece of the record; gives the movements that end in it. REQUIRES: the configuration has been told; the
-    /// piece has the active links' readings. Throws RefusedSample where it is not later than the one before.
+    /// Processes the next piece of the record and returns the movements that end in it. REQUIRES: the configuration has
+    /// been set, and the piece has the readings of the active links. Throws RefusedSample if the piece is not later
+    /// than the one before.
     std::vector<MovementFinding> take(const hydraulics::Record& piece);
-    /// The record ends: the movements that have not.
+    /// Ends the record and returns the movements that were still going on.
     std::vector<MovementFinding> end();
 
     const Diagnosis& diagnosis() const { return diagnosis_; }

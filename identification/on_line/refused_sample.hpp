@@ -7,17 +7,17 @@
 
 namespace placedpar::identification {
 
-/// Why a sample is refused.
-struct NoConfiguration {}; ///< none has been given yet
+/// These types are the reasons why a sample is refused.
+struct NoConfiguration {}; ///< no configuration has been set yet
 struct LinkNotRead {
     hydraulics::Link link; ///< active, but without a reading
 };
 struct TimeNotLater {
-    double time_s;      ///< of the sample
-    double last_time_s; ///< of the sample before it
+    double time_s;      ///< time of the sample
+    double last_time_s; ///< time of the previous sample
 };
 
-/// A sample that the diagnosis cannot take, and has not taken. what() is a sentence for people.
+/// Reports a sample that the diagnosis refused; what() is a sentence for the user.
 class RefusedSample : public UserError {
 public:
     using Reason = std::variant<NoConfiguration, LinkNotRead, TimeNotLater>;

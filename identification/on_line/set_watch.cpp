@@ -11,20 +11,21 @@ using namespace hydraulics;
 
 namespace {
 
-/// A piston that goes back faster than this on average, while oil flows in, has an angle of the wrong sign; ours.
+/// A piston that retracts faster than this on average while oil flows in has an angle of the wrong sign; ours.
 constexpr double least_inflow_in3_per_s = 1;
 
-/// A piston that goes out faster than this, but for what the hose gives off, is driven by oil; ours.
+/// A piston that extends faster than this, apart from oil that the hose gives off, is driven by oil; ours.
 constexpr double driven_in3_per_s = 10;
-/// Half a second: a boom that swings after its valve has shut comes back earlier.
+/// A boom that swings after its valve has shut swings back within half a second.
 constexpr double longest_swing_s = 0.5;
 
-/// Whether the movement tells the size of this: a steady one leaves it hardly better known than before.
+/// Returns whether the movement determines the size of this deviation. A steady one hardly improves it.
 bool tells(const Deviation& deviation, FaultHypothesis way) {
     return deviation.standard_error(way) <= LinkJudge::most_uncertain;
 }
 
-/// What no machine gives: a compliance below 0, a spool off by more than .05 in; either by two standard errors more.
+/// Returns whether a deviation is physically impossible: a compliance below 0, or a spool off by more than .05 in; both
+/// by at least two standard errors.
 bool impossible(const Deviation& found, AreasFrom valve) {
     const Deviation deviation = found.with_steady_leak();
     constexpr double no_compliance = -1 / WayUnits::compliance_share, furthest_offset = 10, errors = 2;
@@ -37,7 +38,7 @@ bool impossible(const Deviation& found, AreasFrom valve) {
             offset - errors * deviation.standard_error(FaultHypothesis::offset) > furthest_offset);
 }
 
-/// One reading all through a movement, or a piston that goes back while oil flows in.
+/// Returns whether a reading is constant all through a movement, or a piston retracts while oil flows in.
 bool senseless(const MovementSamples& movement, std::size_t junction) {
     bool frozen = true;
     double flow_in3_per_s = 0;

@@ -11,16 +11,16 @@
 
 namespace placedpar::identification {
 
-/// Watches the links of a population set for faults, movement by movement.
+/// Checks the links of a population set for faults, movement by movement.
 class SetWatch {
 public:
-    /// All that a restart needs. Links in the order of links_of(set).
+    /// Holds everything that is needed to restore the object. Links are in the order of links_of(set).
     struct State {
         Movement::State movement;
-        std::vector<hydraulics::AreasFrom> valves; ///< of the newest sample
+        std::vector<hydraulics::AreasFrom> valves; ///< sources of the newest sample's areas
         std::vector<LinkJudge::State> judges;
         std::vector<std::size_t>
-            moving_shut; ///< samples, up to the newest, in which the valve is shut and oil flows in
+            moving_shut; ///< number of samples, up to the newest, in which the valve is shut but oil flows in
 
         friend bool operator==(const State&, const State&) = default;
     };
@@ -29,18 +29,19 @@ public:
     SetWatch(const hydraulics::Sampling& sampling, State state) : sampling_(sampling), state_(std::move(state)) {}
     const State& state() const { return state_; }
 
-    /// By how much each link is off by a movement that is over, in the order of links_of(); none where there is none.
+    /// The deviation of each link in a movement that has ended, in the order of links_of(); nullopt if none has ended.
     using Judged = std::optional<std::vector<Deviation>>;
 
-    /// One sample more. `health_in3_per_psi` are the links' compliances in health.
-    /// REQUIRES: the problem is one of this set's links; as many entries as links.
+    /// Adds a sample. `health_in3_per_psi` are the links' compliances in health. REQUIRES: the problem is one of this
+    /// set's links, and each span has one entry per link.
     Judged take(const SetProblem& problem, const SetSample& sample, std::span<const hydraulics::AreasFrom> valves,
                 std::span<const double> health_in3_per_psi);
-    /// The same sample: has a piston been driven for half a second by a valve that reads shut? That is noted then.
+    /// Returns whether a piston has moved for half a second while its valve reads shut, and records it as impossible.
+    /// Must be called before take(), with the same sample.
     bool note_moving_shut(const SetSample& sample, std::span<const double> health_in3_per_psi);
-    /// After a gap in the samples, or a change of configuration: judges what there is of a movement.
+    /// Judges an unfinished movement after a gap in the samples or a change of configuration.
     Judged end_movement(const SetProblem& problem, std::span<const double> health_in3_per_psi);
-    /// A reading of the link was impossible.
+    /// Records an impossible reading of the link at `position`.
     void note_impossible(std::size_t position);
 
 private:

@@ -7,27 +7,27 @@
 
 namespace placedpar::identification {
 
-/// Transients of a link whose settled values are kept.
+/// Limits the transients of a link whose settled values are kept.
 inline constexpr std::size_t kept_transients = 5;
 
-/// The thesis's numbers, with one elite individual.
+/// Returns the thesis's values, with one elite individual.
 SearchSettings service_search();
 
-/// How the on-line diagnosis searches. The search is the thesis's with what an engineer would
-/// add: one elite individual, Gray code, signed flow into the cylinder, a gate on excitation.
+/// The settings of the on-line diagnosis. Its search is the thesis's with an engineer's additions: one elite
+/// individual, Gray code, signed flow into the cylinder, and a gate on excitation.
 struct DiagnosisSettings {
     SearchSettings search = service_search(); ///< window 10, bias 400, 5 trials, population 120, 1 elite
-    std::size_t bits = 10;                    ///< of one compliance; the thesis does not print it
-    ExcitationGate gate;                      ///< below which an estimate is frozen
-    std::size_t skipped = 2;                  ///< usable samples left out after the path to a cylinder opened; ours
-    std::size_t median_over = 25;             ///< generations whose best individuals' median is the estimate; ours
-    double settled_within = 0.2;    ///< (greatest - least) / median of those, at which it counts as settled; ours
-    double inconsistent_over = 0.3; ///< (greatest - least) / median between population sets; ours
-    double stale_after_s = 600;     ///< estimates older than this take no part in cross-checks; ours
+    std::size_t bits = 10;                    ///< per compliance; not printed in the thesis
+    ExcitationGate gate;                      ///< closes while excitation is too low; the estimate is then frozen
+    std::size_t skipped = 2;                  ///< usable samples left out after the path to a cylinder has opened; ours
+    std::size_t median_over = 25;   ///< generations; the estimate is the median of their best individuals; ours
+    double settled_within = 0.2;    ///< settled if (greatest - least) / median of those is at most this; ours
+    double inconsistent_over = 0.3; ///< limit of (greatest - least) / median between population sets; ours
+    double stale_after_s = 600;     ///< older estimates are left out of cross-checks; ours
 
-    /// The resolution of a compliance.
+    /// Returns the resolution of a compliance.
     double step_in3_per_psi() const;
-    /// Throws UserError, saying which setting is out of range and what would be right.
+    /// Throws UserError, which names the setting out of range and its valid range.
     void validate() const;
 };
 

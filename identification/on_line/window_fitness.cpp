@@ -22,11 +22,11 @@ std::vector<double> WindowFitness::operator()(std::span<const Genome> strings) {
     return fitness;
 }
 
-/// Each string that was not met before, once.
+/// Returns each string that was not seen before, once.
 std::vector<Genome> WindowFitness::fresh_of(std::span<const Genome> strings) {
     std::vector<std::size_t> fresh(strings.size());
     std::size_t found = 0;
-    for (std::size_t i = 0; i < strings.size(); ++i) { // without a jump, which nobody could foresee
+    for (std::size_t i = 0; i < strings.size(); ++i) { // a loop without branches, which would be unpredictable
         std::uint8_t& met = met_[number_of(strings[i])];
         fresh[found] = i;
         found += 1u - met;

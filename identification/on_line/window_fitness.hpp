@@ -10,14 +10,15 @@
 
 namespace placedpar::identification {
 
-/// The fitness of the strings of several generations over one window. Short strings, those of one link, are each
-/// evaluated once: a population that converges has many twice, and most that the generations before had.
+/// Computes the fitness of the strings of several generations over one window. Short strings, those of one link, are
+/// evaluated only once each. A converging population has many equal strings, and most of them were in earlier
+/// generations.
 class WindowFitness {
 public:
-    /// REQUIRES: the problem outlives this.
+    /// REQUIRES: the problem outlives this object.
     WindowFitness(const SetProblem& problem, std::span<const SetSample> window, double bias);
 
-    /// As SetProblem::fitness(), to the bit.
+    /// Returns the same values as SetProblem::fitness(), bit by bit.
     std::vector<double> operator()(std::span<const Genome> strings);
 
 private:
@@ -29,8 +30,8 @@ private:
     const SetProblem& problem_;
     std::vector<hydraulics::CircuitTerms> window_;
     double bias_;
-    std::vector<std::uint8_t> met_; ///< by the string as a number
-    std::vector<double> known_;     ///< of those
+    std::vector<std::uint8_t> met_; ///< whether a string was seen, by the string as a number
+    std::vector<double> known_;     ///< the fitness of each string seen
 };
 
 } // namespace placedpar::identification

@@ -16,7 +16,7 @@ using namespace identification;
 
 namespace {
 
-/// Room for the times, where a line does not begin a movement.
+/// Fills the columns of the times in lines that do not begin a movement.
 constexpr std::string_view no_times = "                       ";
 
 std::string print_finding(const LinkFinding& link) {
@@ -26,7 +26,7 @@ std::string print_finding(const LinkFinding& link) {
                             link.standard_error_in3_per_psi);
 }
 
-/// Areas that are read themselves have none.
+/// Returns false for links whose areas are measured directly.
 bool knows_offset(const Deviation& deviation) { return deviation.by[index_of(FaultHypothesis::offset)] != 0; }
 
 std::string with_error(const Deviation& deviation, FaultHypothesis way, double unit) {
@@ -45,7 +45,7 @@ double compliance_error(const WholeMovement& whole) {
     return whole.units.compliance_in3_per_psi * whole.deviation.standard_error(FaultHypothesis::compliance);
 }
 
-/// What all of the movement says, below what the search found.
+/// Returns the result of the whole movement, printed below that of the search.
 std::string print_whole(const WholeMovement& whole) {
     return fmt::format("{}{}  leak {} in^3/(s psi){}\n", no_times,
                        print_compliance("  whole", whole.compliance_in3_per_psi, compliance_error(whole)),
@@ -55,7 +55,7 @@ std::string print_whole(const WholeMovement& whole) {
 
 double by(const Verdict& verdict, FaultHypothesis way) { return verdict.deviation.by[index_of(way)]; }
 
-/// By how much a link is off in each way.
+/// Returns the link's deviation for each hypothesis.
 std::string print_deviation(const LinkVerdict& link) {
     auto with_error = [&](FaultHypothesis way, double unit, int decimals) {
         return fmt::format("{:+.{}f} (standard error {:.{}f})", unit * by(link.verdict, way), decimals,

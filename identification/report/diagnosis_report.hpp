@@ -8,14 +8,14 @@
 
 namespace placedpar {
 
-/// What stands above the movements.
+/// Returns the heading of the movements.
 std::string movements_heading();
-/// For people: when it was, a line for each link, then what is flagged.
+/// Returns text for people: the time, a line for each link, then the flags.
 std::string print_movement(const identification::MovementFinding& movement);
-/// For people: what is said of each active link after all movements.
+/// Returns text for people: the verdict on each active link after all movements.
 std::string print_verdicts(const identification::Diagnosis& diagnosis);
 
-/// For machines: the same.
+/// These two functions return the same content as JSON.
 boost::json::object movement_json(const identification::MovementFinding& movement);
 boost::json::object verdicts_json(const identification::Diagnosis& diagnosis);
 

@@ -9,12 +9,12 @@
 
 namespace placedpar {
 
-/// For people: a line for each link with its references, then what is flagged.
+/// Returns text for people: a line for each link with its references, then the flags.
 std::string print_identified(const identification::Identified& identified,
                              const identification::ComplianceSearch& prepared,
                              const identification::IdentificationWay& way);
 
-/// For machines: everything, with the estimates sample by sample.
+/// Returns everything as JSON, with the estimates sample by sample.
 boost::json::object identified_json(const identification::Identified& identified,
                                     const identification::ComplianceSearch& prepared);
 

@@ -20,34 +20,33 @@ namespace {
 
 constexpr Eigen::Index ways = all_hypotheses.size();
 constexpr std::size_t fewest_at_rest = 4;
-/// (in^3/s)^2 of each sample, beyond the noise of the sensors: of the equations; at rest of a converter and of
-/// friction.
+/// Variance per sample, in (in^3/s)^2, beyond the noise of the sensors. During the movement it is the error of the
+/// equations; at rest it comes from a converter and from friction.
 constexpr double least_variance_moving = 0.001, least_variance_at_rest = 0.05;
-/// The share of the slopes' noise by which it may be known wrongly: 50 readings and a median.
+/// The relative error of the estimated noise of the slopes: it rests on 50 readings and a median.
 constexpr double noise_known_within = 0.3;
-/// The compliance at rest may differ from that of the movement by so many units (5 %).
+/// The compliance at rest may differ from that during the movement by this many units (5 %).
 constexpr double compliance_at_rest_within = 0.25;
-/// A leak at rest after a movement is less than during it by up to this share, since the pressure behind the piston,
-/// which is not read, holds against it (ours).
+/// A leak at rest after a movement may be smaller than during it by up to this share, because the pressure behind the
+/// piston, which is not read, acts against it (ours).
 constexpr double leak_after_within = 0.25;
-/// A leak that flow alone tells from an offset is wrong by about so many units, since the equations are not exact:
-/// sound machines without noise or at 5 kHz seem to have a leak of -.4 to -2.8 units (ours).
+/// If flow alone distinguishes a leak from an offset, the leak has an error of about this many units, since the
+/// equations are not exact. Sound machines without noise or at 5 kHz appear to have a leak of -.4 to -2.8 units (ours).
 constexpr double leak_by_flow_within = 1.25;
-/// Before a movement is seen, a link may be off by ten units in any way.
+/// The standard deviation of any deviation of a link before a movement, in units.
 constexpr double prior_units = 10;
 
 Eigen::Index row_of(std::size_t junction) { return ways * static_cast<Eigen::Index>(junction); }
 
-/// Returns where the spool of the boom's valve stands, from the area of the inlet that it opens: the inverse of A.5 and
-/// A.6.
+/// Returns the position of the boom's spool from the inlet area that it opens: the inverse of A.5 and A.6.
 double spool_in_of(double inlet_in2) {
     constexpr double steep_in2 = 1.247 * (boom_bypass_shut_in - boom_dead_band_in);
     return inlet_in2 <= steep_in2 ? boom_dead_band_in + inlet_in2 / 1.247
                                   : boom_bypass_shut_in + (inlet_in2 - steep_in2) / 3.927;
 }
 
-/// Returns the areas after the spool has moved by `moved_in`. The areas of other links are assumed to change by as
-/// much as the boom's would change.
+/// Returns the areas after the spool has moved by `moved_in`. The areas of other links are assumed to change by as much
+/// as the boom's.
 LinkSample with_spool_moved(LinkSample link, double moved_in) {
     double spool = spool_in_of(link.inlet_in2);
     OrificeAreas here = boom_orifices(spool), there = boom_orifices(spool + moved_in);
@@ -56,8 +55,8 @@ LinkSample with_spool_moved(LinkSample link, double moved_in) {
     return link;
 }
 
-/// The equations of a circuit near health: by how much a sample's flows fail to balance, a row a junction, and what
-/// changes that.
+/// The equations of a circuit near health: the imbalance of a sample's flows, one row per junction, and its
+/// derivatives.
 class Balance {
 public:
     Balance(const Circuit& circuit, const FlowConstants& flow, std::span<const LinkInHealth> links)
@@ -78,7 +77,7 @@ public:
         auto missing = missing_flows_in3_per_s<double>(circuit_, compliances_, samples, flow_, InletFlow::as_signed);
         return Eigen::Map<const VectorXd>(missing.data(), static_cast<Eigen::Index>(circuit_.size()));
     }
-    /// What one more in^3/s into the cylinder changes, one more psi, one more in^2.
+    /// These three functions return the change of the imbalance per in^3/s into the cylinder, per psi, and per in^2.
     VectorXd by_flow(const JunctionSamples& samples, std::size_t junction) const {
         return by(samples, 0.01, [&](JunctionSamples& to, double step) { to[junction].piston_flow_in3_per_s += step; });
     }
@@ -93,7 +92,7 @@ public:
             to[junction].bypass_in2 = std::max(0.0, to[junction].bypass_in2 + step);
         });
     }
-    /// What a reading of the spool that is too high by one inch changes: it stands lower.
+    /// Returns the change of the imbalance per inch by which the spool reads too high, that is, stands lower.
     VectorXd by_offset(const JunctionSamples& samples, std::size_t junction) const {
         return by(samples, 0.1 * units_[junction].offset_in,
                   [&](JunctionSamples& to, double step) { to[junction] = with_spool_moved(to[junction], -step); });
@@ -117,7 +116,7 @@ private:
     std::vector<WayUnits> units_;
 };
 
-/// Standard deviations of what is read of a link.
+/// The standard deviations of one link's readings.
 struct ReadingNoise {
     double psi, slope_psi_per_s, flow_in3_per_s, inlet_in2, bypass_in2, spool_in;
 };
@@ -137,7 +136,7 @@ ReadingNoise reading_noise(const MovementSamples& movement, std::size_t junction
             of([](const LinkSample& link) { return spool_in_of(link.inlet_in2); }, white_gain)};
 }
 
-/// Has a column for every moving sample: by how much it changes the flows that are missed at all junctions.
+/// Returns the change of the missing flows at all junctions, in one column per moving sample.
 template <class Change>
 MatrixXd by_sample(const MovementSamples& movement, std::size_t junctions, const Change& change) {
     MatrixXd columns(static_cast<Eigen::Index>(junctions), static_cast<Eigen::Index>(movement.moving.size()));
@@ -146,13 +145,13 @@ MatrixXd by_sample(const MovementSamples& movement, std::size_t junctions, const
     return columns;
 }
 
-/// A movement's rows, sample by sample, and of each link the noise of its compliance's column.
+/// The rows of a movement, sample by sample, and for each link the noise of its compliance's column.
 struct MovingRows {
     NoisyRows rows;
     std::vector<Sparse> compliance_noise;
 };
 
-/// The white noise of a link's valve, in what is missed.
+/// Adds the effect of the valve's white noise on the missing flows.
 void add_valve_noise(NoisyRows& rows, const Balance& balance, const MovementSamples& movement, std::size_t junction,
                      const ReadingNoise& noise) {
     auto add = [&](double deviation, auto change) {
@@ -166,8 +165,8 @@ void add_valve_noise(NoisyRows& rows, const Balance& balance, const MovementSamp
     }
 }
 
-/// The columns of a link: what a unit of each way changes. A leak past the piston takes k_l P, as though the piston
-/// took more.
+/// Sets the columns of a link: the effect of one unit of each hypothesis. A leak past the piston of k_l P acts as extra
+/// flow into the cylinder.
 void set_slopes(NoisyRows& rows, const Balance& balance, const MovementSamples& movement, std::size_t junction,
                 const MatrixXd& by_flow) {
     const WayUnits& unit = balance.unit(junction);
@@ -183,7 +182,7 @@ void set_slopes(NoisyRows& rows, const Balance& balance, const MovementSamples& 
     }
 }
 
-/// One link's columns and noise; the noise of its compliance's column.
+/// Adds the columns and the noise of one link. Returns the noise of its compliance's column.
 Sparse add_link(NoisyRows& rows, const Balance& balance, const MovementSamples& movement, std::size_t junction,
                 const ReadingNoise& noise) {
     const MatrixXd by_flow = by_sample(movement, balance.junctions(), [&](const JunctionSamples& samples) {
@@ -213,9 +212,9 @@ MovingRows moving_rows(const Balance& balance, const MovementSamples& movement,
     return moving;
 }
 
-/// At rest the inlet is shut: A v + C dP/dt + k_l P = 0, whatever the spool reads. The rest alone would tell the leak
-/// as a share of the compliance only, so that the compliance is that of the movement, but for
-/// compliance_at_rest_within.
+/// Returns the equations at rest. The inlet is shut, so A v + C dP/dt + k_l P = 0, whatever the spool reads. The rest
+/// alone would determine the leak only as a share of the compliance. The compliance is therefore set to that of the
+/// movement, within compliance_at_rest_within.
 NoisyRows rows_at_rest(const Balance& balance, const std::vector<JunctionSamples>& samples, std::size_t junction,
                        FaultHypothesis leak, const ReadingNoise& noise) {
     const Eigen::Index column = row_of(junction);
@@ -238,20 +237,20 @@ NoisyRows rows_at_rest(const Balance& balance, const std::vector<JunctionSamples
 
 /// The normal equations of a movement.
 struct Equations {
-    MatrixXd information; ///< noise included
+    MatrixXd information; ///< includes the noise
     VectorXd pull;
-    VectorXd noise;     ///< what is noise of each unknown's information
-    VectorXd in_health; ///< of each unknown, what it is in health, in its unit: the noise spoils all of it
+    VectorXd noise;     ///< the part of each unknown's information that is noise
+    VectorXd in_health; ///< for each unknown, its value in health, in its unit; the noise affects all of it
 };
 
-/// Nothing is known but that a link is hardly off by more than prior_units.
+/// Returns the equations before any sample: a link is hardly off by more than prior_units.
 Equations before_movement(Eigen::Index unknowns) {
     const VectorXd none = VectorXd::Zero(unknowns);
     return {MatrixXd::Identity(unknowns, unknowns) / (prior_units * prior_units), none, none, none};
 }
 
-/// The noise of the slopes adds to the information of a compliance, which would come out too small by it (errors in
-/// variables).
+/// Adds the moving samples and the noise in their slopes. That noise adds to the information of a compliance, which
+/// would become too small by it (errors in variables).
 void add_moving(Equations& equations, const MovingRows& moving) {
     const Weights weights(moving.rows);
     const MatrixXd information = weights.information();
@@ -269,26 +268,26 @@ void add_moving(Equations& equations, const MovingRows& moving) {
     equations.noise = noise / scale;
 }
 
-/// The movement's equations know a leak no better than leak_by_flow_within, where an offset may be there as well.
+/// Limits the accuracy of a leak by the movement's equations to leak_by_flow_within if there may be an offset as well.
 void limit_leak(Equations& equations, Eigen::Index leak) {
     MatrixXd information = equations.information;
     information.diagonal() -= equations.noise;
     const MatrixXd covariance = information.inverse();
     const VectorXd by = covariance * (equations.pull + equations.noise.cwiseProduct(equations.in_health));
     const double known = 1 / covariance(leak, leak);
-    if (!(known > 0)) // slopes that are hardly more than noise, which solve() finds
+    if (!(known > 0)) // the slopes are hardly more than noise, which solve() detects
         return;
     const double too_much = known * known / (known + 1 / (leak_by_flow_within * leak_by_flow_within));
     equations.information(leak, leak) -= too_much;
     equations.pull[leak] -= too_much * by[leak];
 }
 
-/// Adds what a rest tells: the leak, were the compliance known, and nothing of the compliance itself, whose slopes are
-/// little but noise there.
+/// Adds the information of a rest about the leak, given the compliance. It adds nothing about the compliance itself,
+/// whose slopes are mostly noise at rest.
 void add_rest(Equations& equations, const NoisyRows& rest, Eigen::Index leak) {
     const Weights weights(rest);
     const double known = weights.information()(leak, leak);
-    if (known == 0) // without pressure nothing is told
+    if (known == 0) // without pressure a rest gives no information
         return;
     VectorXd by = VectorXd::Zero(equations.pull.size());
     by[leak] = weights.pull()[leak] / known;
@@ -319,8 +318,8 @@ std::optional<std::vector<Deviation>> solve(const Equations& equations) {
     return parts(by, inverse * pulls * inverse);
 }
 
-/// A leak that is known from the rest after the movement is not known better than leak_after_within; with it all that
-/// depends on it.
+/// Limits the accuracy of a leak determined by the rest after the movement to leak_after_within, and adjusts all that
+/// is correlated with it.
 void add_unread_pressure(Deviation& deviation) {
     const Eigen::Index leak = row_of(FaultHypothesis::leak);
     WayMatrix covariance = matrix_of(deviation.covariance);

@@ -13,27 +13,28 @@
 
 namespace placedpar::identification {
 
-/// What is known of a link before a movement.
+/// The assumptions about a healthy link before a movement.
 struct LinkInHealth {
     double compliance_in3_per_psi;
-    /// Areas that are read themselves have no offset.
+    /// Directly measured areas have no offset.
     hydraulics::AreasFrom areas = hydraulics::AreasFrom::spool;
 };
 
-/// Fewer samples of a movement say nothing (ours).
+/// Movements with fewer samples are not evaluated (ours).
 inline constexpr std::size_t fewest_moving = 12;
 
-/// What a movement says of the links of a circuit, in the order of its junctions: generalised least squares of the flow
-/// that the equations miss (3.5 to 3.7, 3.10, 3.11; signed) on compliance, leak and offset of every link, and of
-/// A v + C dP/dt + k_l P = 0 at rest, whatever the spool reads, which tells the leak there: that before the movement,
-/// or that during it when the rest follows. A rest after counts only with one before: without it, as at the end of a
-/// long movement, nothing but the closing of the valve would tell the compliance.
+/// Fits the deviations of all links of a circuit, in the order of its junctions, to one movement. The method is
+/// generalised least squares. During the movement it fits the missing flow (equations 3.5 to 3.7, 3.10, 3.11; signed)
+/// by compliance, leak and offset of every link. At rest it fits A v + C dP/dt + k_l P = 0, which is independent of the
+/// spool. The rest before the movement determines the leak before it; the rest after determines the leak during it. A
+/// rest after is used only if there is one before: otherwise, as at the end of a long movement, only the closing of the
+/// valve would determine the compliance.
 ///
-/// The errors' covariance is what the noise of the readings makes of the missed flows, of all junctions together: of
-/// pressures, angles and valves, each as its own fourth differences show it, through the equations and through the
-/// 5-point slopes; scaled by what is left. The noise of the slopes would make compliances too small; it is taken out of
-/// the normal equations (W. Fuller, Measurement Error Models, 1987). None with fewer than fewest_moving moving samples,
-/// or where the slopes are hardly more than noise.
+/// The covariance of the errors follows from the noise of pressures, angles and valves at all junctions. Each noise is
+/// estimated from the fourth differences of its readings and propagated through the equations and the 5-point slopes;
+/// the result is scaled by the residuals. The noise of the slopes would make compliances too small, so it is removed
+/// from the normal equations (W. Fuller, Measurement Error Models, 1987). Returns nullopt if there are fewer than
+/// fewest_moving moving samples, or if the slopes are hardly more than noise.
 std::optional<std::vector<Deviation>> deviations(const hydraulics::Circuit& circuit,
                                                  const hydraulics::FlowConstants& flow,
                                                  std::span<const LinkInHealth> links, const MovementSamples& movement);

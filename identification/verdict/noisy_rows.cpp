@@ -12,9 +12,9 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr Eigen::Index reach = 2; ///< of a 5-point slope, to either side
+constexpr Eigen::Index reach = 2; ///< samples that a 5-point slope uses on either side
 
-/// Of a sample, what the noises two before it to two after it change.
+/// The effect on one sample of the noises from two samples before it to two after it.
 using Taps = std::array<double, 2 * reach + 1>;
 
 Sparse noise_through(const Taps& taps, const MatrixXd& by) {
@@ -29,7 +29,7 @@ Sparse noise_through(const Taps& taps, const MatrixXd& by) {
     return columns;
 }
 
-/// The noises that are said are worth so many rows of those in which they show.
+/// The assumed noises count as this many rows of those in which they appear.
 constexpr double noise_worth_rows = 8;
 
 } // namespace
@@ -48,7 +48,7 @@ double noise_variance(const std::vector<double>& readings, double gain) {
 Sparse white_noise(const MatrixXd& by) { return noise_through({0, 0, 1, 0, 0}, by); }
 
 Sparse slope_noise(const MatrixXd& by) {
-    const double unit = 1 / std::sqrt(10.0); // of the squares of -2 to 2
+    const double unit = 1 / std::sqrt(10.0); // 10: the sum of the squares of -2 to 2
     return noise_through({-2 * unit, -unit, 0, unit, 2 * unit}, by);
 }
 

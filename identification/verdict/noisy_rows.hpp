@@ -9,17 +9,17 @@ namespace placedpar::identification {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// By how much the fourth differences of white noise, and of the 5-point slopes of white noise, have a greater
-/// variance.
+/// The factors by which fourth differences increase the variance of white noise, and of the 5-point slopes of white
+/// noise.
 inline constexpr double white_gain = 70, slope_gain = 25.2;
 
-/// The variance of what is noise in readings, by the median of their fourth differences, which are next to 0 of what is
-/// smooth. Ripple counts: it spoils the readings as noise does. REQUIRES: at least five readings.
+/// Estimates the variance of the noise in readings from the median of their fourth differences, which are near 0 for a
+/// smooth signal. Ripple counts as noise, since it disturbs the readings likewise. REQUIRES: at least five readings.
 double noise_variance(const std::vector<double>& readings, double gain);
 
-/// What a reading's noise of variance 1 does to rows: a column an instant at which something is read, from two before
-/// the first sample to two after the last. `by` says what it changes, a column a sample: as it is read, or as the
-/// 5-point slopes of what is read.
+/// Return the effect on the rows of a reading's noise of variance 1. The result has a column per instant of reading,
+/// from two before the first sample to two after the last. `by` has a column per sample: the effect of the reading
+/// itself, or of the 5-point slopes of the readings.
 Sparse white_noise(const Eigen::MatrixXd& by);
 Sparse slope_noise(const Eigen::MatrixXd& by);
 
@@ -29,24 +29,24 @@ struct NoisyRows {
     Eigen::VectorXd missed;
     Sparse covariance;
 
-    /// `least_variance`: of errors that no reading's noise makes.
+    /// `least_variance` is the variance of errors that do not come from readings.
     NoisyRows(Eigen::Index rows, Eigen::Index unknowns, double least_variance);
     void add_noise(const Sparse& columns) { covariance += Sparse(columns * columns.transpose()); }
 };
 
-/// Generalised least squares of such rows (A. Aitken, Proc. R. Soc. Edinburgh 55, 1935). Slopes that share samples
-/// have errors that cancel, over a movement all but for its ends: that is what the covariance knows.
+/// Solves such rows by generalised least squares (A. Aitken, Proc. R. Soc. Edinburgh 55, 1935). Slopes that share
+/// samples have errors that cancel over a movement, except at its ends; the covariance accounts for this.
 class Weights {
 public:
-    /// REQUIRES: a least variance above 0.
+    /// REQUIRES: the rows have a least variance above 0.
     explicit Weights(const NoisyRows&);
 
     const Eigen::MatrixXd& information() const { return information_; }
     const Eigen::VectorXd& pull() const { return pull_; }
-    /// What of the information of an unknown is noise, whose column of the slopes has these noises.
+    /// Returns the part of an unknown's information that is noise, if `columns` are the noises of its column of slopes.
     double share_of(const Sparse& columns) const;
-    /// By how much the variance of what is left with `by` exceeds what is said of it; by as much as a movement knows
-    /// better than the noises that were said.
+    /// Returns the factor by which the variance of the residuals with `by` exceeds the assumed variance. The more rows
+    /// there are, the more the residuals count against the assumption.
     double scale(const Eigen::VectorXd& by, Eigen::Index unknowns) const;
 
 private:

@@ -12,12 +12,12 @@ WayVector suspected(const Suspicion& suspicion, const PerHypothesis& scale) {
     return suspicion.units * vector_of(unit_of(suspicion.fault)).cwiseProduct(vector_of(scale));
 }
 
-/// The logarithm of the likelihood of `suspected` over that of none.
+/// Returns the logarithm of the likelihood ratio of `suspected` to no deviation.
 double likelihood_ratio(const WayVector& seen, const WayMatrix& information, const WayVector& suspected) {
     return suspected.dot(information * (seen - suspected / 2));
 }
 
-/// The variance of the share of `by`, were it all; none of what is known exactly.
+/// Returns the variance of the size of `by` under this covariance; 0 if the reference is known exactly.
 double unknown_of(const WayMatrix& covariance, const WayVector& by) {
     return covariance.isZero(0) ? 0 : 1 / by.dot(covariance.inverse() * by);
 }

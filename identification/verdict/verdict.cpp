@@ -17,14 +17,14 @@ namespace {
 constexpr std::array<std::string_view, 9> verdict_names{
     "sound", "compliance", "leak", "offset", "drift", "leak or offset", "sensor", "not enough evidence", "cannot tell"};
 
-/// What a mean of many movements may still be off by, in units; ours.
+/// The remaining error of a mean of many movements, in units; ours.
 constexpr double mean_repeats_within = 0.05;
 
-/// Machines of a kind differ in health, in each way by this standard deviation, in units: 10 % of the compliance,
-/// evenly.
+/// The standard deviation, in units, of each deviation among healthy machines of a kind: 10 % of the compliance,
+/// uniformly distributed.
 constexpr double kind_within = 0.3;
 
-/// The leak of a healthy link, small as it is, hardly changes when the valve opens.
+/// Returns the deviation of a kind in health. The small leak of a healthy link hardly changes when the valve opens.
 Deviation kind_in_health() {
     constexpr double leak_in_common = 0.9;
     WayMatrix covariance = WayMatrix::Identity() * kind_within * kind_within;
@@ -33,17 +33,17 @@ Deviation kind_in_health() {
     return {{}, two_ways_of(covariance)};
 }
 
-/// What the information of a mean is worth, which does not grow with the number of movements for ever.
+/// Returns the information of a mean, which does not grow without limit with the number of movements.
 WayMatrix information_of_mean(const Deviation& mean) {
     WayMatrix covariance = matrix_of(mean.covariance);
     covariance.diagonal().array() += mean_repeats_within * mean_repeats_within;
     return covariance.inverse();
 }
 
-/// A fault alone explains a mean deviation best by this size.
+/// The most likely size of one fault as the only cause of a mean deviation.
 struct Explanation {
     FaultSize size;
-    double likelihood; ///< its logarithm above that of sound
+    double likelihood; ///< logarithm of the likelihood relative to sound
 };
 
 Explanation explanation_by(LinkFault fault, const Deviation& mean, const WayMatrix& information) {
@@ -53,7 +53,7 @@ Explanation explanation_by(LinkFault fault, const Deviation& mean, const WayMatr
     return {{pull / known, 1 / std::sqrt(known)}, takes_only && pull < 0 ? 0 : pull * pull / (2 * known)};
 }
 
-/// The likelihoods of sound and of what can be wrong, as shares of 1. The two leaks are one kind of fault.
+/// The posterior probabilities of sound and of each fault. The two leaks count as one fault.
 struct Shares {
     double sound, compliance, leak, offset;
 };
@@ -67,8 +67,8 @@ Shares shares_of(const Deviation& mean, const WayMatrix& information) {
     return {shares.sound / all, shares.compliance / all, shares.leak / all, shares.offset / all};
 }
 
-/// Of sound and a link that is off by what is suspected, all equally likely before, the share of sound. Nobody suspects
-/// an offset of areas that are read themselves.
+/// Returns the posterior probability that the link is sound, with equal priors for sound and each suspected fault.
+/// Directly measured areas have no offset hypothesis.
 double probability_sound(const Deviation& mean, const WayMatrix& information, AreasFrom valve) {
     double all = 1;
     for (const Suspicion& suspicion : SequentialTest::suspicions) {
@@ -80,7 +80,7 @@ double probability_sound(const Deviation& mean, const WayMatrix& information, Ar
     return 1 / all;
 }
 
-/// Is it off in the way that is said by more than its standard error?
+/// Returns whether the deviation of this kind exceeds its standard error.
 bool beyond_error(VerdictKind kind, const Deviation& mean) {
     auto alone = [&](FaultHypothesis way) {
         const FaultSize size = size_alone(way, mean);
@@ -174,7 +174,7 @@ void LinkJudge::take(const Deviation& movement, AreasFrom valve) {
     if (state_.impossible)
         return;
     if (valve != state_.valve)
-        state_ = {}; // another way to know the valve has another offset in health
+        state_ = {}; // another source of the areas has another offset in health
     state_.valve = valve;
     SequentialTest from_kind(state_.from_kind);
     from_kind.take(movement, kind_in_health(),

@@ -13,72 +13,74 @@
 
 namespace placedpar::identification {
 
-/// What is said of a link.
+/// The verdicts on a link.
 enum class VerdictKind : unsigned char {
     sound,
-    compliance,          ///< of hose, oil and cylinder: greater or smaller
+    compliance,          ///< of hose, oil and cylinder; too great or too small
     leak,                ///< past the piston, or out of the line
-    offset,              ///< the spool is not where its sensor says
-    drift,               ///< the spool is not where the servo-valve's voltage says
-    leak_or_offset,      ///< one of the two, or a leak or a drift: the records do not tell which
-    sensor,              ///< readings that no machine gives
-    not_enough_evidence, ///< movements too few, too short or too noisy
-    cannot_tell          ///< enough of them, which neither show that it is sound nor what is wrong
+    offset,              ///< the spool is not at the position that its sensor reads
+    drift,               ///< the spool is not at the position that the servo-valve's voltage demands
+    leak_or_offset,      ///< either a leak, or an offset or a drift; the records do not tell which
+    sensor,              ///< physically impossible readings
+    not_enough_evidence, ///< too few movements, or too short or noisy ones
+    cannot_tell          ///< enough movements, which show neither that the link is sound nor what is wrong
 };
 
 std::string_view name_of(VerdictKind);
-/// "87 % sure"; nobody is surer than "more than 99 %".
+/// Returns "87 % sure", for example; above 0.99 it returns "more than 99 % sure".
 std::string how_sure(double probability);
 std::optional<VerdictKind> verdict_named(std::string_view);
 
 struct Verdict {
     VerdictKind kind = VerdictKind::not_enough_evidence;
-    /// How sure it is, of what was equally likely before. Of a fault: its share of sound and all_faults, each by the
-    /// size that explains most. Of sound: its share of sound and what SequentialTest suspects, a unit each; so much of
-    /// cannot_tell as well.
+    /// The posterior probability with equal priors. For a fault, the alternatives are sound and all_faults, each at its
+    /// most likely size. For sound and cannot_tell it is the probability of sound, against the suspicions of
+    /// SequentialTest at one unit each.
     double probability = 0;
-    Deviation deviation;       ///< mean over the movements that count, from what the link is compared with
-    std::size_t movements = 0; ///< that count
+    Deviation deviation;       ///< mean over the movements that count, relative to the link's reference
+    std::size_t movements = 0; ///< number of movements that count
 };
 
-/// A size in units, and its standard error.
+/// A size and its standard error, in units.
 struct FaultSize {
     double by, standard_error;
 };
 
-/// How great the leak or the offset is, if a mean deviation comes from that fault alone; the likelier of the two leaks.
-/// REQUIRES: leak or offset.
+/// Returns the size of the leak or the offset if that fault alone causes the mean deviation; of the two kinds of leak,
+/// the likelier. REQUIRES: `way` is leak or offset.
 FaultSize size_alone(FaultHypothesis way, const Deviation& mean);
 
-/// "either a leak of ... or a spool ...", both sizes, and which readings would tell.
+/// Returns "either a leak of ... or a spool ...", with both sizes, and names the readings that would decide.
 std::string print_leak_or_offset(const Deviation& mean, const WayUnits& units);
 
-/// Names what explains a mean deviation best: nothing wrong, or one fault alone, of the size that fits best.
-/// A leak that begins when the valve opens and an offset are told apart only where one is nine times as likely.
-/// What the valve's areas were found from decides what an offset is called.
+/// Returns the best explanation of a mean deviation: sound, or one fault alone at its most likely size. A leak that
+/// begins when the valve opens and an offset are distinguished only if one is nine times as likely as the other.
+/// `valve`, the source of the areas, decides the name of an offset.
 Verdict verdict_of(const Deviation& mean, bool raised, hydraulics::AreasFrom valve);
 
-/// Judges one link movement by movement: against itself, as its first movements were, and against its kind, so that
-/// what has been wrong from the first day shows.
+/// Judges one link, movement by movement, against its own first movements and against its kind. The second comparison
+/// finds a fault that was there from the first day.
 class LinkJudge {
 public:
-    /// Movements whose mean, weighted by what each knows, is the link's own state of health.
+    /// The number of movements whose weighted mean is the link's own reference in health.
     static constexpr std::size_t movements_of_baseline = 3;
-    /// A machine differs from its kind by up to a unit in health: twice as much is suspected.
+    /// Healthy machines differ from their kind by up to one unit, so twice as much is suspected.
     static constexpr double units_beyond_kind = 2;
-    /// By the voltage a compliance comes out half a unit too great, since the valve's dead time is not known.
+    /// If the spool is computed from the voltage, a compliance is found half a unit too great, since the valve's dead
+    /// time is unknown.
     static constexpr double servo_units_beyond_kind = 3;
-    /// Usual movements know each way to a unit or better, steady ones one of them hardly better than nothing.
+    /// The greatest standard error in units. Usual movements determine each deviation to a unit or better; steady ones
+    /// hardly determine one of them.
     static constexpr double most_uncertain = 2.5;
-    /// Less sure that a link is sound means that what is suspected is likelier, all of it together.
+    /// Below this probability of being sound, the suspected faults together are likelier.
     static constexpr double least_sure_sound = 0.5;
 
     struct State {
         std::vector<Deviation> first; ///< up to movements_of_baseline
         SequentialTest::State from_itself, from_kind;
-        hydraulics::AreasFrom valve = hydraulics::AreasFrom::spool; ///< of the last movement
-        bool impossible_now = false;                                ///< a reading since the last movement
-        bool impossible = false; ///< one since the last movement whose readings made sense
+        hydraulics::AreasFrom valve = hydraulics::AreasFrom::spool; ///< source of the last movement's areas
+        bool impossible_now = false; ///< whether a reading since the last movement was impossible
+        bool impossible = false;     ///< whether one was impossible since the last movement with plausible readings
 
         friend bool operator==(const State&, const State&) = default;
     };
@@ -88,18 +90,18 @@ public:
     const State& state() const { return state_; }
     friend bool operator==(const LinkJudge&, const LinkJudge&) = default;
 
-    /// Does a movement tell in which way a link is off, a steady leak taken for granted? One that leaves any way
-    /// uncertain by more than most_uncertain units (half of the compliance, a leak of 12 %, an eightieth of an inch of
-    /// spool) does not, however well it seems to know another: the pressure hardly moved, and what is left is noise of
-    /// unknown size.
+    /// Returns whether a movement can show the kind of a link's deviation, assuming a steady leak. It cannot if any
+    /// deviation is uncertain by more than most_uncertain units (half of the compliance, a leak of 12 %, 1/80 in of
+    /// spool). Then the pressure hardly moved, and the rest is noise of unknown size.
     static bool is_evidence(const Deviation& movement, hydraulics::AreasFrom valve);
-    /// A movement is over. One with impossible readings, or without excitation, says nothing.
+    /// Adds a finished movement. A movement with impossible readings or without excitation is ignored.
     void take(const Deviation& movement, hydraulics::AreasFrom valve);
-    /// A reading that no machine gives: the verdict is sensor until a movement has none.
+    /// Records an impossible reading: the verdict is `sensor` until a movement has none.
     void note_impossible() { state_.impossible_now = state_.impossible = true; }
-    /// Sound only when that is likelier than not, off only by more than the standard error.
+    /// Returns sound only if that is likelier than not, and a fault only if it exceeds its standard error.
     Verdict verdict() const;
-    /// What the link is compared with: the mean of its first movements, from its kind; none before there are enough.
+    /// Returns the reference of the link, the mean of its first movements relative to its kind; nullopt until there are
+    /// enough movements.
     std::optional<Deviation> baseline() const;
 
 private:

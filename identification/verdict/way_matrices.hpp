@@ -6,8 +6,8 @@
 
 namespace placedpar::identification {
 
-/// PerHypothesis and PerPairOfHypotheses as Eigen computes with them, for sources alone. Not aligned, so that copies of
-/// them are the same code whatever the flags of the compiler are.
+/// These types let sources compute with PerHypothesis and PerPairOfHypotheses in Eigen. They are not aligned, so that
+/// copying them compiles to the same code with all compiler flags.
 using WayVector = Eigen::Matrix<double, all_hypotheses.size(), 1, Eigen::DontAlign>;
 using WayMatrix = Eigen::Matrix<double, all_hypotheses.size(), all_hypotheses.size(), Eigen::DontAlign>;
 

@@ -11,22 +11,23 @@
 
 namespace placedpar::monitor {
 
-/// The alarms that hold, and since when. What changes is given as an entry for the history.
+/// Keeps the active alarms of all machines and the time at which each was raised. Functions that change an alarm return
+/// the entry that the history must get. Times are in seconds since 1970.
 class AlarmBoard {
 public:
-    /// From the history: alarms that hold, and those that are on the shelf.
+    /// Restores the active and the shelved alarms that the history holds.
     void restore(std::vector<KeptAlarm> noted);
 
     Entry raise(const identification::Diagnosis& diagnosis, const identification::Alarm& alarm, double at);
     Entry clear(const std::string& machine, const identification::Alarm& alarm, double at);
     void forget(const std::string& machine);
-    /// None when it does not hold.
+    /// Returns nullopt if the alarm is not active; so does shelve().
     std::optional<Entry> acknowledge(const AlarmName& name, double at);
     std::optional<Entry> shelve(const AlarmName& name, double until, double at);
-    /// Is it on the shelf now?
+    /// Returns whether the alarm is shelved at time `at`.
     bool shelved(const std::string& machine, const identification::Alarm& alarm, double at) const;
 
-    /// Of one machine, in the order in which they were raised.
+    /// Returns the active alarms of a machine in the order in which they were raised.
     const std::vector<KeptAlarm>& of(const std::string& machine) const;
     std::vector<KeptAlarm> all() const;
 
@@ -35,7 +36,7 @@ private:
     std::optional<double> shelved_until(const KeptAlarm& alarm, double at) const;
 
     std::map<std::string, std::vector<KeptAlarm>> open_;
-    std::map<std::string, std::vector<KeptAlarm>> shelved_; ///< that hold or not, as they were when they were put there
+    std::map<std::string, std::vector<KeptAlarm>> shelved_; ///< alarms as they were when shelved, active or not
 };
 
 } // namespace placedpar::monitor

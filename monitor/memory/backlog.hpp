@@ -7,21 +7,21 @@
 
 namespace placedpar::monitor {
 
-/// The messages that are in no machine's state yet, and would have to be taken again after a restart.
+/// Counts the messages that no saved state contains yet. After a restart the service must process them again.
 class Backlog {
 public:
-    /// REQUIRES: numbers go up.
+    /// REQUIRES: `number` is greater than that of any earlier call.
     void add(const std::string& machine, std::uint64_t number, std::size_t bytes, std::size_t generations);
-    /// Its state is kept, or nobody needs it any more.
+    /// Removes the messages of a machine, because its state was saved or the machine was forgotten.
     void drop(const std::string& machine);
     void clear();
 
     std::size_t bytes() const { return bytes_; }
     std::uint64_t generations() const { return generations_; }
     bool empty() const { return by_age_.empty(); }
-    /// REQUIRES: it is not empty.
+    /// REQUIRES: the backlog is not empty.
     std::uint64_t oldest_number() const { return by_age_.begin()->first; }
-    /// Whose message that is.
+    /// Returns the machine of the oldest message.
     const std::string& oldest_machine() const { return by_age_.begin()->second; }
 
 private:
@@ -32,7 +32,7 @@ private:
     };
 
     std::map<std::string, Share> shares_;
-    std::map<std::uint64_t, std::string> by_age_; ///< machines by their first number
+    std::map<std::uint64_t, std::string> by_age_; ///< machines by the number of their first message
     std::size_t bytes_ = 0;
     std::uint64_t generations_ = 0;
 };

@@ -20,23 +20,23 @@ public:
     const identification::DiagnosisSettings& settings() const { return settings_; }
     std::uint64_t seed() const { return seed_; }
     const std::map<std::string, identification::Diagnosis>& all() const { return diagnoses_; }
-    /// REQUIRES: there is one of this name.
+    /// REQUIRES: the machine is known.
     identification::Diagnosis& named(const std::string& machine) { return diagnoses_.at(machine); }
 
-    /// The diagnosis that a hello is about. A control system's hello begins one for a new machine; a watcher's does
-    /// not. Throws BadMessage, having changed nothing: a machine unknown to a watcher, one known with other parameters,
-    /// or one too many.
+    /// Returns the diagnosis of the machine that the hello names. The hello of a control system creates the diagnosis
+    /// of a new machine; the hello of a watcher does not. Throws BadMessage, and changes nothing, if a watcher names an
+    /// unknown machine, if the machine is known with other parameters, or if there are too many machines.
     identification::Diagnosis& greet(const Hello& hello);
-    /// From the state file.
+    /// Adds a diagnosis from the state file.
     void add(identification::Diagnosis::State state);
 
     bool knows(const std::string& machine) const { return diagnoses_.contains(machine); }
     bool full() const { return diagnoses_.size() >= most_; }
-    /// REQUIRES: nobody holds on to its diagnosis.
+    /// REQUIRES: no reference to the diagnosis of this machine is in use.
     void forget(const std::string& machine) { diagnoses_.erase(machine); }
 
-    /// Takes a message of the state file again: a configuration, a sample or a baseline of a known machine. Throws
-    /// BadMessage or identification::RefusedSample.
+    /// Processes a message from the state file again: a configuration, a sample or a baseline of a known machine.
+    /// Throws BadMessage or identification::RefusedSample.
     void replay(const std::string& machine, std::string_view message);
 
 private:

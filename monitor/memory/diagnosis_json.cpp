@@ -62,7 +62,7 @@ void require_whole(const LinkTrack::State& track, const Sampling& sampling) {
                      "a link's readings");
 }
 
-/// Each sample has so many links.
+/// Returns whether every sample has `links` links.
 bool are_of(std::size_t links, const std::vector<SetSample>& samples) {
     return std::ranges::all_of(samples, [&](const SetSample& each) { return each.size() == links; });
 }
@@ -89,7 +89,7 @@ void require_whole(std::size_t links, const Movement::State& movement, const Sam
                      "a movement");
 }
 
-/// What is inverted later must have an inverse.
+/// Matrices that are inverted later must have an inverse.
 void require_invertible(const PerPairOfHypotheses& two, const char* what) {
     if (!has_inverse(two))
         throw std::runtime_error(fmt::format("{} has no inverse", what));

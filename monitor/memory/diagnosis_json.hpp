@@ -6,11 +6,12 @@
 
 namespace placedpar::monitor {
 
-/// The state of a diagnosis as the state file keeps it: what is read back has the same bits. Change a State, and raise
-/// the file's version (state_identity.hpp).
+/// Returns the state of a diagnosis as the state file stores it. Reading it back gives the same bits. A change of any
+/// State type needs a new file version (state_identity.hpp).
 boost::json::value state_json(const identification::Diagnosis::State& state);
 
-/// Throws std::runtime_error, naming the member, when the value is no such state or has populations of another size.
+/// Throws std::runtime_error, which names the member, if the value is not a valid state or has populations of another
+/// size.
 identification::Diagnosis::State state_from(const boost::json::value& value,
                                             const identification::DiagnosisSettings& settings);
 

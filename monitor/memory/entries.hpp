@@ -15,10 +15,10 @@ struct DiagnosisState; // identification/on_line/diagnosis.hpp
 
 namespace placedpar::monitor {
 
-/// What the state file is told, and what it gives back. Times called `at` are of this computer's clock, in seconds
-/// since 1970, `time_s` of the control system's.
+/// This file declares the entries of the state file. Times called `at` are read from this computer's clock, in seconds
+/// since 1970. Times called `time_s` are read from the control system's clock.
 
-/// A message that a diagnosis took. Numbers count all machines' messages, without a gap.
+/// A message that a diagnosis accepted. Messages of all machines are numbered together, without gaps.
 struct KeptMessage {
     std::uint64_t number;
     std::string machine;
@@ -27,7 +27,7 @@ struct KeptMessage {
     friend bool operator==(const KeptMessage&, const KeptMessage&) = default;
 };
 
-/// A diagnosis after the message of this number, or, if that is another machine's, after its last one before.
+/// The state of a diagnosis after the last of its messages whose number is at most `taken`.
 struct KeptState {
     std::string machine;
     std::uint64_t taken;
@@ -36,21 +36,21 @@ struct KeptState {
     friend bool operator==(const KeptState&, const KeptState&) = default;
 };
 
-/// The same before it has been written: a copy, of which whoever keeps it makes the text.
+/// A state that is not yet text: the writer's thread converts this copy to JSON.
 struct UnwrittenState {
     std::string machine;
     std::uint64_t taken;
     std::shared_ptr<const identification::DiagnosisState> state;
 };
 
-/// Nothing is known of the machine any more, nor is its history. Its messages are still there: one with the text
-/// `forget_text` has to stand behind them.
+/// Deletes the state and the history of a machine. Its messages remain, so a message with the text `forget_text` must
+/// follow them.
 struct ForgottenMachine {
     std::string machine;
 };
 inline constexpr const char* forget_text = "forget";
 
-/// The messages up to this number are in their machines' states.
+/// Reports that the saved states contain all messages up to this number.
 struct TrimmedMessages {
     std::uint64_t up_to;
 };
@@ -67,8 +67,8 @@ struct KeptEstimate {
 };
 BOOST_DESCRIBE_STRUCT(KeptEstimate, (), (machine, at, time_s, set, link, compliance_in3_per_psi, error_in3_per_psi))
 
-/// An alarm from when it was raised. One of the same kind and links is the same alarm; while it holds it is not raised
-/// again.
+/// An alarm and its times. Alarms of one machine with equal kind and links are the same alarm, which is not raised
+/// again while it is active.
 struct KeptAlarm {
     std::string machine;
     std::string kind, links; ///< links as "BU BO"
@@ -85,12 +85,13 @@ BOOST_DESCRIBE_STRUCT(KeptAlarm, (),
                       (machine, kind, links, text, raised_at, raised_time_s, cleared_at, acknowledged_at,
                        shelved_until))
 
-/// The newest alarm of this machine, kind and links is now so.
+/// Replaces the times of the newest alarm of this machine, kind and links.
 struct ChangedAlarm {
     KeptAlarm alarm;
 };
 
-/// All alarms that hold, after some changes were lost: any other that is open was cleared, at the latest by then.
+/// Lists all active alarms after some changes were lost. Any other open alarm in the history was cleared at time `at`
+/// or earlier.
 struct OpenAlarms {
     std::vector<KeptAlarm> alarms;
     double at;
@@ -99,11 +100,11 @@ struct OpenAlarms {
 using Entry = std::variant<KeptMessage, KeptState, UnwrittenState, ForgottenMachine, TrimmedMessages, KeptEstimate,
                            KeptAlarm, ChangedAlarm, OpenAlarms>;
 
-/// Entries that are kept together or not at all.
+/// Entries that are committed together or not at all.
 struct Transaction {
     std::vector<Entry> entries;
-    /// The number of the last message: the entries hold the states of all machines after it, and what was known of
-    /// machines before, and all messages, are dropped.
+    /// The number of the last message, if the transaction replaces the whole content: its entries then hold the states
+    /// of all machines after that message, and all earlier states and messages are deleted.
     std::optional<std::uint64_t> all_anew_at = {};
 };
 

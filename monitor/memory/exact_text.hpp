@@ -10,14 +10,16 @@
 
 namespace placedpar::monitor {
 
-/// Numbers and genomes as text from which the same bits are read back. A JSON parser's doubles may differ in the last.
+/// These functions write numbers and genomes as text and read the same bits back. A JSON parser may change the last bit
+/// of a double.
 
-/// Separated by blanks, each as short as it can be.
+/// Writes each number in the shortest form that reads back exactly, separated by spaces.
 std::string exact_text(std::span<const double> numbers);
 /// Throws std::runtime_error.
 std::vector<double> numbers_from(std::string_view text);
 
-/// How many bits each has, and each in hexadecimal, separated by blanks. REQUIRES: all of one size up to 64.
+/// Writes the number of bits per genome, then each genome in hexadecimal, separated by spaces. REQUIRES: all genomes
+/// have one size, at most 64 bits.
 std::string exact_text(std::span<const Genome> strings);
 /// Throws std::runtime_error.
 std::vector<Genome> genomes_from(std::string_view text);

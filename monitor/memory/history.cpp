@@ -24,7 +24,7 @@ History::History(store::Database& d, std::uint64_t most)
 
 void History::change(const KeptAlarm& a) {
     if (!find_alarm_.bind(a.machine, a.kind, a.links).step())
-        return; // so old that it has been trimmed
+        return; // the row is so old that it has been deleted
     const std::uint64_t number = alarms_.number(find_alarm_);
     KeptAlarm changed = alarms_.row(find_alarm_);
     changed.cleared_at = a.cleared_at;

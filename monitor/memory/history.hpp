@@ -9,34 +9,35 @@
 
 namespace placedpar::monitor {
 
-/// The tables of what has been found of the machines, and of their alarms. Of each machine the newest `most` rows of
-/// either are kept. All functions throw DatabaseError; those that change belong into a transaction.
+/// Accesses the tables of estimates and alarms. Each table keeps the newest `most` rows of each machine. All functions
+/// throw DatabaseError. Functions that change a table must run inside a transaction.
 class History {
 public:
     static const char* const schema;
 
-    /// REQUIRES: the database outlives it and has the tables.
+    /// REQUIRES: the database outlives this object and has the tables.
     History(store::Database& database, std::uint64_t most);
 
-    /// Reads every row, and gives the sum of their checksums. Throws std::runtime_error naming one whose is wrong.
+    /// Reads every row and returns the sum of their checksums. Throws std::runtime_error, naming the first row with a
+    /// wrong checksum.
     std::uint64_t check() { return estimates_.check() + alarms_.check(); }
 
     void keep(const KeptEstimate& estimate) { estimates_.keep(estimate); }
     void keep(const KeptAlarm& alarm) { alarms_.keep(alarm); }
-    /// The newest row of the same machine, kind and links gets these times.
+    /// Replaces the times in the newest row of the same machine, kind and links.
     void change(const KeptAlarm& alarm);
     void reconcile(const OpenAlarms& open);
     void forget(const std::string& machine);
 
-    /// Of one machine, the newest first.
+    /// Returns at most `most` estimates of one machine, newest first.
     std::vector<KeptEstimate> estimates(const std::string& machine, std::uint64_t most) {
         return estimates_.newest(machine, most);
     }
-    /// Likewise; of all machines with "".
+    /// Returns at most `most` alarms, newest first, of one machine, or of all machines if `machine` is "".
     std::vector<KeptAlarm> alarms(const std::string& machine, std::uint64_t most);
-    /// Those not cleared, of all machines, by machine and age.
+    /// Returns the alarms that are not cleared, of all machines, ordered by machine and age.
     std::vector<KeptAlarm> open_alarms();
-    /// Those, and those that have been on the shelf.
+    /// Returns the alarms that are not cleared or were shelved at some time.
     std::vector<KeptAlarm> noted_alarms() { return alarms_.rows(noted_alarms_.bind()); }
 
 private:

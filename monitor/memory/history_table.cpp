@@ -21,7 +21,7 @@ void HistoryText::throw_damaged(std::uint64_t number, const std::string& machine
     throw std::runtime_error(fmt::format("row {} of \"{}\" in its table of {} is damaged", number, machine, name));
 }
 
-// SQLite keeps no negative zero.
+// SQLite does not store a negative zero; adding 0.0 makes it positive.
 std::string HistoryText::exact(const std::optional<double>& number) {
     return number ? fmt::format("{}", *number + 0.0) : "none";
 }

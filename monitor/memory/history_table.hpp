@@ -11,12 +11,12 @@
 
 namespace placedpar::monitor {
 
-/// These functions write what every such table has, whatever its rows are.
+/// The parts of a history table that do not depend on the type of its rows.
 class HistoryText {
 protected:
-    /// The statement of the table with this name, in place of its {}.
+    /// Returns the statement with the table's name in place of {}.
     static std::string of(const std::string& name, const char* statement);
-    /// "?1, ?2" for two.
+    /// Returns `columns` placeholders: "?1, ?2" for 2.
     static std::string places(int columns);
     [[noreturn]] static void throw_damaged(std::uint64_t number, const std::string& machine, const std::string& name);
 
@@ -24,8 +24,8 @@ protected:
     static std::string exact(const std::optional<double>& number);
 };
 
-/// A table of described rows, their machine first. Its columns are the machine, the row's number among those of the
-/// machine, the other members and a checksum over all that. Of each machine the newest `most` rows are kept.
+/// A table of described structs whose first member is the machine. Its columns are the machine, the row's number within
+/// the machine, the other members and a checksum of all these. The table keeps the newest `most` rows of each machine.
 template <typename Row>
 class HistoryTable : HistoryText {
 public:
@@ -44,7 +44,7 @@ public:
         int column = 0;
         for_each_member(row, [&](const std::string&, auto& member) {
             read(found, column, member);
-            column += column == 0 ? 2 : 1; // but for the number
+            column += column == 0 ? 2 : 1; // skips the row's number
         });
         return row;
     }
@@ -55,7 +55,8 @@ public:
         return rows;
     }
 
-    /// Reads every row, and gives the sum of their checksums. Throws std::runtime_error naming one whose is wrong.
+    /// Reads every row and returns the sum of their checksums. Throws std::runtime_error, naming the first row with a
+    /// wrong checksum.
     std::uint64_t check() {
         std::uint64_t sum = 0;
         for (all_.bind(); all_.step();) {

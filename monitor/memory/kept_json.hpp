@@ -17,13 +17,13 @@
 
 namespace placedpar::monitor {
 
-/// What is wrong in a kept value, and in which member: "tracks.2.sums.readings".
+/// Reports an error in a stored value and the path of the wrong member, such as "tracks.2.sums.readings".
 struct NotWhole : std::runtime_error {
     NotWhole(std::string where, const std::string& what) : std::runtime_error(what), path(std::move(where)) {}
     std::string path;
 };
 
-/// How many doubles a T consists of, if always as many and nothing else; 0 otherwise.
+/// Returns the number of doubles in a T that consists of doubles only, in a fixed number; otherwise 0.
 template <typename T>
 constexpr std::size_t doubles_in() {
     if constexpr (std::same_as<T, double>)
@@ -54,9 +54,9 @@ void for_each_double(T& value, Use& use) {
         for_each_member(value, [&](const std::string&, auto& member) { for_each_double(member, use); });
 }
 
-/// Values as JSON that is read back to the same bits, by their descriptions (Boost.Describe): a struct is an object
-/// with all its members by their names, a class that is its state is that. What consists of doubles alone, and a list
-/// of that, is one text (exact_text.hpp).
+/// Converts values to JSON and back to the same bits, by their descriptions (Boost.Describe). A struct becomes an
+/// object with a field for each member; a class with a state() becomes its state. A value or a list that consists of
+/// doubles only becomes one text (exact_text.hpp).
 struct KeptJson {
     template <typename T>
     static boost::json::value write(const T& value) {
@@ -90,7 +90,7 @@ struct KeptJson {
         return object;
     }
 
-    /// Throws NotWhole, or another exception where all of the value is wrong.
+    /// Throws NotWhole, which names the member, or another exception if the value as a whole is wrong.
     template <typename T>
     static void read(T& value, const boost::json::value& json) {
         if constexpr (std::same_as<T, bool>)
@@ -137,7 +137,7 @@ struct KeptJson {
 
 private:
     static std::string text_in(const boost::json::value& json) { return std::string(json.as_string()); }
-    /// What read() throws is of the member `name`.
+    /// Calls read() and adds `name` to the path of what it throws.
     template <typename Read>
     static void at_member(const std::string& name, Read read) {
         try {
@@ -206,7 +206,7 @@ private:
         require_count(json.size(), "members", count);
     }
     static hydraulics::LinkSet links_in(std::string_view words);
-    /// Throws where it is another number than is expected of this.
+    /// Throws unless `found` equals `expected`; `what` names the things counted.
     static void require_count(std::size_t found, const char* what, std::size_t expected);
     [[noreturn]] static void throw_no_name(const std::string& text);
 };

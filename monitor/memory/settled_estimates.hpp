@@ -7,18 +7,18 @@
 
 namespace placedpar::monitor {
 
-/// Which estimates of a diagnosis are settled: what to compare with after the next message.
+/// Remembers which estimates of a diagnosis are settled, for comparison after the next message.
 class SettledEstimates {
 public:
     explicit SettledEstimates(const identification::Diagnosis& diagnosis);
 
-    /// The estimates that were settled and whose transients have ended since, with their standard errors.
+    /// Returns the estimates, with standard errors, that were settled and whose transients have ended since.
     std::vector<KeptEstimate> ended(const identification::Diagnosis& diagnosis, double at) const;
 
 private:
     struct SettledLink {
         hydraulics::LinkSet set;
-        std::size_t link; ///< its place in the set
+        std::size_t link; ///< index of the link in the set
     };
     std::vector<SettledLink> settled_;
 };

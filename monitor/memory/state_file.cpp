@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Damage of what SQLite itself has no checksums for.
+/// Reports damage that SQLite, which has no checksums, cannot find.
 [[noreturn]] void refuse_damaged(const std::string& what) {
     throw std::runtime_error(fmt::format("it is damaged: {}", what));
 }
@@ -35,7 +35,7 @@ std::uint64_t unsigned_of(std::int64_t number) { return static_cast<std::uint64_
 
 } // namespace
 
-/// Prepared once: most of them run with every sample.
+/// These statements are prepared once, since most of them run with every sample.
 struct StateFile::Statements {
     explicit Statements(store::Database& d)
         : insert_message(d, "INSERT INTO messages VALUES(?1, ?2, ?3, ?4)"),
@@ -53,12 +53,12 @@ StateFile::StateFile(const fs::path& path, const std::string& settings, std::uin
     : given_(path), path_(path), settings_(settings), most_history_(most_history) {
     require_path_of_file(path_);
     if (!fs::exists(path_)) {
-        if (fs::exists(place_aside(path_))) // an earlier start put it there and came no further
+        if (fs::exists(place_aside(path_))) // an earlier start renamed the old file and got no further
             content.said = told_aside(path_);
         create_state_file(path_, settings_);
     }
     lock();
-    path_ = fs::canonical(path_); // SQLite's own file is beside it, not beside a link
+    path_ = fs::canonical(path_); // SQLite puts its own file beside the file, not beside a link
     std::error_code another_owner;
     fs::permissions(path_, fs::perms::owner_read | fs::perms::owner_write, another_owner);
     auto refuse = [&](const std::string& why) {
@@ -89,7 +89,7 @@ void StateFile::lock() {
 }
 
 void StateFile::connect() {
-    database_.emplace(path_, false); // it may have been removed
+    database_.emplace(path_, false); // the file may have been removed
     database_->run("PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; PRAGMA synchronous = EXTRA; "
                    "PRAGMA journal_mode = DELETE");
 }
@@ -107,7 +107,7 @@ void StateFile::open(StateContent& content) {
     content.trouble = trouble_with_writing();
 }
 
-/// Writes one page; SQLite leaves out what would stay as it is.
+/// Returns why the file cannot be written, or "". Writes one page: SQLite would skip a write that changes nothing.
 std::string StateFile::trouble_with_writing() {
     try {
         database_->run("BEGIN IMMEDIATE; UPDATE ledger SET last = last + 1; UPDATE ledger SET last = last - 1; COMMIT");
@@ -131,8 +131,9 @@ void StateFile::require_in_place() const {
         throw store::DatabaseError("it has been removed or replaced", false);
 }
 
-/// Opens it again. When it was removed, a copy takes its place, locked before it has its name: if it is removed once
-/// more meanwhile, the next attempt has all that is needed. What another has put there is left alone.
+/// Opens the file again. If it was removed, a copy takes its place, locked before it gets its name. If the file is
+/// removed once more meanwhile, the next attempt can still succeed. A file that another program has put there is left
+/// alone.
 void StateFile::renew() {
     const bool gone = !fs::exists(fs::symlink_status(given_)) && !fs::exists(path_);
     if (!gone && !lock_->is_at(given_))
@@ -148,7 +149,7 @@ void StateFile::renew() {
         throw store::DatabaseError(known.trouble, false);
 }
 
-/// All that was in the file, but for its name, is there as long as it is locked.
+/// The content of a removed file can still be read while the file is locked.
 void StateFile::put_copy_in_place() {
     fs::path copy = write_state_file(lock_->beginning(lock_->size()), path_);
     auto lock = std::make_unique<store::FileLock>(copy, path_.string(), "placedpar monitor");
@@ -212,7 +213,7 @@ void StateFile::commit(std::span<const Transaction> transactions) {
         renew();
     require_in_place();
     transact(transactions);
-    require_in_place(); // until then what it wrote may have gone
+    require_in_place(); // before this check, a removed file may have taken the new data with it
 }
 
 void StateFile::transact(std::span<const Transaction> transactions) {

@@ -15,45 +15,46 @@
 
 namespace placedpar::monitor {
 
-/// What a state file held when it was opened.
+/// The content of a state file when it was opened.
 struct StateContent {
     std::vector<KeptState> machines;
-    std::vector<KeptMessage> messages; ///< those that are not in them, by number
-    std::uint64_t last_message = 0;    ///< the number of the last one ever kept
-    std::string said;                  ///< what an operator should know of opening it; may be ""
-    std::string trouble;               ///< why it can be read, but not written, as on a full disk; "": it can
+    std::vector<KeptMessage> messages; ///< messages that no state contains yet, by number
+    std::uint64_t last_message = 0;    ///< the number of the last message ever stored
+    std::string said;                  ///< a message for the operator about opening the file; may be ""
+    std::string trouble; ///< why the file can be read but not written, as on a full disk; "" if it can be written
 };
 
-/// The state file: a database of SQLite with the machines' states, the messages that came after them, and the history.
+/// The state file: an SQLite database that holds the machines' states, the messages after those states, and the
+/// history.
 ///
-/// 1. What commit() was given is on the disk when it returns, and all of it or nothing after any kill or loss of power:
-///    SQLite's rollback journal, there during a transaction only, sees to that.
-/// 2. Every row has a checksum over all that it holds. The ledger, a single row, says which messages there are, and
-///    what the checksums of all other rows come to. So a file that is damaged or cut is refused, and so is one whose
-///    journal was when a kill had left one, unless nothing is stored where the damage is.
-///    A file that is removed or replaced is noticed before commit() returns, which throws then.
-/// 3. It is locked: one program at a time.
-/// 4. One thread at a time.
+/// 1. When commit() returns, its transactions are on the disk. After a kill or a loss of power, the file has all of
+///    them or none. SQLite's rollback journal, which exists during a transaction only, guarantees this.
+/// 2. Every row has a checksum of its values. A single row, the ledger, records which messages there are and the sum of
+///    all other rows' checksums. A damaged or truncated file is therefore refused, unless the damage lies where no data
+///    is stored. So is a file whose rollback journal was damaged after a kill. commit() throws if the file was removed
+///    or replaced before it returns.
+/// 3. The file is locked: only one program can open it at a time.
+/// 4. Only one thread may use an object at a time.
 class StateFile {
 public:
-    /// Makes the file when there is none; else checks it, row by row, and gives what is in it. One of an earlier
-    /// version is put aside. `settings` are what its states depend on. Throws UserError, naming the file, saying what
-    /// is wrong and what to do.
+    /// Opens the file, checks every row and reads its content, or creates the file if there is none. A file of an
+    /// earlier version is renamed. `settings` are the options that the states depend on. Throws UserError, which names
+    /// the file, the error and the remedy.
     StateFile(const std::filesystem::path& path, const std::string& settings, std::uint64_t most_history,
               StateContent& content);
     ~StateFile();
 
-    /// In one transaction. Throws UserError, DatabaseError too, when what it was given may be lost; then, and after a
-    /// trouble with opening, the next parcel that is committed must be one that begins all anew, with which a file that
-    /// was removed is made again, its history included.
+    /// Writes all transactions in one SQLite transaction. Throws UserError (DatabaseError is one) if they may be lost.
+    /// After that, or if StateContent::trouble was not empty, the next transaction must have `all_anew_at`. It also
+    /// recreates a file that was removed, with its history.
     void commit(std::span<const Transaction> transactions);
-    /// Throws DatabaseError when there is none: the file could not be made again.
+    /// Throws DatabaseError if the file is not open because it could not be recreated.
     History& history();
 
 private:
     struct Statements;
 
-    /// Messages trimmed + 1 to last are there.
+    /// The messages trimmed + 1 to last are stored.
     struct Ledger {
         std::uint64_t trimmed = 0, last = 0;
     };
@@ -66,7 +67,8 @@ private:
     void put_copy_in_place();
     void require_in_place() const;
     void transact(std::span<const Transaction> transactions);
-    /// Gives the sum of the other rows' checksums, by the ledger; read_machines() gives that of its rows.
+    /// Returns the sum of the other rows' checksums that the ledger records; read_machines() returns the sum for its
+    /// rows.
     std::uint64_t read_ledger();
     std::uint64_t read_machines(StateContent& content);
     void read_messages(StateContent& content);
@@ -83,7 +85,7 @@ private:
     void keep(const ChangedAlarm& change) { history_->change(change.alarm); }
     void keep(const OpenAlarms& open) { history_->reconcile(open); }
 
-    std::filesystem::path given_, path_; ///< which may be a link, and what it leads to
+    std::filesystem::path given_, path_; ///< the path as given, which may be a link, and the path that it leads to
     std::string settings_;
     std::uint64_t most_history_;
     std::unique_ptr<store::FileLock> lock_;

@@ -25,7 +25,8 @@ namespace {
 
 constexpr std::uint32_t application_id = 0x50506d6f; // "PPmo"
 
-/// Keeps the ledger's sum of the table's checksums, of 62 bits, which never overflows.
+/// Returns the triggers that keep the ledger's sum of the table's checksums up to date. The sum has 62 bits, so adding
+/// to it never overflows.
 std::string triggers(const char* table) {
     constexpr const char* trigger = "CREATE TRIGGER {0}_{1} AFTER {2} ON {0} BEGIN "
                                     "UPDATE ledger SET sum = sum{3} & {4}; END;";
@@ -38,7 +39,7 @@ std::string triggers(const char* table) {
            fmt::format(fmt::runtime(trigger), table, "deleted", "DELETE", less, sum_mask);
 }
 
-/// The settings stand in the ledger, since a change of any makes what is known useless.
+/// The ledger contains the settings, since a change of any of them makes the stored states useless.
 std::string schema() {
     return std::string("CREATE TABLE ledger(id INTEGER PRIMARY KEY CHECK(id = 1), settings TEXT NOT NULL, "
                        "trimmed INTEGER NOT NULL, last INTEGER NOT NULL, sum INTEGER NOT NULL, "
@@ -50,7 +51,7 @@ std::string schema() {
            History::schema + triggers("machines") + triggers("estimates") + triggers("alarms");
 }
 
-/// Brings a file, or a folder's names, to the disk itself.
+/// Writes a file, or the names in a directory, through to the disk.
 void sync_path(const fs::path& path) {
     int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0 || ::fsync(file) != 0) {
@@ -62,7 +63,7 @@ void sync_path(const fs::path& path) {
     ::close(file);
 }
 
-/// 32 bits of SQLite's header, https://www.sqlite.org/fileformat2.html, section 1.3.
+/// Reads a 32-bit field of SQLite's header (https://www.sqlite.org/fileformat2.html, section 1.3).
 std::uint32_t header_word(std::string_view header, std::size_t at) {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < 4; ++i)
@@ -70,7 +71,7 @@ std::uint32_t header_word(std::string_view header, std::size_t at) {
     return value;
 }
 
-/// An empty file for SQLite, which gives its own files beside it the same permissions, whatever the umask is.
+/// Creates an empty file for SQLite. SQLite gives its own files beside it the same permissions, whatever the umask is.
 fs::path begin_file(const fs::path& path) {
     fs::path made = path;
     made += fmt::format(".new-{}", ::getpid());
@@ -116,7 +117,7 @@ void require_path_of_file(const fs::path& path) {
         throw UserError(fmt::format("{}: it is a symbolic link to a file that is not there; put that back, or remove "
                                     "the link",
                                     path.string()));
-    for (const char* part : {"-journal", "-wal"}) // of this version, and of one before
+    for (const char* part : {"-journal", "-wal"}) // of this version and of an earlier one
         if (fs::exists(path.string() + part))
             throw UserError(fmt::format("{0}: it is not there, and what was written to it last is: {0}{1}; put it "
                                         "back, or move that away, too, and begin with nothing known",
@@ -182,7 +183,7 @@ std::string put_aside(const fs::path& path) {
         throw OtherFile(
             fmt::format("it is of version {}, and so is {}: move one of them away", earlier_file_version, aside));
     for (const char* part :
-         {"-wal", "-shm", "-mark", "-journal", ""}) // the file itself last: what is beside it belongs to it
+         {"-wal", "-shm", "-mark", "-journal", ""}) // the file itself is last, because the files beside it belong to it
         if (fs::exists(path.string() + part))
             fs::rename(path.string() + part, aside + part);
     return told_aside(path);

@@ -10,45 +10,47 @@
 
 namespace placedpar::monitor {
 
-/// A whole file, but another's, of another version or of other settings: what() says what to do.
+/// Reports an undamaged file that belongs to another program, version or settings; what() names the remedy.
 class OtherFile : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// Makes an empty state file, whole: it takes the name when it is on the disk. Throws UserError. `settings` are kept in
-/// it.
+/// Creates an empty state file that stores `settings`. The file gets its name only when its content is on the disk.
+/// Throws UserError.
 void create_state_file(const std::filesystem::path& path, const std::string& settings);
 
-/// Makes a state file of all the bytes of one, which has its path with a suffix until it is published; gives its path.
-/// This and publish() throw UserError.
+/// Writes `bytes` to a new file, whose name is `path` with a suffix until publish() renames it, and returns that name.
+/// This function and publish() throw UserError.
 std::filesystem::path write_state_file(const std::string& bytes, const std::filesystem::path& path);
-/// Gives the file its name, on the disk, unless another has come to have it meanwhile.
+/// Renames `made` to `path` on the disk, unless another file has taken that name meanwhile.
 void publish(const std::filesystem::path& made, const std::filesystem::path& path);
 
-/// Throws UserError when the path cannot be that of a state file: a folder, a device, one whose parts are left over.
+/// Throws UserError if the path cannot be that of a state file: a directory, a device, or a missing file whose journal
+/// is still there.
 void require_path_of_file(const std::filesystem::path& path);
 
-/// No flipped bit makes one of the other.
+/// The two versions differ in more than one bit, so that no flipped bit turns one into the other.
 inline constexpr std::uint32_t file_version = 4, earlier_file_version = 2;
 
-/// Is this a state file of ours, by its first bytes? Gives its version, one of these two. Throws OtherFile, or
-/// std::runtime_error.
+/// Returns the version of a state file, one of the two above, by its first bytes. Throws OtherFile if it is another
+/// program's file or of another version, or std::runtime_error if it is not a state file.
 std::uint32_t require_identity(const store::FileLock& file);
 
-/// Gives a file of the earlier version, with those beside it, another name; tells the operator which.
+/// Renames a file of the earlier version and the files beside it. Returns a message that tells the operator the new
+/// name.
 std::string put_aside(const std::filesystem::path& path);
-/// Returns where put_aside() puts it.
+/// Returns the name that put_aside() gives to the file.
 std::string place_aside(const std::filesystem::path& path);
-/// Returns what put_aside() does.
+/// Returns the message that put_aside() returns.
 std::string told_aside(const std::filesystem::path& path);
 
-/// The ledger's sum of the other rows' checksums, but for messages', is of so many bits. A sum, since two rows that
-/// change alike would leave an exclusive or as it was.
+/// Limits the ledger's checksum sum to 62 bits. The ledger keeps a sum because an exclusive or would not notice two
+/// rows that change alike. Messages are not part of the sum.
 inline constexpr std::uint64_t sum_mask = (std::uint64_t{1} << 62) - 1;
 std::int64_t ledger_checksum(const std::string& settings, std::uint64_t trimmed, std::uint64_t last, std::uint64_t sum);
 
-/// Throws std::runtime_error when SQLite finds damage, or the tables are not ours.
+/// Throws std::runtime_error if SQLite finds damage or the tables are not those of a state file.
 void require_integrity(store::Database& database);
 
 } // namespace placedpar::monitor

@@ -19,10 +19,10 @@ namespace json = boost::json;
 
 namespace {
 
-/// With one message no more machines than these go into states: nobody should wait long.
+/// Limits the machines saved as states after one message, so that no client waits long.
 constexpr int states_at_once = 4;
 
-/// The settings that the populations of the state file, or its messages taken again, depend on.
+/// Returns the settings on which the stored states, and messages processed again, depend.
 std::string settings_text(const Diagnoses& diagnoses) {
     const DiagnosisSettings& s = diagnoses.settings();
     return fmt::format("--seed {} --population {} --bits {} --window {} --trials {} --gate {}", diagnoses.seed(),
@@ -30,7 +30,8 @@ std::string settings_text(const Diagnoses& diagnoses) {
                        s.gate.slope_psi_per_s);
 }
 
-/// For each machine the last message that need not be taken again: it is in the state, or was before it was forgotten.
+/// Returns, for each machine, the last message that need not be processed again: the state contains it, or the machine
+/// was forgotten after it.
 std::map<std::string, std::uint64_t> taken_already(const StateContent& content) {
     std::map<std::string, std::uint64_t> taken;
     for (const KeptMessage& message : content.messages)
@@ -45,8 +46,8 @@ void replay(Diagnoses& diagnoses, const KeptMessage& message, const fs::path& pa
     try {
         diagnoses.replay(message.machine, message.text);
     } catch (const std::exception& error) {
-        throw UserError(fmt::format("{}: message {} of \"{}\" cannot be taken again: {}", path.string(), message.number,
-                                    message.machine, error.what()));
+        throw UserError(fmt::format("{}: message {} of \"{}\" cannot be processed again: {}", path.string(),
+                                    message.number, message.machine, error.what()));
     }
 }
 
@@ -116,7 +117,7 @@ void StateStore::commit_now(const Transaction& transaction) {
     }
 }
 
-/// What is in the file is known, and served: it is kept again when write_anew() succeeds.
+/// Continues with the content of the file, which is known and served. Storing resumes when write_anew() succeeds.
 void StateStore::fall_back(const std::string& why) {
     trouble_ = fmt::format("{}: cannot be written: {}", path_.string(), why);
     keeping_ = complete_ = false;
@@ -132,7 +133,7 @@ void StateStore::start(std::function<void(WriteProgress)> tell) {
 
 void StateStore::note(const WriteProgress& progress) {
     if (progress.transactions < anew_ticket_)
-        return; // lost or kept, it has been begun anew since
+        return; // everything has been stored again since, so this result no longer matters
     complete_ = progress.trouble.empty();
     if (!complete_)
         keeping_ = false;
@@ -156,7 +157,7 @@ UnwrittenState StateStore::state_of(const Diagnosis& diagnosis) const {
     return {diagnosis.name(), last_message_, std::make_shared<const Diagnosis::State>(diagnosis.state())};
 }
 
-/// With the messages that nobody needs any more then.
+/// Also trims the messages that are no longer needed once this state is stored.
 void StateStore::add_state(Transaction& transaction, const Diagnosis& diagnosis) {
     transaction.entries.push_back(state_of(diagnosis));
     backlog_.drop(diagnosis.name());
@@ -203,7 +204,7 @@ void StateStore::finish() {
     writer_.reset();
     file_.reset();
     if (!trouble.empty())
-        throw UserError(fmt::format("{}: what was known last cannot be written: {}", path_.string(), trouble));
+        throw UserError(fmt::format("{}: the latest state cannot be written: {}", path_.string(), trouble));
 }
 
 } // namespace placedpar::monitor

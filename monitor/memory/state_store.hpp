@@ -21,60 +21,62 @@ namespace placedpar::monitor {
 
 class Diagnoses; // monitor/memory/diagnoses.hpp
 
-/// Keeps what is known of all machines over a restart: in a state file, of each machine a state and the messages that
-/// it has taken since. A diagnosis is a function of its messages: taking them again gives the same one to the bit.
+/// Keeps all diagnoses across a restart. The state file holds a state of each machine and the messages that the machine
+/// has accepted since. A diagnosis is a function of its messages, so processing them again restores it bit by bit.
 ///
-/// 1. What is to be kept is given to a thread that writes; each function that does so gives a ticket. When all up to
-///    that is on the disk, or lost, `tell` is called.
-/// 2. What was lost leaves a hole: nothing is kept any more until write_anew() has begun again with all states.
+/// 1. A separate thread writes the file. Each function that stores something returns a ticket. `tell` is called when
+///    everything up to a ticket is on the disk or lost.
+/// 2. After a loss nothing is stored until write_anew() has stored all states again.
 /// 3. All functions are called from one thread.
 class StateStore {
 public:
-    /// A longer backlog goes into states, the oldest first: a restart would have to do it all again.
+    /// Limits the backlog, since a restart must process it again. When it is longer, the machines with the oldest
+    /// messages are saved as states.
     static constexpr std::size_t most_backlog_bytes = 8u << 20;
-    static constexpr std::uint64_t most_backlog_generations = 100000; ///< one to five seconds of work
+    static constexpr std::uint64_t most_backlog_generations = 100000; ///< 1 to 5 s of work
 
-    /// Opens the file and restores what is in it. Throws UserError naming the file when it cannot be used.
+    /// Opens the file and restores its content. Throws UserError, naming the file, if the file cannot be used.
     StateStore(const std::filesystem::path& path, Diagnoses& diagnoses, std::uint64_t most_history);
     ~StateStore();
 
-    /// Why what is known cannot be kept from the beginning on, as on a full disk; empty: it can.
+    /// Returns why the file cannot be written from the start, as on a full disk; "" if it can.
     const std::string& trouble() const { return trouble_; }
-    /// A sentence for people; empty when there was nothing.
+    /// Returns a message for the operator about opening the file; "" if there is none.
     const std::string& said() const { return said_; }
-    /// Those that had not been cleared, or were put on the shelf.
+    /// Returns the alarms that were not cleared or were shelved.
     const std::vector<KeptAlarm>& noted_alarms() const { return noted_alarms_; }
 
-    /// From now on, after each transaction, in the thread that writes. To be called once, before anything is kept.
+    /// Calls `tell` from now on after each transaction, in the writer's thread. Must be called once, before anything is
+    /// stored.
     void start(std::function<void(WriteProgress)> tell);
-    /// To be called with what `tell` was given, in the thread of the others.
+    /// Processes what `tell` received. Must be called in the thread that calls the other functions.
     void note(const WriteProgress& progress);
 
-    /// A message that the machine has taken, which cost so many generations, and what it added to the history.
+    /// Stores a message that the machine has accepted, the number of generations that it took, and its additions to the
+    /// history.
     std::uint64_t record(const std::string& machine, std::string_view message, std::size_t generations,
                          std::vector<Entry> history);
-    /// The machine as it is now.
+    /// Stores the present state of a machine.
     std::uint64_t save(const identification::Diagnosis& diagnosis);
     std::uint64_t forget(const std::string& machine);
-    /// Something about the history alone.
+    /// Stores a change of the history alone.
     std::uint64_t change_history(Entry entry);
-    /// Keeps the states of some machines whose messages are the oldest while the backlog is too long.
+    /// Stores the states of a few machines, those with the oldest messages, while the backlog is too long.
     void relieve();
 
-    /// Would a restart give all that has been kept, or is on its way to the disk?
+    /// Returns whether everything is on the disk or on its way there, so that a restart would restore it.
     bool complete() const { return complete_; }
-    /// Keeps all states: the next start has nothing to take again, and what was lost is made good. `open_alarms` are
-    /// those that hold now.
+    /// Stores all states, which empties the backlog and makes up for any loss. `open_alarms` are the active alarms.
     void write_anew(std::vector<KeptAlarm> open_alarms, double at);
-    /// Is anything on its way to the disk, after a loss? If not, it is time to begin anew.
+    /// Returns false after a loss when no write is pending; it is then time to call write_anew().
     bool keeping() const { return keeping_; }
-    /// The last ticket given.
+    /// Returns the last ticket given out.
     std::uint64_t last_ticket() const { return last_ticket_; }
 
-    /// Has the history looked into, in the thread that writes. `look` may throw nothing.
+    /// Calls `look` with the state file in the writer's thread. REQUIRES: `look` does not throw.
     void look(std::function<void(StateFile&)> look) { writer_->look(std::move(look)); }
 
-    /// Waits until all is on the disk and closes the file. Throws UserError when some of it was lost.
+    /// Waits until everything is on the disk and closes the file. Throws UserError if something was lost.
     void finish();
 
 private:
@@ -95,7 +97,7 @@ private:
     std::vector<KeptAlarm> noted_alarms_;
     std::uint64_t last_message_ = 0, trimmed_ = 0;
     std::uint64_t last_ticket_ = 0, anew_ticket_ = 0;
-    bool keeping_ = true; ///< what comes is put; false after a loss, until write_anew()
+    bool keeping_ = true; ///< whether new entries are stored; false from a loss until write_anew()
     bool complete_ = true;
 };
 

@@ -59,7 +59,7 @@ void Writer::run() {
     }
 }
 
-/// Waits for it; nothing when it is time to stop.
+/// Waits for work. Returns no work when it is time to stop.
 Writer::Work Writer::next() {
     std::unique_lock lock(mutex_);
     came_.wait(lock, [this] { return stop_ || !waiting_.transactions.empty() || !waiting_.looks.empty(); });
@@ -69,7 +69,7 @@ Writer::Work Writer::next() {
     return work;
 }
 
-/// Gives the trouble.
+/// Returns the error, or "".
 std::string Writer::commit(std::vector<Transaction> transactions) {
     std::span<const Transaction> left = transactions;
     if (broken_) {

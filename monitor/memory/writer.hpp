@@ -12,32 +12,32 @@
 
 namespace placedpar::monitor {
 
-/// How far the writer has come.
+/// Reports the progress of the writer.
 struct WriteProgress {
-    std::uint64_t transactions = 0; ///< so many, from the first, have been committed or were lost
-    std::string trouble;            ///< why some were lost; "": none were
+    std::uint64_t transactions = 0; ///< number of transactions committed or lost so far
+    std::string trouble;            ///< why some of them were lost; "" if none were
 };
 
-/// Writes parcels to a state file in a thread of its own: all that have come while one transaction went to the disk go
-/// into the next.
+/// Writes transactions to a state file in its own thread. Transactions that arrive during one commit are committed
+/// together in the next.
 ///
-/// 1. Units are committed in the order of put().
-/// 2. When a transaction fails, its parcels are lost, and so are all that follow, until one that begins all anew.
-/// 3. put(), look() and wait() are called from one thread, which is not the writer's.
+/// 1. Transactions are committed in the order of put().
+/// 2. When a commit fails, its transactions are lost, and so are all later ones up to the next with `all_anew_at`.
+/// 3. put(), look() and wait() are called from one thread other than the writer's.
 class Writer {
 public:
-    /// `tell` is called in the writer's thread, after each transaction.
+    /// The writer's thread calls `tell` after each commit.
     Writer(StateFile& file, std::function<void(WriteProgress)> tell);
-    /// Writes what was put.
+    /// Writes everything that was put before it ends.
     ~Writer();
     Writer(const Writer&) = delete;
     Writer& operator=(const Writer&) = delete;
 
-    /// Gives its number, from 1.
+    /// Queues a transaction and returns its number, counted from 1.
     std::uint64_t put(Transaction transaction);
-    /// Has the history looked into, in the writer's thread, after what was put before.
+    /// Calls `look` in the writer's thread, after everything that was put before.
     void look(std::function<void(StateFile&)> look);
-    /// Until all that was put has been committed or lost; gives the trouble with the last of it.
+    /// Waits until all transactions put so far are committed or lost. Returns the error of the last commit, or "".
     std::string wait();
 
 private:
@@ -56,11 +56,11 @@ private:
     std::function<void(WriteProgress)> tell_;
     std::mutex mutex_;
     std::condition_variable came_, done_;
-    Work waiting_; ///< guarded by mutex_, as are those below
+    Work waiting_; ///< guarded by mutex_, as are the members down to stop_
     WriteProgress finished_;
     bool busy_ = false, stop_ = false;
-    bool broken_ = false; ///< the writer's own: parcels are lost
-    std::string trouble_; ///< why
+    bool broken_ = false; ///< used by the writer's thread only: transactions are being lost
+    std::string trouble_; ///< the reason for broken_
     std::thread thread_;
 };
 

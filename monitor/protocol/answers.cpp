@@ -19,7 +19,7 @@ namespace json = boost::json;
 
 namespace {
 
-/// Six digits say more than any estimate knows.
+/// Rounds to six digits, more than any estimate is worth.
 double rounded(double value) {
     std::string text = fmt::format("{:.6g}", value);
     double result = value;
@@ -27,7 +27,7 @@ double rounded(double value) {
     return result;
 }
 
-/// To the microsecond; times may count from 1970.
+/// Rounds to 1 us; times may count from 1970.
 json::value time_json(const std::optional<double>& time_s) {
     return time_s ? json::value(std::round(*time_s * 1e6) / 1e6) : json::value(nullptr);
 }
@@ -36,7 +36,7 @@ json::value number(const std::optional<double>& value) {
     return value ? json::value(rounded(*value)) : json::value(nullptr);
 }
 
-/// Of an estimate; null where there is none, or its window does not determine it.
+/// Returns the standard error of an estimate, or null if there is no estimate or its window does not determine one.
 json::value error(const std::optional<double>& of, double standard_error) {
     return of && std::isfinite(standard_error) ? json::value(rounded(standard_error)) : json::value(nullptr);
 }
@@ -100,7 +100,7 @@ json::object verdict_json(const LinkVerdict& link) {
         return rounded(unit * verdict.deviation.standard_error(way));
     };
     const WayUnits& units = link.units;
-    // Areas that are read themselves have none.
+    // Directly measured areas have no offset.
     const bool knows_offset = verdict.deviation.by[index_of(FaultHypothesis::offset)] != 0;
     return {{"verdict", name_of(verdict.kind)},
             {"probability", rounded(verdict.probability)},

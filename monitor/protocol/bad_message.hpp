@@ -9,19 +9,19 @@
 
 namespace placedpar::monitor {
 
-/// A line that is refused, in the words of the protocol; what() says what is wrong.
+/// Reports a refused line in terms of the protocol; what() states the error.
 class BadMessage : public UserError {
 public:
     BadMessage(std::string field, const std::string& wrong, std::string right, std::optional<std::size_t> column = {})
         : UserError(wrong), field_(std::move(field)), right_(std::move(right)), column_(column) {}
-    /// A sample that could be read, but not taken.
+    /// Reports a sample that was read but cannot be accepted.
     explicit BadMessage(const identification::RefusedSample& refused);
 
-    /// "links.BO.inlet_psi"; empty when the line is no JSON object.
+    /// Returns the path of the field, such as "links.BO.inlet_psi"; empty if the line is not a JSON object.
     const std::string& field() const { return field_; }
-    /// What would be right.
+    /// Returns what would be accepted.
     const std::string& right() const { return right_; }
-    /// From 1; of lines that are no JSON.
+    /// Returns the column, counted from 1, at which the line stops being JSON.
     std::optional<std::size_t> column() const { return column_; }
 
 private:

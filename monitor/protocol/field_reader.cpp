@@ -17,7 +17,7 @@ std::string in_words(const Range& range) {
     return fmt::format("a number from {} to {}{}{}", range.least, range.greatest, *range.unit ? " " : "", range.unit);
 }
 
-/// The value as JSON, cut short for a message.
+/// Returns the value as JSON, shortened for a message.
 std::string quote(const boost::json::value& value) {
     std::string text = boost::json::serialize(value);
     return text.size() <= 40 ? text : text.substr(0, 37) + "...";

@@ -10,14 +10,14 @@
 
 namespace placedpar::monitor {
 
-/// The range of a number, ends included.
+/// The range of a number, both ends included.
 struct Range {
     double least, greatest;
     const char* unit; ///< may be ""
 };
 
-/// Reads the fields of a JSON object and remembers which it was asked for: finish() refuses any other field, which is
-/// most likely misspelt. Every function throws BadMessage naming the field by its path.
+/// Reads the fields of a JSON object and remembers which names were requested. finish() refuses any other field, which
+/// is most likely misspelt. Every function throws BadMessage, naming the field by its path.
 class FieldReader {
 public:
     FieldReader(const boost::json::object& object, std::string path) : object_(object), path_(std::move(path)) {}
@@ -29,14 +29,14 @@ public:
     std::string text_or(std::string_view name, std::string otherwise);
     bool flag_or(std::string_view name, bool otherwise);
     const boost::json::array& array(std::string_view name);
-    /// A reader of the object in this field.
+    /// Returns a reader of the object in this field.
     FieldReader object(std::string_view name);
 
-    /// All names, in the order of the line.
+    /// Returns all names, in the order of the line.
     std::vector<std::string> names() const;
-    /// Throws when the object has a field that was never asked for.
+    /// Throws if the object has a field that no call has requested.
     void finish() const;
-    /// The path of a field.
+    /// Returns the path of a field.
     std::string path_of(std::string_view name) const;
 
 private:

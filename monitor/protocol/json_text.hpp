@@ -6,9 +6,9 @@
 
 namespace placedpar::monitor {
 
-/// As boost::json::serialize, but numbers as people write them.
+/// Works as boost::json::serialize, but writes numbers as people do: 0.5 instead of 5E-1.
 std::string json_text(const boost::json::value& value);
-/// With a newline.
+/// Returns the text of the object with a newline.
 std::string json_line(const boost::json::object& object);
 
 } // namespace placedpar::monitor

@@ -6,7 +6,7 @@
 
 namespace placedpar::monitor {
 
-/// As an alarm's links are kept: "BU BO".
+/// Returns the links as stored alarms name them: "BU BO".
 inline std::string words_of(hydraulics::LinkSet links) {
     std::string words;
     for (hydraulics::Link link : identification::links_of(links))

@@ -18,7 +18,7 @@ using namespace identification;
 
 namespace {
 
-// Wide enough for any excavator, narrow enough to catch a wrong unit.
+// These ranges are wide enough for any excavator and narrow enough to catch a wrong unit.
 constexpr Range pressures{-20, 10000, "psi"}, angles{-36000, 36000, "deg"}, spools{0, 10, "in"}, voltages{0, 10, "V"},
     areas{0, 10, "in^2"}, times{-1e12, 1e12, "s"}, compliances{1e-6, 0.1, "in^3/psi"}, periods{0.0001, 0.1, "s"},
     pistons{0.1, 1e6, "in^3/rad"}, lags{0.1, 1000, "1/s"}, up_to_a_day{0, 86400, "s"};
@@ -29,7 +29,7 @@ Link link_of(const std::string& name, const std::string& path) {
     throw BadMessage(path, fmt::format("unknown link \"{}\"", name), "one of BU, BO, ST, SW");
 }
 
-/// Calls read(link, reader of the object "links", the link's name in it) for each link of the object.
+/// Calls read(link, fields, name) for each link in the object "links"; `name` is the link's field in `fields`.
 template <typename Read>
 void for_each_link(FieldReader& message, Read read) {
     FieldReader links = message.object("links");
@@ -71,7 +71,7 @@ ExcavatorParameters machine_parameters(FieldReader& fields) {
     parameters.period_s = fields.number_or("period_s", periods, parameters.period_s);
     if (fields.has("flow")) {
         FieldReader flow = fields.object("flow");
-        // All three or none: k, Q and P_e were fitted together.
+        // All three or none must be given, since k, Q and P_e were fitted together.
         parameters.flow = {flow.number("orifice_in3_per_s_in2_sqrt_psi", {1, 1000, ""}),
                            flow.number("pump_in3_per_s", {1, 10000, "in^3/s"}),
                            flow.number("tank_psi", {-20, 500, "psi"}), parameters.flow.relief_psi};
@@ -127,7 +127,7 @@ Reading reading(FieldReader& fields) {
          bypass = fields.has("bypass_in2");
     if (spool + servo + (inlet || bypass) != 1)
         throw BadMessage(fields.path_of("spool_in"),
-                         spool + servo + (inlet || bypass) == 0 ? "nothing is said of the valve"
+                         spool + servo + (inlet || bypass) == 0 ? "the position of the valve is missing"
                                                                 : "the valve is described twice",
                          "one of spool_in, servo_V, or inlet_in2 with bypass_in2");
     if (spool)

@@ -10,46 +10,47 @@
 
 namespace placedpar::monitor {
 
-/// What a control system may say to the monitor, one JSON object a line; docs/guides/monitor.md is the description.
-/// What it says of its excavator becomes the plain types of identification/on_line/inputs.hpp. "Machine" is the
-/// protocol's word for an excavator under diagnosis.
+/// These types are the messages that a control system may send, one JSON object a line (docs/guides/monitor.md). Parts
+/// about its excavator become the plain types of identification/on_line/inputs.hpp. "Machine" is the protocol's word
+/// for an excavator under diagnosis.
 
 inline constexpr int protocol_version = 1;
 
 enum class Role : unsigned char { control, watch };
-/// Which estimates a connection wants to be sent: after each sample, after those that moved one, or none.
+/// Selects the samples after which a connection gets estimates: all, those that moved an estimate, or none.
 enum class Answers : unsigned char { all, moved, none };
 
 struct Hello {
     std::string machine; ///< its name
     Role role = Role::control;
     Answers answers = Answers::all;
-    double load_every_s = 0; ///< 0: when asked only
-    bool anew = false;       ///< forget what is known of this machine
+    double load_every_s = 0; ///< period of load reports; 0: only on request
+    bool anew = false;       ///< forget everything known of this machine first
     std::string token;       ///< "": none
     identification::ExcavatorParameters parameters;
 };
 
 struct StatusRequest {};
-/// All alarms that hold, of all machines.
+/// Requests all active alarms of all machines.
 struct AlarmsRequest {};
-/// In place of that of a hello, for who says none.
+/// Authenticates a connection that sends no hello.
 struct TokenOffer {
     std::string token;
 };
-/// Nothing shall be known of the machine any more.
+/// Forgets everything known of the machine.
 struct Forget {
     std::string machine;
 };
-/// An alarm that holds.
+/// Names an active alarm.
 struct AlarmName {
     std::string machine, kind, links; ///< links as "BU BO"
 };
-/// Somebody has seen the alarm.
+/// States that an operator has seen the alarm.
 struct Acknowledge {
     AlarmName alarm;
 };
-/// For so long nobody is told of the alarm, come, go and come again as it may; 0: from now on everybody is.
+/// Suppresses notifications of the alarm for `for_s` seconds, however often it is raised or cleared; 0 ends the
+/// suppression.
 struct Shelve {
     AlarmName alarm;
     double for_s;

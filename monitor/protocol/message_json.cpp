@@ -24,8 +24,8 @@ namespace json = boost::json;
 constexpr const char *beyond_numbers = "it is beyond the range of numbers",
                      *within_numbers = "a number from -1.7e308 to 1.7e308";
 
-/// A handler of boost::json::basic_parser that builds the value, as boost::json::parser does, and looks at the keys:
-/// that one would silently keep the last of two.
+/// A handler of boost::json::basic_parser that builds the value as boost::json::parser does, and also checks the keys:
+/// that parser would silently keep the last of two equal keys.
 class Builder {
 public:
     static constexpr std::size_t max_object_size = SIZE_MAX, max_array_size = SIZE_MAX, max_key_size = SIZE_MAX,
@@ -35,7 +35,7 @@ public:
 
     Builder() { stack_.reset(); }
 
-    std::optional<BadMessage> wrong; ///< the first thing that is, though it can be parsed
+    std::optional<BadMessage> wrong; ///< the first error in a line that can be parsed
     json::value release() { return stack_.release(); }
 
     bool on_object_begin(Error&) {
@@ -102,7 +102,7 @@ public:
     bool on_comment_part(Text, Error&) { return true; }
     bool on_comment(Text, Error&) { return true; }
 
-    /// "links.BO.inlet_psi": where it is.
+    /// Returns the path of the present field, such as "links.BO.inlet_psi".
     std::string path() const {
         std::string path;
         for (const Object& object : objects_)
@@ -118,10 +118,10 @@ private:
 
     json::value_stack stack_;
     std::vector<Object> objects_; ///< the outermost first
-    std::string key_;             ///< its parts so far
+    std::string key_;             ///< the parts of the key so far
 };
 
-/// Every message is two or three objects deep.
+/// Limits the depth of objects; every message is two or three deep.
 constexpr std::size_t deepest = 8;
 
 } // namespace

@@ -6,9 +6,9 @@
 
 namespace placedpar::monitor {
 
-/// The object in a line, read once. Throws BadMessage, with the column, when it is not JSON, no object or deeper than
-/// any message, and with the path, such as "links.BO.inlet_psi", when a field stands twice in one object or
-/// a number is too great.
+/// Parses the object in a line. Throws BadMessage with the column if the line is not JSON, is not an object, or is
+/// nested deeper than any message. Throws BadMessage with the path, such as "links.BO.inlet_psi", if an object has a
+/// field twice or a number is out of range.
 boost::json::value read_message_json(std::string_view line);
 
 } // namespace placedpar::monitor

@@ -10,7 +10,7 @@
 namespace placedpar::monitor {
 
 boost::json::array alarms_json(const std::vector<KeptAlarm>& alarms);
-/// The answer to "alarms".
+/// Returns the answer to the message "alarms".
 std::string alarms_line(const std::vector<KeptAlarm>& alarms);
 
 } // namespace placedpar::monitor

@@ -11,31 +11,31 @@
 
 namespace placedpar::monitor {
 
-/// A program that is connected, as the dispatcher sees it: without its socket.
+/// A connected program as the dispatcher sees it, without its socket.
 class Client {
 public:
     virtual ~Client() = default;
     virtual void send(std::string_view line) = 0;
-    /// Sends what is waiting and closes.
+    /// Sends what is waiting, then closes the connection.
     virtual void finish() = 0;
-    /// It has said what it is: the time limit on that is over.
+    /// Ends the time limit for the first message, because the client has said what it is.
     virtual void greeted() = 0;
     virtual bool finishing() const = 0;
-    /// Lines received from it, the present one included.
+    /// Returns the number of lines received from the client, including the present one.
     virtual std::size_t lines() const = 0;
     virtual std::size_t queued_bytes() const = 0;
-    /// So many more, or fewer, of its bytes wait for the disk: they count as queued.
+    /// Adds `bytes`, which may be negative, to the bytes that wait for the disk and count as queued.
     virtual void hold(std::ptrdiff_t bytes) = 0;
 
     Caller caller;
-    bool trusted = false;                            ///< it knows the token, or there is none
-    std::optional<Hello> hello;                      ///< the one it said
-    std::chrono::steady_clock::time_point last_load; ///< when it was sent the load
-    bool leaving = false;                            ///< it is about to be closed: takes no more lines
-    std::chrono::steady_clock::time_point heard;     ///< when its last line came
-    bool has_samples = false;                        ///< some of it were accepted
-    bool keeps_place = false;                        ///< for a machine that is known: no newcomer takes its place
-    bool told_kept = true;                           ///< the last it was told of whether what is known is kept
+    bool trusted = false;                            ///< the client has sent the token, or none is required
+    std::optional<Hello> hello;                      ///< the hello that it sent
+    std::chrono::steady_clock::time_point last_load; ///< when the last load report was sent to it
+    bool leaving = false;                            ///< it is about to be closed and sends no more lines
+    std::chrono::steady_clock::time_point heard;     ///< when its last line arrived
+    bool has_samples = false;                        ///< at least one of its samples was accepted
+    bool keeps_place = false;                        ///< it serves a known machine, so no newcomer takes its place
+    bool told_kept = true;                           ///< the last "kept" that it was sent
 };
 
 } // namespace placedpar::monitor

@@ -11,22 +11,23 @@
 
 namespace placedpar::monitor {
 
-/// Who is connected, and to which machine.
+/// Records the connected clients and the machine of each.
 class ClientRegistry {
 public:
     void enter(Client& client);
     void leave(Client& client);
-    /// It has said hello: client.hello. Gives the control system that it takes the place of; null when there is none.
+    /// Registers a client that has said hello (client.hello is set). Returns the control system whose place it takes,
+    /// or null.
     Client* join(Client& client);
 
     const std::set<Client*>& all() const { return clients_; }
-    /// Those that said hello for this machine.
+    /// Returns the clients that have said hello for this machine.
     const std::set<Client*>& of(const std::string& machine) const;
-    /// How many of those are not about to be closed.
+    /// Returns the number of those clients that are not about to be closed.
     std::size_t staying(const std::string& machine) const;
-    /// Null when there is none.
+    /// Returns the machine's control system, or null.
     Client* control_of(const std::string& machine) const;
-    /// Without those that are about to be closed, as are these.
+    /// This function and those() leave out clients that are about to be closed.
     std::size_t size() const;
     std::vector<Client*> those(const std::function<bool(const Client&)>& which) const;
     std::size_t queued_bytes() const;

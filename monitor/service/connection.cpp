@@ -65,7 +65,7 @@ void Connection::next_line() {
     else if (ended_ && !input_.empty())
         hand_on(input_.size()); // the end of the stream ends its last line, too
     else if (ended_ && held_ > 0)
-        held_back_ = true; // until it has been answered
+        held_back_ = true; // waits until the line has been answered
     else if (ended_)
         finish();
     else {
@@ -167,7 +167,7 @@ void Connection::finish() {
 void Connection::go_on_finishing() {
     if (closed_)
         return;
-    // Closing with unread bytes would reset the connection, and the last message could be lost on its way.
+    // Closing with unread bytes would reset the connection, and the last message could be lost.
     if (!ended_ && !reading_)
         read();
     else if (ended_ && waiting_.empty() && writing_.empty())

@@ -14,44 +14,44 @@
 
 namespace placedpar::monitor {
 
-/// One client's connection: lines come in, lines go out, both bounded.
+/// Reads lines from one client and writes lines to it. Both directions are bounded.
 ///
-/// 1. Bytes are read only while no whole line is waiting and little is waiting to be sent or held: TCP holds a flood
-/// back, and
-///    memory stays below line_bytes + queue_bytes and one read.
-/// 2. One line is handed on per turn of the event loop: no client has to wait for another's flood.
-/// 3. All functions are called from the loop's one thread.
+/// 1. Bytes are read only while no whole line is waiting and little output is waiting or held. TCP slows down a client
+///    that sends too much, and memory stays below line_bytes + queue_bytes and one read.
+/// 2. Each turn of the event loop handles one line per connection, so that no client waits for another's flood.
+/// 3. All functions are called from the loop's only thread.
 class Connection : public std::enable_shared_from_this<Connection> {
 public:
     using Socket = boost::asio::generic::stream_protocol::socket;
     using Clock = std::chrono::steady_clock;
 
     struct Handlers {
-        /// A line without its newline. May send and finish.
+        /// Receives a line without its newline. It may call send() and finish().
         std::function<void(Connection&, std::string_view)> line;
-        /// Puts why the connection will be closed into the protocol's words.
+        /// Returns the protocol's error line for the reason why the connection will be closed.
         std::function<std::string(const std::string& wrong, const std::string& right)> refusal;
-        /// No handler is called any more.
+        /// Learns that the connection has closed; no handler is called after it.
         std::function<void(Connection&)> closed;
     };
 
     Connection(Socket socket, const ServiceLimits& limits, Handlers handlers);
 
     void start();
-    /// A line with its newline. A client that lets more than queue_bytes pile up is told so and closed.
+    /// Sends a line, which includes its newline. A client with more than queue_bytes waiting gets an error and is
+    /// closed.
     void send(std::string_view line);
-    /// Sends what is waiting and closes; what still comes in is thrown away.
+    /// Sends what is waiting, then closes. Input that still arrives is discarded.
     void finish();
-    /// Closes the connection if something has taken too long. To be called a few times a second.
+    /// Closes the connection if a time limit has passed. Must be called a few times a second.
     void tick(Clock::time_point now);
-    /// So many more, or fewer, bytes count as queued: they wait elsewhere.
+    /// Adds `bytes`, which may be negative, to the bytes that wait elsewhere and count as queued.
     void hold(std::ptrdiff_t bytes);
-    /// It has said what it is: the limit of hello_s is over.
+    /// Ends the time limit hello_s.
     void greeted() { greeted_ = true; }
-    /// At once.
+    /// Closes the connection at once.
     void close();
 
-    /// It takes no more lines, and sends no more.
+    /// Returns whether the connection takes and sends no more lines.
     bool finishing() const { return finishing_ || closed_; }
     std::size_t lines() const { return lines_; }
     std::size_t queued_bytes() const { return waiting_.size() + writing_.size() + held_; }
@@ -70,16 +70,16 @@ private:
     const ServiceLimits& limits_;
     Handlers handlers_;
     std::array<char, 16384> chunk_;
-    std::string input_;        ///< not yet handed on
-    std::size_t searched_ = 0; ///< of input_, without a newline
+    std::string input_;        ///< bytes received and not yet handled
+    std::size_t searched_ = 0; ///< number of bytes of input_ known to have no newline
     std::string waiting_, writing_;
-    std::size_t written_ = 0; ///< of writing_
+    std::size_t written_ = 0; ///< bytes of writing_ already written
     std::size_t lines_ = 0;
     std::size_t held_ = 0;
     bool greeted_ = false;
     bool reading_ = false;
-    bool held_back_ = false; ///< until its client reads
-    bool ended_ = false;     ///< the client sends no more
+    bool held_back_ = false; ///< not reading until the client reads
+    bool ended_ = false;     ///< the client has ended its stream
     bool finishing_ = false;
     bool closed_ = false;
     Clock::time_point opened_, last_line_, line_begun_, last_written_, finishing_since_;

@@ -19,8 +19,8 @@ using namespace identification;
 
 namespace {
 
-/// A page from elsewhere may have the operator's browser send what it likes to a port of his own computer: what
-/// follows a request's first line, in its body, would be taken for messages.
+/// Detects an HTTP request. A foreign web page can make the operator's browser send a request to a port of the
+/// operator's own computer, and the lines of its body would be taken for messages.
 bool is_http(std::string_view line) { return line.ends_with(" HTTP/1.1") || line.ends_with(" HTTP/1.0"); }
 
 } // namespace
@@ -46,7 +46,7 @@ void Dispatcher::enter(Client& client) {
             return;
         auto silent = clients_.those([&](const Client& each) { return counted(each) && !each.hello; });
         if (Client* other = giving_way(silent, client.caller.peer, true))
-            evict(*other, "others want to come in, and this connection has said no hello yet");
+            evict(*other, "the place is needed, and this connection has sent no hello yet");
     };
     require(limits_.clients_per_peer, of_peer);
     require(limits_.clients, [](const Client&) { return true; });
@@ -79,7 +79,7 @@ void Dispatcher::require_place(Client& client, const Hello& hello) {
     const std::string& peer = client.caller.peer;
     bool control = hello.role == Role::control;
     const Client* held = control ? clients_.control_of(hello.machine) : nullptr;
-    if (held && held->caller.peer == peer) { // it takes the place of one of its own
+    if (held && held->caller.peer == peer) { // it takes the place of a connection of its own peer
         client.keeps_place = held->keeps_place;
         return;
     }
@@ -147,7 +147,7 @@ Diagnosis& Dispatcher::diagnosis_of(Client& client) const {
 Diagnosis& Dispatcher::controlled_by(Client& client) const {
     Diagnosis& diagnosis = diagnosis_of(client);
     if (client.hello->role != Role::control)
-        throw BadMessage("type", "a watcher may ask, not tell",
+        throw BadMessage("type", "a watcher may ask, but not send samples or changes",
                          "status, load, ping or bye; \"role\":\"control\" in hello");
     return diagnosis;
 }
@@ -157,15 +157,15 @@ void Dispatcher::check_token(Client& client, const std::string& token) {
         client.trusted = true;
         return;
     }
-    say_(fmt::format("{} has said a wrong token, or none", client.caller.name));
-    outbox_.send(client, error_line(client.lines(), BadMessage("token", "it is not the right one",
-                                                               "what stands in the file of --token-file")));
+    say_(fmt::format("{} sent a wrong token, or none", client.caller.name));
+    outbox_.send(client, error_line(client.lines(), BadMessage("token", "it is not the right token",
+                                                               "the word in the file of --token-file")));
     outbox_.finish(client);
 }
 
 void Dispatcher::require_trusted(const Client& client, const Message& message) const {
     if (!client.trusted && !std::holds_alternative<Hello>(message) && !std::holds_alternative<TokenOffer>(message))
-        throw BadMessage("token", "nobody knows who you are", "first {\"type\":\"token\",\"token\":\"...\"}");
+        throw BadMessage("token", "not authenticated", "{\"type\":\"token\",\"token\":\"...\"} first");
 }
 
 void Dispatcher::require_allowance(const Client& client, const Hello& hello) {
@@ -239,7 +239,7 @@ void Dispatcher::answer(Client& client, const Hello& hello, std::string_view) {
     Client* other = clients_.join(client);
     if (hello.role == Role::control)
         persistence_.save(diagnosis);
-    if (other) { // it may be half open, its control system long gone
+    if (other) { // the old connection may be half open, its control system long gone
         outbox_.send(*other, plain_line("closing", "another control system has said hello for this machine"));
         outbox_.finish(*other);
     }
@@ -248,13 +248,13 @@ void Dispatcher::answer(Client& client, const Hello& hello, std::string_view) {
                      other ? fmt::format(", in place of {}", other->caller.name) : ""));
     outbox_.send(client, welcome_line(diagnosis, diagnoses_.seed()));
     client.told_kept = persistence_.well();
-    if (!client.told_kept) // after its welcome, which may wait for the disk
+    if (!client.told_kept) // sent after the welcome, which may wait for the disk
         outbox_.send(client, kept_line(persistence_.well(), persistence_.trouble()));
     if (hello.role == Role::control)
         note_cleared(diagnosis, forgotten);
 }
 
-/// Of a machine that begins anew: nobody else would ever clear its alarms.
+/// Clears the alarms of a machine that starts anew; nothing else would clear them.
 void Dispatcher::note_cleared(const Diagnosis& diagnosis, const SampleOutcome& forgotten) {
     std::vector<Entry> history;
     add_history(diagnosis, forgotten, history);
@@ -340,7 +340,7 @@ void Dispatcher::answer(Client& client, const Forget& order, std::string_view) {
     if (!is_idle(order.machine))
         throw BadMessage("machine",
                          fmt::format("{} are connected to \"{}\"", clients_.staying(order.machine), order.machine),
-                         "a machine that nobody is connected to; a hello with \"anew\":true for one that is in use");
+                         "a machine without connections; a hello with \"anew\":true for one that is in use");
     forget(order.machine);
     say_(fmt::format("{}: forgotten, as {} has asked", order.machine, client.caller.name));
     outbox_.send(client, plain_line("forgotten", order.machine));
@@ -355,7 +355,7 @@ void Dispatcher::answer(Client& client, const Shelve& order, std::string_view) {
                  order.for_s > 0 ? fmt::format("shelved for {} s", order.for_s) : "taken from the shelf");
 }
 
-/// The answer is all alarms that hold.
+/// Answers with all active alarms.
 void Dispatcher::change_alarm(Client& client, const AlarmName& name, std::optional<Entry> change,
                               const std::string& what) {
     client.greeted();
@@ -430,7 +430,7 @@ void Dispatcher::tick() {
     meter_.count_turn(LoadMeter::Clock::now() - begin);
 }
 
-/// What is held back is not waited for: whether it is kept is what this is about.
+/// Sends at once, past the outbox: the message is about whether data is stored, so it cannot wait for that.
 void Dispatcher::tell_kept(Client& client) {
     if (std::exchange(client.told_kept, persistence_.well()) != persistence_.well())
         client.send(kept_line(persistence_.well(), persistence_.trouble()));

@@ -18,32 +18,33 @@
 
 namespace placedpar::monitor {
 
-/// Takes the clients' messages to the diagnoses and the answers back. Knows nothing of sockets. One overload of
-/// answer() for each message of the protocol.
+/// Gives the clients' messages to the diagnoses and sends the answers. It does not use sockets. There is one overload
+/// of answer() for each message of the protocol.
 class Dispatcher {
 public:
-    /// `store` may be null: nothing is kept. `say` is given sentences for the operator. REQUIRES: the limits outlive
-    /// it.
+    /// `store` may be null: then nothing is stored. `say` receives messages for the operator. REQUIRES: the limits
+    /// outlive this object.
     Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, Token token,
                std::function<void(const std::string&)> say);
 
-    /// Lets it in. Where too many are about to say hello, one of the peer with most of them is closed for it.
+    /// Admits a client. If too many have not said hello yet, closes one of the peer that has most of them.
     void enter(Client& client);
     void leave(Client& client);
-    /// A line of the client. Answers go to it, and to the others that watch its machine.
+    /// Processes a line from the client. Answers go to the client and to the others that watch its machine.
     void take(Client& client, std::string_view line);
-    /// Sends loads when they are due; tells clients whether all is kept. To be called a few times a second.
+    /// Sends load reports when they are due, and tells clients whether everything is stored. Must be called a few times
+    /// a second.
     void tick();
-    /// How far the state file has come, or what has been lost.
+    /// Processes a progress report of the state file's writer.
     void note(const WriteProgress& progress);
-    /// To all clients, which are then closed.
+    /// Sends a last message to all clients and closes them.
     void say_goodbye();
-    /// Keeps everything. Throws UserError.
+    /// Stores everything. Throws UserError.
     void finish() { persistence_.finish(alarms_); }
 
     ServiceSnapshot snapshot() const;
 
-    /// Without those that are about to be closed.
+    /// Returns the number of clients, without those that are about to be closed.
     std::size_t clients() const { return clients_.size(); }
 
 private:
@@ -62,23 +63,23 @@ private:
     void answer(Client&, const Shelve&, std::string_view line);
 
     void turn_away_browser(Client& client);
-    /// Throws BadMessage, and has the client closed, when the token is not the right one.
+    /// Throws BadMessage and closes the client if the token is wrong.
     void check_token(Client& client, const std::string& token);
     void require_trusted(const Client& client, const Message& message) const;
-    /// Throws BadMessage when the hello would take more than its peer may have. Makes room for a new machine.
+    /// Throws BadMessage if the hello would exceed the limits of its peer. Makes room for a new machine.
     void require_allowance(const Client& client, const Hello& hello);
-    /// Has the client closed when as many have said hello as may and none gives way to it.
+    /// Closes the client if the limit of clients is reached and no other client can be closed in its place.
     void require_place(Client& client, const Hello& hello);
-    /// May the place of one more connection of this peer be kept?
+    /// Returns whether one more connection of this peer may keep its place.
     bool may_keep_place(const std::string& peer) const;
-    /// The one of these that gives way to another client of the peer; null: none does.
+    /// Returns which of these clients must make room for another client of the peer; null if none must.
     static Client* giving_way(const std::vector<Client*>& those, const std::string& peer, bool preferred);
     void evict(Client& client, const std::string& why, const std::string& right = "to come again");
     bool is_idle(const std::string& machine) const { return clients_.staying(machine) == 0; }
     void forget(const std::string& machine);
-    /// Those that nobody has been connected to for long.
+    /// Forgets machines without a sample to which no client has been connected for `newcomer_s`.
     void forget_newcomers();
-    /// Forgets the machine that gives way to a new one of this peer, if one does, and closes its connections.
+    /// Forgets the machine that must make room for a new one of this peer, if there is one, and closes its connections.
     void make_room(const std::string& peer, bool only_own);
     void change_alarm(Client& client, const AlarmName& name, std::optional<Entry> change, const std::string& what);
     identification::Diagnosis& diagnosis_of(Client& client) const;
@@ -88,7 +89,7 @@ private:
     void tell_watchers(const std::string& machine, const std::string& line,
                        const std::function<bool(const Hello&)>& to);
     void tell_alarms(const identification::Diagnosis& diagnosis, const identification::SampleOutcome& outcome);
-    /// Of the alarms that have been raised or cleared.
+    /// Appends an entry for each alarm that was raised or cleared.
     void add_history(const identification::Diagnosis& diagnosis, const identification::SampleOutcome& outcome,
                      std::vector<Entry>& history);
     void note_cleared(const identification::Diagnosis& diagnosis, const identification::SampleOutcome& forgotten);

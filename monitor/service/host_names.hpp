@@ -8,19 +8,21 @@
 
 namespace placedpar::monitor {
 
-/// The host in a "Host" field or an option, without its port: a name in small letters, or an address without brackets
-/// in its shortest form, one of IPv4 within IPv6 as that of IPv4. None when it is neither.
+/// Returns the host of a "Host" field or an option, without its port: a name in lower case, or an address in its
+/// shortest form without brackets. An IPv4 address inside IPv6 becomes IPv4. Returns nullopt if it is neither.
 std::optional<std::string> host_in(std::string_view field);
 
-/// What browsers may call the service. Whoever owns a name can let it lead to this computer, and have his page read
-/// what is served under it (DNS rebinding): other names are foreign.
+/// The host names under which browsers may use the service. An attacker can make a name of his own lead to this
+/// computer, and so let his page read what is served under that name (DNS rebinding). Other names are therefore
+/// refused.
 class HostNames {
 public:
-    /// Takes the address at which the service listens, and further names, such as a proxy's. "localhost" is one where
-    /// loopback leads to it, this computer's name where others do. Throws UserError when one is no name.
+    /// Accepts the address at which the service listens, and further names such as a proxy's. Also accepts "localhost"
+    /// for a loopback address, or this computer's name for any other. Throws UserError if a name is not a host name.
     HostNames(const std::string& address, const std::vector<std::string>& further);
 
-    /// `here`: the address that the connection came in by, which is one, too.
+    /// Returns whether the host is accepted; `here` is the address by which the connection arrived, which is accepted
+    /// too.
     bool has(const std::string& host, const std::string& here) const { return host == here || names_.contains(host); }
 
 private:

@@ -58,19 +58,20 @@ Caller caller_of(Listener::Socket& socket) {
     return {peer_at(there), fmt::format("{} port {}", there.to_string(), tcp.port()), here.to_string()};
 }
 
-/// Throws UserError unless the path is free, or a socket where nobody listens any more: that is removed.
+/// Throws UserError unless the path is free or has a socket at which no program listens any more; removes such a
+/// socket.
 void clear_path(const std::string& path) {
     namespace fs = std::filesystem;
     if (!fs::exists(fs::symlink_status(path)))
         return;
     if (!fs::is_socket(fs::symlink_status(path)))
-        throw UserError(fmt::format("--unix {}: there is something else, no socket; another path", path));
+        throw UserError(fmt::format("--unix {}: this is not a socket; choose another path", path));
     asio::io_context io;
     stream_protocol::socket socket(io);
     error_code error;
     socket.connect(stream_protocol::endpoint(path), error);
     if (error != asio::error::connection_refused)
-        throw UserError(fmt::format("--unix {}: somebody listens there already; another path", path));
+        throw UserError(fmt::format("--unix {}: a program listens there already; choose another path", path));
     fs::remove(path);
 }
 
@@ -121,7 +122,7 @@ Listener Listener::at_path(asio::io_context& io, const std::string& path) {
     Acceptor acceptor(io);
     error_code error;
     acceptor.open(end.protocol(), error);
-    mode_t former = ::umask(0117); // to read and write, for user and group
+    mode_t former = ::umask(0117); // read and write, for user and group
     if (!error)
         acceptor.bind(end, error);
     ::umask(former);
@@ -151,7 +152,7 @@ void Listener::accept() {
             accept();
             return;
         }
-        retry_.expires_after(std::chrono::milliseconds(100)); // most likely too many open files: some client will go
+        retry_.expires_after(std::chrono::milliseconds(100)); // most likely too many open files: a client will leave
         retry_.async_wait([this](const error_code&) {
             if (acceptor_.is_open())
                 accept();

@@ -12,34 +12,35 @@
 
 namespace placedpar::monitor {
 
-/// Who is at the other end of a connection.
+/// Describes the other end of a connection.
 struct Caller {
-    /// Whom limits are for: an address, of IPv6 the network of 64 bits; "loopback", whatever the address, since every
-    /// program of this computer has millions of them; "user 1000" at a socket in the file system.
+    /// The party that limits apply to. It is an IPv4 address, or the 64-bit network of an IPv6 address. It is
+    /// "loopback" for every loopback address, since each local program can use millions of them. At a socket in the
+    /// file system it is the user: "user 1000".
     std::string peer;
-    std::string name; ///< for people: with the port
-    std::string here; ///< the address by which the connection came in
+    std::string name; ///< for messages; includes the port
+    std::string here; ///< the local address by which the connection arrived
 };
 
-/// A place where connections come in: a port, or a socket in the file system.
+/// Accepts connections at a port or at a socket in the file system.
 class Listener {
 public:
     using Socket = boost::asio::generic::stream_protocol::socket;
     using Acceptor = boost::asio::basic_socket_acceptor<boost::asio::generic::stream_protocol>;
 
-    /// Throws UserError. `option` is what it is called on the command line: "--port".
+    /// Throws UserError. `option` is the port's name on the command line, such as "--port".
     static Listener at_port(boost::asio::io_context& io, const std::string& address, std::uint16_t port,
                             const std::string& option);
-    /// Takes the place of a socket where nobody listens any more. Only this user and group may connect.
+    /// Replaces a socket at which no program listens any more. Only this user and group may connect.
     static Listener at_path(boost::asio::io_context& io, const std::string& path);
     ~Listener();
     Listener(Listener&&) = default;
     Listener& operator=(Listener&&) = delete;
 
-    /// From now on; `welcome` is given each connection. REQUIRES: the door stays where it is until it is closed and the
-    /// loop has turned.
+    /// Begins to accept connections and gives each to `welcome`. REQUIRES: the listener is not moved until it is closed
+    /// and the event loop has run once more.
     void open(std::function<void(Socket, const Caller&)> welcome);
-    /// Removes the socket from the file system, too.
+    /// Stops accepting connections and removes the socket from the file system.
     void close();
 
     std::uint16_t port() const { return port_; }
@@ -55,10 +56,10 @@ private:
     std::string path_;
 };
 
-/// One of IPv4 within IPv6, as IPv4.
+/// Converts an IPv4 address inside IPv6 to IPv4; returns any other address unchanged.
 boost::asio::ip::address plain_address(const boost::asio::ip::address& address);
 
-/// Does this address lead to this computer only? False if it is not an address.
+/// Returns whether the address can be reached from this computer only; false if it is not an address.
 bool is_loopback(const std::string& address);
 
 } // namespace placedpar::monitor

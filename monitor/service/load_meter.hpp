@@ -7,8 +7,8 @@
 
 namespace placedpar::monitor {
 
-/// Counts what the service does and the time that it takes. To be used from the service's thread only, whose processor
-/// time it reads.
+/// Counts the work of the service and the time it takes. Must be used in the service's thread, whose processor time it
+/// reads.
 class LoadMeter {
 public:
     using Clock = std::chrono::steady_clock;
@@ -16,15 +16,15 @@ public:
     LoadMeter();
 
     void count_sample(std::size_t generations);
-    /// Work on a message.
+    /// Counts time spent on a message.
     void count_work(Clock::duration spent);
-    /// Other work, during which nobody was heard.
+    /// Counts time spent on other work, during which no client was served.
     void count_turn(Clock::duration spent);
-    /// Ends the interval of the rates once it has lasted a second.
+    /// Ends the interval of the rates once it has lasted 1 s.
     void tick();
 
-    /// Totals since the start, and rates over the last ended interval, or since the start while there is none. Knows
-    /// nothing of clients, machines and queues.
+    /// Returns totals since the start, and rates over the last complete interval (over the time since the start while
+    /// there is none). Leaves clients, machines and queues at 0.
     Load load() const;
 
 private:

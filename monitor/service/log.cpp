@@ -24,7 +24,7 @@ std::string log_line(std::string_view sentence) {
     return fmt::format("{:%Y-%m-%dT%H:%M:%S}Z placedpar monitor: {}\n", fmt::gmtime(std::time(nullptr)), sentence);
 }
 
-/// Can PIPE_BUF bytes be written without waiting?
+/// Returns whether PIPE_BUF bytes can be written without waiting.
 bool has_room(int file) {
     pollfd poll{file, POLLOUT, 0};
     return file >= 0 && ::poll(&poll, 1, 0) == 1 && poll.revents == POLLOUT;

@@ -20,7 +20,7 @@ namespace json = boost::json;
 
 namespace {
 
-/// Calls do_this(diagnosis, name of the set, link, estimate) for everything that is estimated.
+/// Calls do_this(diagnosis, name of the set, link, estimate) for each estimate.
 void for_each_estimate(
     const Diagnoses& diagnoses,
     const std::function<void(const Diagnosis&, std::string_view, std::string_view, const LinkEstimate&)>& do_this) {
@@ -32,7 +32,7 @@ void for_each_estimate(
         }
 }
 
-/// One number of the whole service.
+/// Returns one number about the whole service.
 std::string metric(const char* name, const char* type, const char* about, double value) {
     return fmt::format(
         "# HELP placedpar_monitor_{0} {1}\n# TYPE placedpar_monitor_{0} {2}\nplacedpar_monitor_{0} {3}\n", name, about,
@@ -49,7 +49,8 @@ std::string load_metrics(const Load& load) {
            metric("work_seconds_total", "counter", "Time spent on messages.", load.work_s) +
            metric("cpu_seconds_total", "counter", "Processor time of the thread that serves.", load.cpu_s) +
            metric("uptime_seconds", "gauge", "Since the start.", load.uptime_s) +
-           metric("longest_turn_seconds", "gauge", "The longest time that nobody was heard.", load.longest_turn_s);
+           metric("longest_turn_seconds", "gauge", "The longest time in which no client was served.",
+                  load.longest_turn_s);
 }
 
 std::string alarm_metrics(const std::vector<KeptAlarm>& alarms) {
@@ -80,7 +81,7 @@ json::value or_null(const std::optional<double>& number) {
     return number ? json::value(*number) : json::value(nullptr);
 }
 
-/// What is said of the links that have been judged.
+/// Returns the verdicts on the links that have been judged.
 json::array verdicts_json(const Diagnosis& diagnosis) {
     json::array verdicts;
     for (Link link : all_links)

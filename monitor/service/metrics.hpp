@@ -9,20 +9,20 @@
 
 namespace placedpar::monitor {
 
-/// What can be seen of the service from outside.
+/// The state of the service as shown to the outside.
 struct ServiceSnapshot {
     const Diagnoses* diagnoses;
     Load load;
-    std::vector<KeptAlarm> alarms; ///< that hold
-    bool kept;                     ///< would a restart know everything?
-    std::string trouble;           ///< why not
+    std::vector<KeptAlarm> alarms; ///< active alarms
+    bool kept;                     ///< whether a restart would restore everything
+    std::string trouble;           ///< if not, the reason
 };
 
-/// In Prometheus' text form, version 0.0.4.
+/// Returns the snapshot in Prometheus' text format, version 0.0.4.
 std::string metrics_text(const ServiceSnapshot& snapshot);
-/// For the page: the load, the machines with their newest estimates, the alarms that hold.
+/// Returns, for the page, the load, the machines with their newest estimates, and the active alarms.
 std::string snapshot_json(const ServiceSnapshot& snapshot);
-/// For the page: what the state file has of a machine, the newest first.
+/// Returns, for the page, the history of a machine from the state file, newest first.
 std::string history_json(const std::vector<KeptEstimate>& estimates, const std::vector<KeptAlarm>& alarms);
 
 } // namespace placedpar::monitor

@@ -9,30 +9,31 @@
 
 namespace placedpar::monitor {
 
-/// What clients are told, held back until what it tells of is on the disk. Each client hears everything in the order in
-/// which it was said. Bytes that are held back count as queued for the client.
+/// Holds back the lines sent to clients until the data that they report is on the disk. Each client receives its lines
+/// in the order of send(). Held bytes count as queued for the client.
 class Outbox {
 public:
-    /// What is said from now on waits for this ticket, which is no less than any before.
+    /// Makes lines sent from now on wait for this ticket. REQUIRES: it is not less than any earlier ticket.
     void wait_for(std::uint64_t ticket) { promised_ = ticket; }
-    /// All up to this ticket is on the disk, or lost.
+    /// Records that everything up to this ticket is on the disk or lost, and sends the lines that waited for it.
     void release(std::uint64_t ticket);
 
     void send(Client& to, std::string line);
-    /// After what it has been sent.
+    /// Closes the client after everything sent to it so far.
     void finish(Client& client);
-    /// So many bytes, on their way to the disk, are the client's; nothing is said.
+    /// Counts `bytes` of the client's input, which are on their way to the disk, as queued for the client. Sends
+    /// nothing.
     void hold(Client& client, std::size_t bytes);
-    /// REQUIRES: before the client goes.
+    /// Must be called before the client is destroyed.
     void drop(const Client& client);
 
 private:
     struct Item {
         std::uint64_t ticket;
-        Client* client; ///< null: it has gone
+        Client* client; ///< null if the client has gone
         std::string line;
         std::size_t held;
-        bool last = false; ///< the client is to be closed then
+        bool last = false; ///< the client is closed after this item
     };
 
     bool waits() const { return promised_ > released_; }

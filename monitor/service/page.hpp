@@ -2,7 +2,7 @@
 
 namespace placedpar::monitor {
 
-/// The page that shows the service: HTML with everything in it, asking the service alone.
+/// The web page of the service: self-contained HTML that sends requests to this service only.
 extern const char* const page_html;
 
 } // namespace placedpar::monitor

@@ -9,15 +9,15 @@
 
 namespace placedpar::monitor {
 
-/// How often each peer has taken over machines. Peers are named as Caller::peer is.
+/// Counts how often each peer has taken over machines. Peers have the names of Caller::peer.
 class Peers {
 public:
     using Clock = std::chrono::steady_clock;
 
     explicit Peers(const ServiceLimits& limits) : limits_(limits) {}
 
-    /// One more takeover of a machine's control; false, and nothing changes, when there were too many in the last
-    /// minute.
+    /// Counts one more takeover of a machine's control. Returns false, and counts nothing, if the peer had too many in
+    /// the last minute.
     bool take_over(const std::string& peer, Clock::time_point now);
 
 private:

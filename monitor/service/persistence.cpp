@@ -11,11 +11,11 @@ namespace placedpar::monitor {
 
 namespace {
 
-/// Beginning anew takes the states of all machines: it is tried less and less often.
+/// Storing anew copies the states of all machines, so each retry waits longer than the last.
 constexpr std::chrono::seconds first_pause{1}, longest_pause{16};
 
 std::string going_on(const std::string& trouble) {
-    return fmt::format("{}; going on, but a restart would forget", trouble);
+    return fmt::format("{}; the service continues, but a restart would lose what was not written", trouble);
 }
 
 } // namespace
@@ -31,7 +31,7 @@ void Persistence::record(Client& from, const std::string& machine, std::string_v
     if (!store_)
         return;
     outbox_.wait_for(store_->record(machine, line, generations, std::move(history)));
-    outbox_.hold(from, line.size()); // a client that asks for no answers, too, is to be no faster than the disk
+    outbox_.hold(from, line.size()); // even a client that asks for no answers must not be faster than the disk
     store_->relieve();
 }
 

@@ -12,31 +12,31 @@
 
 namespace placedpar::monitor {
 
-/// Has what happens kept, where there is a state file, and what is said wait for it. When something cannot be kept, the
-/// diagnosis goes on: it is worth more than its memory.
+/// Stores events in the state file, if there is one, and makes the answers to them wait for the disk. If storing fails,
+/// the diagnosis continues without it: the diagnosis is worth more than its stored state.
 class Persistence {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// `store` may be null: nothing is kept. `complain` is given sentences for the operator.
+    /// `store` may be null: then nothing is stored. `complain` receives messages for the operator.
     Persistence(StateStore* store, Outbox& outbox, std::function<void(const std::string&)> complain);
 
-    /// The client's message, which its machine has taken.
+    /// Stores a message of the client that the machine's diagnosis has accepted.
     void record(Client& from, const std::string& machine, std::string_view line, std::size_t generations,
                 std::vector<Entry> history);
     void save(const identification::Diagnosis& diagnosis);
     void forget(const std::string& machine);
     void change_history(Entry entry);
 
-    /// Is all kept that has been taken, or on its way to the disk? If not, why.
+    /// Returns whether everything accepted is on the disk or on its way there; if not, trouble() gives the reason.
     bool well() const { return trouble_.empty(); }
     const std::string& trouble() const { return trouble_; }
 
-    /// What StateStore::start() has told. True: well() has changed.
+    /// Processes a report from StateStore::start(). Returns whether well() has changed.
     bool note(const WriteProgress& progress);
-    /// Tries again, when it is time to, to keep everything. To be called a few times a second.
+    /// Tries to store everything again when a retry is due. Must be called a few times a second.
     void tick(const AlarmBoard& alarms);
-    /// Keeps everything, so that the next start has nothing to do, and closes the file. Throws UserError.
+    /// Stores all states, so that the next start has no messages to process, and closes the file. Throws UserError.
     void finish(const AlarmBoard& alarms);
 
 private:
@@ -45,7 +45,7 @@ private:
     std::function<void(const std::string&)> complain_;
     std::string trouble_;
     Clock::time_point next_attempt_{};
-    std::chrono::seconds pause_{1}; ///< to the next attempt
+    std::chrono::seconds pause_{1}; ///< time to the next attempt
 };
 
 } // namespace placedpar::monitor

@@ -13,7 +13,7 @@ std::optional<std::size_t> gives_way(std::span<const Occupant> places, const std
     auto may_go = [&](const Occupant& p) {
         return !p.kept && (preferred || of_peer[p.peer] > own + 1 || (p.idle && p.peer == peer));
     };
-    auto comes_before = [&](const Occupant& x, const Occupant& y) { // of the peer with most of them comes first
+    auto comes_before = [&](const Occupant& x, const Occupant& y) { // the peer with most places comes first
         return std::tuple(of_peer[y.peer], !x.idle, x.samples, x.heard) <
                std::tuple(of_peer[x.peer], !y.idle, y.samples, y.heard);
     };

@@ -89,7 +89,7 @@ std::string ask_service(const ServicePlace& place, const std::string& message) t
         errand.ask(json::serialize(json::object{{"type", "token"}, {"token", Token(place.token_file).word()}}));
     return errand.ask(message);
 } catch (const boost::system::system_error& error) {
-    throw UserError(fmt::format("the monitor cannot be told: {}", error.code().message()));
+    throw UserError(fmt::format("cannot send to the monitor: {}", error.code().message()));
 }
 
 } // namespace placedpar::monitor

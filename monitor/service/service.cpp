@@ -38,8 +38,8 @@ Token token_for(const ServiceSettings& settings) {
     if (!settings.token_file.empty())
         return Token(settings.token_file);
     if ((settings.port || settings.http_port) && !is_loopback(settings.address))
-        throw UserError(fmt::format("--address {}: everybody who reaches it could change what is known of any machine; "
-                                    "--token-file FILE, or an address of this computer alone such as 127.0.0.1",
+        throw UserError(fmt::format("--address {}: everybody who reaches it could change the diagnosis of any machine; "
+                                    "add --token-file FILE, or use an address of this computer only, such as 127.0.0.1",
                                     settings.address));
     return {};
 }
@@ -93,7 +93,7 @@ public:
             page_door_->open(
                 [this](Listener::Socket socket, const Caller& caller) { site_->welcome(std::move(socket), caller); });
         if (std::string trouble = tell_systemd("READY=1"); !trouble.empty())
-            log_.say(trouble); // once: the rest goes wrong for the same reason
+            log_.say(trouble); // reported once: later calls fail for the same reason
         tick();
         io_.run();
         dispatcher_->finish();
@@ -130,7 +130,8 @@ private:
     void welcome(Listener::Socket socket, const Caller& caller) {
         if (stopping_)
             return;
-        // A closed connection stays until it has read the reason, so the number of these is limited, too.
+        // A closed connection stays until its client has read the reason, so the number of such connections is limited
+        // too.
         auto lingers = [](const auto& guest) { return guest.first->finishing(); };
         if (guests_.size() >= 2 * settings_.limits.clients + 2) {
             auto found = std::ranges::find_if(guests_, lingers);
@@ -138,7 +139,7 @@ private:
                 return;
             std::shared_ptr<Connection>(found->second.connection)->close();
         }
-        error_code ignored; // a socket of this computer has no such options
+        error_code ignored; // a Unix-domain socket has no such options
         socket.set_option(tcp::no_delay(true), ignored);
         socket.set_option(asio::socket_base::keep_alive(true), ignored);
         auto connection = std::make_shared<Connection>(
@@ -174,7 +175,7 @@ private:
         std::vector<std::shared_ptr<Connection>> connections;
         for (const auto& [key, guest] : guests_)
             connections.push_back(guest.connection);
-        for (const auto& connection : connections) // which may leave meanwhile
+        for (const auto& connection : connections) // a connection may remove itself meanwhile
             connection->tick(now);
         dispatcher_->tick();
         log_.tick();

@@ -14,37 +14,37 @@ namespace placedpar::monitor {
 
 struct ServiceSettings {
     std::string address = "127.0.0.1";
-    std::optional<std::uint16_t> port = 0;  ///< 0: any free; none: nobody comes in there
+    std::optional<std::uint16_t> port = 0;  ///< 0: any free port; nullopt: no TCP port
     std::string unix_path;                  ///< a socket in the file system; empty: none
-    std::optional<std::uint16_t> http_port; ///< of the page; 0: any free; none: there is none
-    std::vector<std::string> host_names;    ///< by which browsers come, besides those of the address
-    std::string token_file;                 ///< empty: no token
-    std::string state;                      ///< a file; empty: nothing is kept
+    std::optional<std::uint16_t> http_port; ///< port of the web page; 0: any free port; nullopt: no page
+    std::vector<std::string> host_names;    ///< names that browsers may use, besides those of the address
+    std::string token_file;                 ///< empty: no token is required
+    std::string state;                      ///< path of the state file; empty: nothing is stored
     std::uint64_t seed = 1;
     ServiceLimits limits;
     identification::DiagnosisSettings diagnosis;
 };
 
-/// The on-line diagnosis as a service over TCP and sockets of this computer. One thread does everything; a second one
+/// The on-line diagnosis as a service over TCP and Unix-domain sockets. One thread does all work; a second thread
 /// writes the state file.
 class Service {
 public:
-    /// Restores the state and listens. The log gets sentences for the operator. REQUIRES: it outlives this. Throws
-    /// UserError when address, port, path, token or state file cannot be used, or others than this computer could come
-    /// in without a token, saying what is wrong.
+    /// Restores the state and listens. The log receives messages for the operator. REQUIRES: the log outlives this
+    /// object. Throws UserError if the address, a port, the path, the token or the state file cannot be used, or if
+    /// other computers could connect without a token.
     Service(const ServiceSettings& settings, Log& log);
     ~Service();
 
-    /// 0 when there is none.
+    /// This function and http_port() return 0 if there is no such port.
     std::uint16_t port() const;
     std::uint16_t http_port() const;
-    /// From now on SIGINT and SIGTERM call stop() instead of ending the program, and SIGHUP opens the log anew, unless
-    /// that is a terminal, which has hung up then.
+    /// Handles signals from now on. SIGINT and SIGTERM call stop() instead of ending the program. SIGHUP reopens the
+    /// log, unless the log is a terminal; then SIGHUP keeps its default action, because the terminal has hung up.
     void heed_signals();
-    /// Serves until stop(), which may have been called before; then tells the clients and writes the state. Throws
-    /// UserError when that cannot be written.
+    /// Serves until stop() is called, which may have happened before. Then notifies the clients and writes the state.
+    /// Throws UserError if the state cannot be written.
     void run();
-    /// From any thread.
+    /// May be called from any thread.
     void stop();
 
 private:

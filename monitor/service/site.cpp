@@ -12,7 +12,7 @@ namespace placedpar::monitor {
 
 namespace {
 
-constexpr std::uint64_t most_rows = 500; ///< of either kind, on the page
+constexpr std::uint64_t most_rows = 500; ///< most estimates, and most alarms, on the page
 constexpr const char *json_type = "application/json", *html_type = "text/html; charset=utf-8",
                      *metrics_type = "text/plain; version=0.0.4; charset=utf-8";
 
@@ -32,8 +32,8 @@ void Site::answer(const std::string& path, const std::string& query, bool truste
     if (path == "/healthz")
         reply(health());
     else if (!trusted)
-        reply(
-            {401, "text/plain; charset=utf-8", "the token is wanted: as a bearer's, or as the password of anybody\n"});
+        reply({401, "text/plain; charset=utf-8",
+               "token required, as Bearer, or as the Basic password with any user name\n"});
     else if (path == "/")
         reply({200, html_type, page_html});
     else if (path == "/snapshot")
@@ -53,7 +53,7 @@ WebAnswer Site::health() const {
     return {503, "text/plain; charset=utf-8", fmt::format("not kept: {}\n", snapshot.trouble)};
 }
 
-/// The thread that writes looks, so that nobody waits for the disk.
+/// Reads the history in the writer's thread, so that the event loop does not wait for the disk.
 void Site::answer_history(const std::string& query, const Web::Reply& reply) {
     constexpr std::string_view name = "machine=";
     if (!query.starts_with(name)) {

@@ -10,11 +10,11 @@
 
 namespace placedpar::monitor {
 
-/// What is where for browsers: "/" the page, "/snapshot" and "/history" what it asks, "/metrics" for Prometheus and
-/// "/healthz", which alone needs no token: 200 while all is kept, else 503.
+/// Answers the paths that browsers request: "/" is the page, "/snapshot" and "/history" are its data, "/metrics" is for
+/// Prometheus. "/healthz" returns 200 if everything is stored, else 503; it alone needs no token.
 class Site {
 public:
-    /// `store` may be null: there is no history. REQUIRES: all outlive it.
+    /// `store` may be null: then there is no history. REQUIRES: all references and `store` outlive this object.
     Site(boost::asio::io_context& io, Dispatcher& dispatcher, StateStore* store, Token token, HostNames names,
          std::function<void(const std::string&)> say);
 

@@ -27,7 +27,7 @@ std::string tell_systemd(std::string_view state) {
     if (std::strlen(path) >= sizeof to.sun_path)
         return failure("it is too long for the name of a socket");
     std::memcpy(to.sun_path, path, std::strlen(path));
-    if (path[0] == '@') // it is abstract: in no file system
+    if (path[0] == '@') // an abstract name, which is not in the file system
         to.sun_path[0] = '\0';
     int socket = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
     if (socket < 0)

@@ -5,8 +5,8 @@
 
 namespace placedpar::monitor {
 
-/// Tells systemd how the service is ("READY=1", "STOPPING=1", "WATCHDOG=1"), as sd_notify(3) does, if it is systemd
-/// that has started it: if the environment has NOTIFY_SOCKET. Gives what went wrong in a sentence; "" when nothing did.
+/// Reports a state ("READY=1", "STOPPING=1", "WATCHDOG=1") to systemd as sd_notify(3) does, if the environment has
+/// NOTIFY_SOCKET because systemd started the service. Returns a message about what went wrong, or "".
 std::string tell_systemd(std::string_view state);
 
 } // namespace placedpar::monitor

@@ -6,17 +6,17 @@
 
 namespace placedpar::monitor {
 
-/// The word that everybody has to know who wants to be served; none: everybody is.
+/// The word that a client must send to be served. With an empty token every client is served.
 class Token {
 public:
     Token() = default;
-    /// The file's text without the space around it. Throws UserError when it cannot be read, others may read it, or it
-    /// is no word of 16 to 1000 visible characters.
+    /// Reads the token from a file, without surrounding white space. Throws UserError if the file cannot be read, if
+    /// other users may read it, or if it does not contain one word of 16 to 1000 visible characters.
     explicit Token(const std::filesystem::path& file);
 
     const std::string& word() const { return word_; }
     bool wanted() const { return !word_.empty(); }
-    /// Takes as long whatever is right of it.
+    /// Compares in constant time, so that the time tells nothing about how much of a guess is right.
     bool is(std::string_view word) const;
 
 private:

@@ -21,23 +21,23 @@ using boost::system::error_code;
 
 namespace {
 
-constexpr std::chrono::seconds most_patience{30}; ///< for a request, and for its answer to be read; ours
+constexpr std::chrono::seconds most_patience{30}; ///< for a request to arrive, or its answer to be read; ours
 constexpr std::uint32_t most_header_bytes = 8192;
 
-/// Only what comes from here is shown or asked, and nobody shows it inside another page.
+/// Allows content and requests from this service only, and forbids other pages to embed it.
 constexpr const char* policy = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; "
                                "connect-src 'self'; img-src 'self' data:; frame-ancestors 'none'";
 
 } // namespace
 
-/// One connection.
+/// One connection of a browser.
 class Web::Session : public std::enable_shared_from_this<Session> {
 public:
     Session(Web& web, Listener::Socket socket, Caller caller)
         : web_(&web), stream_(std::move(socket)), caller_(std::move(caller)) {}
 
     const Caller& caller() const { return caller_; }
-    /// Since when a request is waited for, or its answer to be read.
+    /// Returns when the session began to wait for a request or for its answer to be read.
     std::chrono::steady_clock::time_point since() const { return since_; }
 
     void read() {
@@ -81,23 +81,24 @@ private:
         bool trusted = web_->trusts(authorization);
         guessed_ = !trusted && !authorization.empty();
         if (guessed_)
-            web_->say_(fmt::format("{} has said a wrong token", caller_.name));
+            web_->say_(fmt::format("{} sent a wrong token", caller_.name));
         web_->handler_(target.substr(0, mark), mark == target.npos ? "" : target.substr(mark + 1), trusted,
                        [self = shared_from_this()](WebAnswer answer) { self->answer(std::move(answer)); });
     }
 
-    /// What is said to a request of which it is not clear that it is for this service.
+    /// Returns the refusal of a request that is not certainly meant for this service, or nullopt.
     std::optional<WebAnswer> foreign() const {
         constexpr const char* plain = "text/plain; charset=utf-8";
         const auto& request = parser_->get();
         auto count = request.count(http::field::host);
         if (count == 0 && request.version() < 11)
-            return std::nullopt; // HTTP/1.0 has no such field, and no browser says so
+            return std::nullopt; // HTTP/1.0 has no such field, and no browser uses that version
         auto host = host_in(std::string_view(request[http::field::host]));
         if (count != 1 || !host)
-            return WebAnswer{400, plain, "one Host field is wanted, with a name or an address\n"};
+            return WebAnswer{400, plain, "expected one Host field, with a name or an address\n"};
         if (!web_->names_.has(*host, caller_.here))
-            return WebAnswer{421, plain, "the Host is another's; --host-name tells the monitor of names it has\n"};
+            return WebAnswer{421, plain,
+                             "the Host field has a name that is not the monitor's; --host-name adds a name\n"};
         return std::nullopt;
     }
 
@@ -116,7 +117,7 @@ private:
         response_.body() = std::move(answer.text);
         response_.prepare_payload();
         if (request.method() == http::verb::head)
-            response_.body().clear(); // with the length of what GET would give
+            response_.body().clear(); // keeps the length of what GET would return
         write();
     }
 
@@ -130,11 +131,11 @@ private:
         });
     }
 
-    Web* web_; ///< null: it has ended
+    Web* web_; ///< null: the Web object no longer exists
     beast::basic_stream<boost::asio::generic::stream_protocol> stream_;
     Caller caller_;
     std::chrono::steady_clock::time_point since_;
-    bool guessed_ = false; ///< a token, wrongly: each guess costs a connection
+    bool guessed_ = false; ///< it has sent a wrong token; each guess costs a connection
     beast::flat_buffer buffer_{most_header_bytes};
     std::optional<http::request_parser<http::empty_body>> parser_;
     http::response<http::string_body> response_;

@@ -12,27 +12,28 @@
 
 namespace placedpar::monitor {
 
-/// What a browser is sent.
+/// The answer to a request of a browser.
 struct WebAnswer {
     unsigned status = 200;
-    std::string type = "text/plain; charset=utf-8"; ///< of the content
+    std::string type = "text/plain; charset=utf-8"; ///< content type
     std::string text;
 };
 
-/// Serves pages to browsers and other programs that speak HTTP: nothing but GET and HEAD, so that nobody changes
-/// anything. All functions are called from the loop's one thread.
+/// Serves browsers and other HTTP clients. Only GET and HEAD are accepted, so no request can change anything. All
+/// functions are called from the loop's only thread.
 class Web {
 public:
     using Reply = std::function<void(WebAnswer)>;
-    /// Is given a path and its query, "/history", "machine=digger-7", and replies at once or later. `trusted`: who asks
-    /// knows the token, or there is none.
+    /// Receives a path and its query, such as "/history" and "machine=digger-7", and replies at once or later.
+    /// `trusted` states that the client has sent the token or that none is required.
     using Handler = std::function<void(const std::string& path, const std::string& query, bool trusted, Reply reply)>;
 
-    /// `say` is given sentences for the operator.
+    /// `say` receives messages for the operator.
     Web(Token token, HostNames names, Handler handler, std::function<void(const std::string&)> say)
         : token_(std::move(token)), names_(std::move(names)), handler_(std::move(handler)), say_(std::move(say)) {}
 
-    /// Where there are too many, the peer with most of them loses the one that has been waiting the longest.
+    /// Accepts a connection. If there are too many, the peer with most connections loses the one that has waited
+    /// longest.
     void welcome(Listener::Socket socket, const Caller& caller);
     /// Closes all connections.
     void close();
@@ -41,11 +42,12 @@ private:
     class Session;
     friend class Session;
 
-    /// "Authorization": the token itself (Bearer), or as the password of anybody (Basic), as browsers ask for it.
+    /// Returns whether the field "Authorization" contains the token, either as Bearer or as the Basic password with any
+    /// user name, for which browsers can prompt.
     bool trusts(const std::string& authorization) const;
     void make_place(const std::string& peer);
 
-    static constexpr std::size_t most_sessions = 256, most_sessions_of_peer = 64; ///< ours
+    static constexpr std::size_t most_sessions = 256, most_sessions_of_peer = 64; ///< values are ours
     Token token_;
     HostNames names_;
     Handler handler_;
@@ -53,7 +55,7 @@ private:
     std::set<std::shared_ptr<Session>> sessions_;
 };
 
-/// Of text in base64 (RFC 4648); what follows the first other character is left out.
+/// Decodes base64 (RFC 4648) up to the first character that is not base64.
 std::string from_base64(std::string_view text);
 
 } // namespace placedpar::monitor

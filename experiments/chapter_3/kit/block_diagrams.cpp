@@ -10,7 +10,7 @@ namespace placedpar {
 
 namespace {
 
-// Sizes in pixels.
+// Sizes are in pixels.
 constexpr int block_height = 52, line_height = 17, title_room = 46, margin = 24;
 
 constexpr const char* block_style =
@@ -30,12 +30,12 @@ constexpr const char* head_of_wires =
 using picture::SvgPen;
 using Position = picture::Point;
 
-/// A box with its lines of text; wires end at the middle of its left side and begin at that of its right side.
+/// A box with its lines of text. Wires end at the middle of its left side and begin at the middle of its right side.
 struct Block {
     Position at; ///< top left
     double width;
     std::vector<std::string_view> lines;
-    bool plant = false; ///< a machine, real or simulated
+    bool plant = false; ///< a real or simulated machine
 
     Position left(double down = block_height / 2) const { return {at.x, at.y + down}; }
     Position right(double down = block_height / 2) const { return {at.x + width, at.y + down}; }
@@ -46,7 +46,7 @@ struct Block {
 Block add(SvgPen& pen, const Block& block) {
     pen.rect({{block.at.x + block.width / 2, block.at.y + block_height / 2}, block.width, block_height},
              {{"class", block.plant ? "block plant" : "block"}, {"rx", "4"}});
-    // Where the first of the lines stands, for all to be in the middle.
+    // The baseline of the first line, such that all lines are centred.
     double y = block.at.y + block_height / 2 + 5 - (static_cast<int>(block.lines.size()) - 1) * line_height / 2;
     for (std::string_view line : block.lines) {
         pen.text({block.at.x + block.width / 2, y}, "inside", line);
@@ -55,8 +55,8 @@ Block add(SvgPen& pen, const Block& block) {
     return block;
 }
 
-/// Along the corners, with an arrow at the end; the signal's name stands above the stretch that begins at the
-/// corner of this number.
+/// Draws a wire through the corners, with an arrow at its end. The signal's name is above the segment that begins at
+/// corner number `named_at`.
 void wire(SvgPen& pen, const std::vector<Position>& corners, std::string_view signal = "", std::size_t named_at = 0) {
     pen.path(picture::svg_corners(corners), {{"class", "wire"}});
     if (!signal.empty())

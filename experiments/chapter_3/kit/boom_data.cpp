@@ -19,7 +19,7 @@ using namespace hydraulics;
 
 namespace {
 
-/// The constants of the machine and its motion.
+/// Returns the constants of the machine and its motion.
 Parameters parameters_of(const BoomMotion& motion) {
     Parameters all = Parameters::excavator();
     if (motion.plant == BoomPlant::simple && motion.slow)
@@ -41,8 +41,8 @@ Parameters parameters_of(const BoomMotion& motion) {
     return all;
 }
 
-/// The drain side's pressure at the instants of the record, with noise of its own stream, so that the other channels
-/// are those of every other user of the seed.
+/// Adds the drain side's pressure at the record's instants. Its noise has its own stream, so that the other channels
+/// stay the same for every user of the seed.
 void add_outlet_pressure(Record& record, std::span<const ExcavatorState> states, double noise_psi, std::uint64_t seed) {
     RandomStream random(seed, "outlet sensor");
     std::size_t stride = (states.size() - 1) / (record.size() - 1);
@@ -53,8 +53,8 @@ void add_outlet_pressure(Record& record, std::span<const ExcavatorState> states,
     }
 }
 
-/// The voltage that the controller asks for at every sampling instant: that of the wanted spool by an A.1 that is off
-/// by the offset.
+/// Adds the voltage that the controller commands at every sampling instant. It computes the voltage from the desired
+/// spool by an A.1 with the offset as its error.
 void add_voltage(Record& record, const ExcavatorScenario& scenario, double offset_in) {
     const auto& valve = std::get<SpoolOrifices>(scenario.links.front().valve);
     const SpoolStep& step = valve.steps.front();

@@ -13,7 +13,7 @@ using namespace identification;
 
 namespace {
 
-/// A value that is held until the next.
+/// Returns a series in which each value is held until the next.
 Series held(Series series) {
     std::vector<Point> corners;
     for (const Point& point : series.points) {
@@ -66,7 +66,7 @@ Panel compliance_panel(const WatchedIdentification& watched, double until_s) {
     Series best{"best individual", {}};
     for (const TransientEstimate& estimate : watched.identified.found.estimates)
         best.points.push_back({estimate.time_s, 1000 * estimate.compliance_in3_per_psi[0]});
-    best.points.push_back({until_s, best.points.back().y}); // the search has ended: its last answer stays
+    best.points.push_back({until_s, best.points.back().y}); // the last answer stays when the search has ended
     return {"c: estimated C_BOi",
             time_axis(until_s),
             {"compliance [0.001 in³/psi]", 0, 20},
@@ -74,7 +74,7 @@ Panel compliance_panel(const WatchedIdentification& watched, double until_s) {
             {{"true", 1000 * watched.data.boom.inlet_compliance_in3_per_psi}}};
 }
 
-/// The error that the equations are left with at every instant where the inlet is open, with the answer.
+/// Returns the remaining error of the equations with the answer, at every instant at which the inlet is open.
 Series error_of_answer(const WatchedIdentification& watched, double until_s) {
     Series series{"last answer", {}};
     const Circuit circuit = boom_circuit();
@@ -90,7 +90,7 @@ Series error_of_answer(const WatchedIdentification& watched, double until_s) {
 
 Panel error_panel(const WatchedIdentification& watched, double until_s) {
     Series mean{"population's mean", {}}, best{"best one, rms", {}};
-    double trials = 0; // the generations of a sample stand side by side in its period
+    double trials = 0; // the generations of a sample are spread over its period
     for (std::size_t i = 0; i < watched.generations.size(); ++i) {
         const Generation& generation = watched.generations[i];
         trials = i > 0 && watched.generations[i - 1].time_s == generation.time_s ? trials + 1 : 0;

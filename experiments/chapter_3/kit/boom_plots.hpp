@@ -9,14 +9,14 @@
 
 namespace placedpar {
 
-/// Values over the record's time, up to a time.
+/// Returns values over the record's time, up to `until_s`.
 Series over_time(std::string name, const hydraulics::Record& record, std::span<const double> values, double until_s,
                  Stroke stroke = Stroke::line);
 
-/// Figure 3.3: pressures, voltage, spool and angle as recorded.
+/// Draws Figure 3.3: pressures, voltage, spool and angle as recorded.
 Plot plot_of_record(std::string title, const BoomData& data, double until_s);
 
-/// Figures 3.5 and 3.6: pressures, motion, and the identification of a record.
+/// The data of Figures 3.5 and 3.6: pressures, motion, and the identification of a record.
 struct WatchedIdentification {
     std::string title;
     const BoomData& data;

@@ -30,7 +30,7 @@ std::optional<double> fit(std::span<const CircuitSample> samples, const FlowCons
     return found ? std::optional(found->compliance_in3_per_psi[0]) : std::nullopt;
 }
 
-/// The mean over individuals and window of the error itself, not squared.
+/// Returns the mean absolute error over individuals and window.
 double mean_error(const SearchProblem& problem, std::span<const Genome> population, std::span<const Sample> window) {
     double sum = 0;
     for (const Genome& genome : population)

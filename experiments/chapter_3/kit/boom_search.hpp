@@ -9,32 +9,32 @@
 
 namespace placedpar {
 
-/// What is identified from data with a model, by the thesis's way or another.
+/// The result of an identification from data with a model, by the thesis's way or another.
 struct BoomIdentified {
-    std::vector<hydraulics::CircuitSample> samples; ///< the usable ones
+    std::vector<hydraulics::CircuitSample> samples; ///< only the usable samples
     identification::Identified found;
-    double compliance_in3_per_psi;       ///< the search's
-    std::optional<double> least_squares; ///< of all samples; may be negative, as the thesis's first value was
-    bool at_lower_bound;                 ///< flagged so
+    double compliance_in3_per_psi;       ///< the search's answer
+    std::optional<double> least_squares; ///< over all samples; may be negative, as the thesis's first value was
+    bool at_lower_bound;                 ///< whether the answer has this flag
 };
 
-/// Throws as identify().
+/// Throws what identify() throws.
 BoomIdentified identify_boom(const BoomData&, const BoomModel&, const identification::IdentificationWay&,
                              std::uint64_t seed);
 
-/// The signed least squares of all usable samples; none when there are fewer than 5 or it does not settle.
+/// Returns the signed least squares over all usable samples; nullopt if there are fewer than 5 or it does not settle.
 std::optional<double> least_squares_compliance(const BoomData&, const BoomModel&,
                                                const hydraulics::UsableSamples& = {});
 
 /// One generation of a search.
 struct Generation {
-    double time_s; ///< of the newest sample
+    double time_s; ///< time of the newest sample
     double best_in3_per_psi;
     double best_error_in3_per_s; ///< rms over the window
-    double mean_error_in3_per_s; ///< of all individuals, over the window
+    double mean_error_in3_per_s; ///< for all individuals, over the window
 };
 
-/// The search of identify() again, watched: the same population by population.
+/// Repeats the search of identify(), population by population, and returns its generations.
 std::vector<Generation> watch_search(const BoomData&, std::span<const hydraulics::CircuitSample> samples,
                                      const identification::IdentificationWay&, std::uint64_t seed);
 

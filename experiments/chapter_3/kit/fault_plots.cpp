@@ -17,7 +17,7 @@ GuideLine true_mark() { return {"true, sound", 1000 * Parameters::excavator()["b
 
 Panel panel_over_samples(std::span<const PlantFault> faults, const RecordSource& source, std::uint64_t seed) {
     Panel panel{"a: C_BOi estimated by the spool, after each sample of one record",
-                {"time [s]", 0.3, 0.6}, // the first answer, and the end of the slowest rise
+                {"time [s]", 0.3, 0.6}, // from the first answer to the end of the slowest rise
                 compliance_axis,
                 {},
                 {true_mark()}};

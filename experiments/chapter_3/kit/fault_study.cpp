@@ -45,7 +45,7 @@ Record record_of(const PlantFault& fault, const RecordSource& source, std::uint6
 }
 
 SearchRun search_faulty(const Record& record, AreasFrom from, std::uint64_t seed) {
-    IdentificationWay way = rising_way(); // with what an engineer would add
+    IdentificationWay way = rising_way(); // with an engineer's improvements
     way.coding = Coding::gray;
     way.search.elite = 1;
     way.usable.skipped = 2;

@@ -13,7 +13,7 @@
 
 namespace placedpar {
 
-/// What is wrong with the machine: parameters that differ from those of excavator.csv.
+/// A fault of the machine: parameters that differ from those of excavator.csv.
 struct PlantFault {
     const char* name;
     std::vector<std::pair<const char*, double>> parameters;
@@ -21,33 +21,34 @@ struct PlantFault {
 
 PlantFault no_fault();
 PlantFault doubled_compliance();
-/// A leak k_l across the boom's piston from valve opening; its name gives its share of the steady 50 in^3/s.
+/// Returns a leak k_l across the boom's piston from the opening of the valve. Its name states its share of the steady
+/// 50 in^3/s.
 PlantFault leak_of(const char* name, double leak_in3_per_s_psi);
-/// The servo-valve's spool goes where another voltage would send it.
+/// Returns a drift of the servo-valve: its spool moves as if the voltage were higher by `bias_v`.
 PlantFault drift_of(double bias_v);
 
-/// Where the records come from, and what they hold.
+/// The source of records, and their content.
 struct RecordSource {
     const char *scenario, *noise;
     bool has_servo;
-    double period_s = hydraulics::sampling_period_s; ///< between readings
+    double period_s = hydraulics::sampling_period_s; ///< time between readings
 };
 
 hydraulics::Record record_of(const PlantFault& fault, const RecordSource& source, std::uint64_t seed);
 
-/// One search, the engineer's way, while the pressure rises. The identifier knows nothing of the fault: it takes the
-/// machine to be that of excavator.csv.
+/// Runs one search with an engineer's improvements while the pressure rises. The identification does not know the
+/// fault: it assumes the machine of excavator.csv.
 identification::SearchRun search_faulty(const hydraulics::Record& record, hydraulics::AreasFrom from,
                                         std::uint64_t seed);
-/// Its last answer, in in^3/psi.
+/// Returns the last answer of that search, in in^3/psi.
 double identified(const hydraulics::Record& record, hydraulics::AreasFrom from, std::uint64_t seed);
 
-/// By least squares over the rise, in in^3/psi. Throws where there is nothing to fit.
+/// Returns the result of least squares over the rise, in in^3/psi. Throws if there are too few samples.
 double least_squares(const hydraulics::Record& record);
 
-/// The compliance estimated from one record of each machine by the spool, sample by sample; and what a drift of the
-/// servo-valve makes of the compliance by the spool and by the voltage, of the first 5 records. REQUIRES: so many
-/// seeds.
+/// Plots the compliance estimated by the spool from one record of each machine, sample by sample. A second panel plots
+/// the effect of a drift of the servo-valve on the compliance by spool and by voltage, for the first 5 records.
+/// REQUIRES: at least 5 seeds.
 Plot plot_of_faults(std::span<const PlantFault> faults, const RecordSource& source,
                     std::span<const std::uint64_t> seeds);
 

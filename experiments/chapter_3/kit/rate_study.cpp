@@ -37,7 +37,7 @@ bool accused(const RecordSource& source, AreasFrom from, std::uint64_t seed) {
     return accused || !machine.alarms().empty();
 }
 
-/// Tells whether a machine is accused while it is sound, and whether each fault is found and named.
+/// Returns whether a sound machine has an alarm, and for each fault whether it is found and named.
 Figures judge_at_rate(const RecordSource& source, AreasFrom from, bool with_faults, std::uint64_t seed) {
     Figures figures{static_cast<double>(accused(source, from, seed))};
     if (!with_faults)
@@ -58,7 +58,7 @@ std::size_t count_in(const std::vector<Figures>& machines, std::size_t figure) {
     return static_cast<std::size_t>(std::ranges::count(column(machines, figure), 1.0));
 }
 
-/// A share of machines, and what it may be by so many: the interval of 95 %.
+/// Adds a share of machines with its 95 % interval.
 void add_share(Comparison& comparison, const std::string& row, const std::string& rate, std::size_t of, std::size_t all,
                std::optional<double> least) {
     const Cell share = plain_cell(row, rate, "%", 100 * static_cast<double>(of) / static_cast<double>(all), 1);

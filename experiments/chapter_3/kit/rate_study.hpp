@@ -7,24 +7,24 @@
 
 namespace placedpar {
 
-/// How often a logger reads, and what that is called.
+/// The sampling rate of a logger, with its name.
 struct LoggerRate {
     const char* name;
     double period_s;
-    bool with_faults; ///< or sound machines only
+    bool with_faults; ///< if false, only sound machines are tested
 };
 
-/// Sound machines at 50 Hz, 200 Hz, 1 kHz and 5 kHz, and faulty ones at 50 Hz and 1 kHz.
+/// The study has sound machines at 50 Hz, 200 Hz, 1 kHz and 5 kHz, and faulty ones at 50 Hz and 1 kHz.
 inline constexpr LoggerRate logger_rates[]{
     {"50 Hz", 0.02, true}, {"200 Hz", 0.005, false}, {"1 kHz", 0.001, true}, {"5 kHz", 0.0002, false}};
 
-/// A movement in which the valve stays open for twelve seconds, most of them steady: nothing moves that could tell a
+/// Returns a movement in which the valve stays open for 12 s, most of them steady, so that nothing in it determines a
 /// compliance.
 PlantFault long_movement(const RecordSource& source);
 
-/// What is said of machines of their own (tested_machine.hpp), as many as the replay has seeds, whose loggers read at
-/// these rates: of sound ones in a long movement, in sound_movements usual ones and in another long one; of those that
-/// become faulty as verdict_comparison() does.
+/// Compares the verdicts on machines (tested_machine.hpp), one for each seed of the replay, whose loggers have these
+/// rates. Sound machines make a long movement, then sound_movements usual ones and another long one. Others become
+/// faulty as in verdict_comparison().
 Comparison rate_comparison(const ReplayContext& context, const char* machine, const RecordSource& source,
                            hydraulics::AreasFrom from);
 

@@ -18,7 +18,7 @@ using namespace identification;
 
 namespace {
 
-/// A parameter and by what share it scatters.
+/// A parameter and the share by which it scatters.
 using Scatter = std::pair<const char*, double>;
 
 constexpr Scatter machine_scatter[]{
@@ -35,8 +35,9 @@ void scatter(Parameters& parameters, std::span<const Scatter> by, RandomStream& 
         parameters.set(name, parameters[name] * uniform(random, 1 - share, 1 + share));
 }
 
-/// An operator opens the valve by 60 to 140 % of the thesis's flow within 0 to 0.3 s, for 1 to 2.5 s, and shuts it. The
-/// scenario's own controller opens the valves of two links at once, and no valve but the servo-valve can be shut.
+/// Sets the operator's command: the valve opens to 60 to 140 % of the thesis's flow within 0 to 0.3 s, for 1 to 2.5 s,
+/// and shuts. In the scenario for two links, its own controller opens both valves at once. Only the servo-valve can be
+/// shut.
 void command(Parameters& parameters, const RecordSource& source, RandomStream& random) {
     const double opened = random.uniform(), ramp_s = uniform(random, 0, 0.3), for_s = uniform(random, 1, 2.5);
     if (source.has_servo) {
@@ -44,7 +45,7 @@ void command(Parameters& parameters, const RecordSource& source, RandomStream& r
         parameters.set("excavator.servo_ramp", ramp_s);
         parameters.set("excavator.second_time", for_s + 0.1);
         parameters.set("excavator.duration", for_s + 0.8);
-        parameters.set("excavator.integration_step", 0.0002); // half the work; twice as long would be refused
+        parameters.set("excavator.integration_step", 0.0002); // halves the work; a step twice as long would be refused
     } else if (moves_two(source)) {
         parameters.set("controller.asked_flow", 30 + 40 * opened);
         parameters.set("two_links.duration", for_s);
@@ -65,7 +66,7 @@ Parameters parameters_of(const RecordSource& source, std::uint64_t seed) {
     return parameters;
 }
 
-/// Quick sensors ask for short steps of the motion.
+/// Shortens the steps of the motion to the period of fast sensors.
 void shorten_steps(Parameters& parameters, double period_s) {
     for (const char* step : {"excavator.integration_step", "scenario_a.integration_step"})
         parameters.set(step, std::min(parameters[step], period_s));

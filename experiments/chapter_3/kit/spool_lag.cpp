@@ -19,7 +19,7 @@ std::optional<double> found_with(const BoomModel& model, const BoomData& data) {
 
 BoomModel with_lag(double lag_per_s) { return {AreasFrom::servo, lag_per_s, 0}; }
 
-/// Where `found(x)` passes through the compliance, x from low to high; it must rise.
+/// Finds x from low to high at which the rising function `found(x)` equals the compliance.
 template <class Found>
 double solve(double compliance_in3_per_psi, double low, double high, double precision, Found found) {
     auto beyond = [&](double x) {
@@ -30,7 +30,7 @@ double solve(double compliance_in3_per_psi, double low, double high, double prec
     };
     if (beyond(low) > 0 || beyond(high) < 0)
         throw UserError(fmt::format("nothing from {} to {} finds {} in^3/psi", low, high, compliance_in3_per_psi));
-    // The usable samples change with x, which makes the function jump: bisection minds least.
+    // The usable samples change with x, so the function has jumps, which bisection tolerates best.
     auto [below, above] =
         boost::math::tools::bisect(beyond, low, high, [=](double a, double b) { return b - a < precision; });
     return (below + above) / 2;
@@ -53,7 +53,7 @@ double lag_that_finds(double compliance_in3_per_psi, const BoomData& data) {
 }
 
 double offset_that_finds(double compliance_in3_per_psi, const BoomData& data) {
-    // Leaving an offset of -d in equals subtracting d from a correct reading.
+    // Leaving an offset of -d in the readings equals subtracting d from correct readings.
     return solve(compliance_in3_per_psi, -0.015, 0, 1e-6, [&](double offset) {
         BoomModel model = model_of(data, AreasFrom::spool);
         model.spool_offset_in = -offset;

@@ -5,18 +5,18 @@
 
 namespace placedpar {
 
-/// What experiment 2 finds when the a_0 that it believes in is not the machine's, and experiment 1 when the spool
-/// reads too low.
+/// These functions compute the effect of a wrong a_0 on experiment 2, and of a spool that reads too low on experiment
+/// 1.
 
-/// The a_0 with which least squares over the rising samples, areas from the voltage, finds a compliance.
-/// Throws UserError when none between half and four times the machine's does.
+/// Returns the a_0 with which least squares over the rising samples, areas from the voltage, gives this compliance.
+/// Throws UserError if no a_0 from half to four times the machine's does.
 double lag_that_finds(double compliance_in3_per_psi, const BoomData& data);
 
-/// The offset of the spool, below 0, that left in its readings makes least squares over the rising samples find a
-/// compliance. Throws UserError when none down to -.015 in does.
+/// Returns the offset of the spool, below 0, with which least squares over the rising samples gives this compliance if
+/// it is left in the readings. Throws UserError if no offset down to -.015 in does.
 double offset_that_finds(double compliance_in3_per_psi, const BoomData& data);
 
-/// The compliance found over the a_0 believed in, for two machines, with the thesis's two compliances.
+/// Plots the compliance over the assumed a_0 for two machines, with the thesis's two compliances.
 Panel panel_of_lag(std::span<const BoomData> machines);
 
 } // namespace placedpar

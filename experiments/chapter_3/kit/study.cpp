@@ -20,9 +20,9 @@ namespace {
 
 constexpr double m3_per_in3 = metre_per_inch * metre_per_inch * metre_per_inch;
 constexpr double m2_per_in2 = metre_per_inch * metre_per_inch;
-constexpr double m3_per_pascal = m3_per_in3 / pascal_per_psi; // of compliance
+constexpr double m3_per_pascal = m3_per_in3 / pascal_per_psi; // for compliances
 
-/// Flow constants and a sample of the boom in SI units.
+/// The flow constants and a sample of the boom in SI units.
 struct SiFlow {
     double orifice_m3_per_s_m2_sqrt_pa, pump_m3_per_s, tank_pa;
 };
@@ -40,7 +40,7 @@ SiSample in_si(const LinkSample& link) {
             link.piston_flow_in3_per_s * m3_per_in3, link.inlet_in2 * m2_per_in2, link.bypass_in2 * m2_per_in2};
 }
 
-/// 3.8, in m^3/s.
+/// Returns the error of equation 3.8, in m^3/s.
 double error_in_si(const SiFlow& flow, const SiSample& sample, double compliance_m3_per_pa) {
     double k = flow.orifice_m3_per_s_m2_sqrt_pa;
     double inlet = cylinder_flow(sample.piston_flow_m3_per_s, sample.inlet_slope_pa_per_s, compliance_m3_per_pa);
@@ -48,8 +48,8 @@ double error_in_si(const SiFlow& flow, const SiSample& sample, double compliance
     return flow.pump_m3_per_s - std::abs(inlet) - bypass_flow(k * sample.bypass_m2, junction_pa - flow.tank_pa);
 }
 
-/// The best of all codes with every number in SI units: the equations know no units, but for B, which goes with the
-/// flow's.
+/// Returns the best of all codes with all values in SI units. The equations do not depend on units, except B, which has
+/// those of the flow squared.
 double optimum_code_in_si(std::span<const CircuitSample> window, const FlowConstants& flow,
                           const IdentificationWay& way) {
     const SiFlow si_flow = in_si(flow);

@@ -9,18 +9,18 @@
 
 namespace placedpar {
 
-/// What many searches make of scenario A, each with noise and random numbers of its own.
+/// The results of many searches on scenario A, each with its own noise and random numbers.
 struct SearchStudy {
-    std::vector<double> error_percent;      ///< of the last estimate, without sign
+    std::vector<double> error_percent;      ///< error of the last estimate, absolute
     std::vector<double> codes_from_optimum; ///< distance from the best of all codes on the last window
-    std::vector<double> si_codes;           ///< that optimum's distance from the one found with everything in SI units
+    std::vector<double> si_codes;           ///< distance of that optimum from the one found with all values in SI units
 
     double median_percent() const;
     double ninetieth_percent() const;
     double within_ten_percent() const; ///< percent of the seeds
 };
 
-/// Measured transients, one a seed.
+/// Measured transients, one per seed.
 struct Transients {
     double true_in3_per_psi;
     hydraulics::FlowConstants flow;
@@ -29,7 +29,7 @@ struct Transients {
 Transients measure_transients(const hydraulics::MeasurementNoise& noise, const hydraulics::UsableSamples& usable,
                               std::span<const std::uint64_t> seeds);
 
-/// REQUIRES: a seed for each transient.
+/// REQUIRES: one seed per transient.
 SearchStudy study(const Transients& transients, const identification::IdentificationWay& way,
                   std::span<const std::uint64_t> seeds);
 

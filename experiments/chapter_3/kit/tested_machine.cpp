@@ -11,7 +11,7 @@ namespace {
 
 constexpr double pause_s = 2.5;
 
-/// Verdicts need no population: the searches wait for ever.
+/// Returns settings whose gate never opens, because verdicts need no search.
 DiagnosisSettings without_searches() {
     DiagnosisSettings settings;
     settings.gate.slope_psi_per_s = std::numeric_limits<double>::infinity();
@@ -36,7 +36,7 @@ void TestedMachine::move(const PlantFault& fault, double compliance_factor, std:
     for (std::size_t i = 0; i < movement.size(); ++i)
         diagnosis_.take(digger_.sample(movement, i, next_s_));
     next_s_ += movement.time_s.back() + pause_s;
-    // At rest again. After a gap what there was of a movement is judged.
+    // The machine is at rest again. A gap ends and judges an unfinished movement.
     diagnosis_.take(digger_.sample(movement, 0, next_s_));
     next_s_ += pause_s;
 }

@@ -10,7 +10,7 @@ using namespace identification;
 namespace {
 
 constexpr std::size_t states_a_point = 10; // of 1 ms each
-constexpr double transient_shown_s = 2;    // what follows is steady
+constexpr double transient_shown_s = 2;    // the rest is steady
 
 using StateValue = double (*)(const ExcavatorState&);
 
@@ -28,7 +28,7 @@ Panel over_time(const char* title, const char* axis, std::vector<Series> series)
 
 constexpr std::array<const char*, InternalStates::count> state_names{"P_11", "P_12", "Q_11", "Q_12", "Q_BUi", "Q_BOi"};
 
-/// One state all along.
+/// Returns one state over time.
 Series simulated_state(const TwoLinkMotion& motion, std::size_t which, int colour) {
     Series series{std::string(state_names[which]) + " simulated", {}, Stroke::line, colour};
     const auto& states = motion.motion.states;
@@ -42,7 +42,7 @@ double estimated_state(const ComplianceSearch& prepared, const TransientEstimate
     return estimated_states(*sample, estimate.compliance_in3_per_psi, prepared.flow).values()[which];
 }
 
-/// The same at the samples.
+/// Returns the identified state at the samples.
 Series identified_state(const ComplianceSearch& prepared, const SearchRun& run, std::size_t which, int colour) {
     Series series{std::string(state_names[which]) + " identified", {}, Stroke::points, colour};
     for (const TransientEstimate& estimate : run.estimates)

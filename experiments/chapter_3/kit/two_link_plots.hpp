@@ -5,15 +5,15 @@
 
 namespace placedpar {
 
-/// Figure 3.9: all states of the simulated circuit over time.
+/// Draws Figure 3.9: all states of the simulated circuit over time.
 Plot plot_of_states(const TwoLinkMotion& motion);
 
-/// Figure 3.10: the internal states that the best individuals give, over those simulated.
+/// Draws Figure 3.10: the internal states by the best individuals, over the simulated ones.
 Plot plot_of_estimated_states(const TwoLinkMotion& motion, const identification::ComplianceSearch& prepared,
                               const identification::SearchRun& run);
 
-/// Figure 3.11: the compliances estimated without and with the gate, over the generations, and the slopes of the
-/// samples without.
+/// Draws Figure 3.11: the compliances estimated without and with the gate, over the generations, and the slopes of the
+/// samples without it.
 Plot plot_of_compliances(const identification::ComplianceSearch& prepared, const identification::SearchRun& plain,
                          const identification::SearchRun& gated, std::size_t trials);
 

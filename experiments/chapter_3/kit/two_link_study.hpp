@@ -12,7 +12,7 @@
 
 namespace placedpar {
 
-/// Bucket and boom, simulated once (scenario R2, Figure 3.9).
+/// A motion of bucket and boom, simulated once (scenario R2, Figure 3.9).
 struct TwoLinkMotion {
     hydraulics::ExcavatorScenario scenario;
     hydraulics::ExcavatorMotion motion;
@@ -20,12 +20,12 @@ struct TwoLinkMotion {
 };
 TwoLinkMotion simulate_two_links();
 
-/// The record of it that a seed's sensors write, and what identification uses of that.
+/// Measures the motion with the sensors of a seed and prepares the search.
 identification::ComplianceSearch measure_two_links(const TwoLinkMotion& motion,
                                                    const hydraulics::MeasurementNoise& noise,
                                                    const identification::IdentificationWay& way, std::uint64_t seed);
 
-/// Errors of the two compliances, in percent without sign.
+/// The absolute errors of the two compliances, in percent.
 struct TwoErrors {
     double bucket, boom;
 
@@ -33,25 +33,27 @@ struct TwoErrors {
 };
 TwoErrors errors_of(std::span<const double> compliance_in3_per_psi);
 
-/// What 3.2 describes, made surer: one elite, and the first two samples after the valve opens left out.
+/// Returns the way of 3.2 with two additions: one elite individual, and the first two samples after the valve opens
+/// left out.
 identification::IdentificationWay elite_way();
-/// That, and Gray code.
+/// Returns elite_way() with Gray code.
 identification::IdentificationWay gray_way();
 
-/// Records that a judged share is counted over: one of p scatters by sqrt(p (1 - p) / 200), 3.5 points at one half.
+/// The number of records for a judged share. A share p has the standard deviation sqrt(p (1 - p) / 200), 3.5 points at
+/// one half.
 inline constexpr std::size_t search_records = 200;
 
-/// Many searches, each with noise and random numbers of its own.
+/// Runs a search for each seed, with its own noise and random numbers.
 std::vector<identification::SearchRun> search_many(const TwoLinkMotion& motion,
                                                    const hydraulics::MeasurementNoise& noise,
                                                    const identification::IdentificationWay& way,
                                                    std::span<const std::uint64_t> seeds);
 
-/// The share of searches in percent in which both are within 10 % after the given generation.
+/// Returns the percentage of searches in which both errors are within 10 % after the given generation.
 double both_within_ten_percent(std::span<const identification::SearchRun> runs, std::size_t generation,
                                std::size_t trials);
 
-/// Pressures at the junctions and all flows at one instant: P_11, P_12 in psi, Q_11, Q_12, Q_BUi, Q_BOi in in^3/s.
+/// The pressures at the junctions and all flows at one instant: P_11, P_12 in psi, Q_11, Q_12, Q_BUi, Q_BOi in in^3/s.
 struct InternalStates {
     double p11, p12, q11, q12, q_bucket, q_boom;
 
@@ -59,7 +61,8 @@ struct InternalStates {
     std::array<double, count> values() const { return {p11, p12, q11, q12, q_bucket, q_boom}; }
 };
 InternalStates true_states(const hydraulics::ExcavatorState& state);
-/// What compliances make of a sample, as the thesis records it of the best individual (3.2, step 7).
+/// Returns the states of a sample under given compliances; the thesis records them for the best individual (3.2, step
+/// 7).
 InternalStates estimated_states(const hydraulics::CircuitSample& sample, std::span<const double> compliance_in3_per_psi,
                                 const hydraulics::FlowConstants& flow);
 

@@ -78,7 +78,7 @@ Outcome watch(TestedMachine machine, const TestedFault& fault, std::size_t movem
 
 namespace {
 
-/// What is known of a machine's boom after its first movements.
+/// Returns the judge of a machine's boom after its first movements.
 LinkJudge judge_of(const TestedMachine& machine) {
     return LinkJudge(machine.diagnosis().state().watches.begin()->second.judges.back());
 }
@@ -98,9 +98,9 @@ std::uint64_t make_known(TestedMachine& machine) {
 
 namespace {
 
-/// The mean of the logarithm of the likelihood that a unit of a fault would have over none after the movements within
-/// which it is to be found, were they as the first ones and all else known to be sound. By the standard errors as they
-/// are stated.
+/// Returns the expected log likelihood ratio of one unit of the fault to none after faulty_movements movements. It
+/// assumes that these movements resemble the first ones and that everything else is known to be sound. It uses the
+/// stated standard errors.
 double evidence_of(const LinkJudge& judge, LinkFault fault) {
     const WayVector unit = vector_of(unit_of(fault));
     double known = 0;
@@ -116,11 +116,12 @@ LinkFault fault_of(const TestedFault& fault) {
         return LinkFault::compliance;
     if (fault.called != AlarmKind::leak)
         return LinkFault::offset;
-    return fault.fault.parameters.size() > 1 ? LinkFault::new_leak : LinkFault::leak; // with a time when it begins
+    return fault.fault.parameters.size() > 1 ? LinkFault::new_leak : LinkFault::leak; // the second is its starting time
 }
 
-/// Returns one machine's figures: the movements until a false alarm, 0 for none; the evidence of all_faults; and for
-/// each fault the movements until it is found, 0 for never, whether it is called so, and whether it is left undecided.
+/// Returns one machine's figures: the movements until a false alarm (0: none), and the evidence of all_faults. For each
+/// fault it adds the movements until it is found (0: never), whether it is named correctly, and whether it is
+/// undecided.
 Figures judge_machine(const RecordSource& source, AreasFrom from, std::uint64_t seed) {
     const TestedMachine new_machine(source, from, seed);
     const TestedFault sound{no_fault(), 1, {}};
@@ -129,7 +130,7 @@ Figures judge_machine(const RecordSource& source, AreasFrom from, std::uint64_t 
     Figures figures{static_cast<double>(watch(known, sound, sound_movements, next).found_after)};
     for (LinkFault each : all_faults)
         figures.push_back(evidence_of(judge_of(known), each));
-    std::uint64_t number = next + sound_movements; // no two faults have the same movements
+    std::uint64_t number = next + sound_movements; // each fault has its own movements
     for (const TestedFault& fault : tested_faults(source, from)) {
         const Outcome outcome = watch(fault.from_first_day ? new_machine : known, fault, faulty_movements, ++number);
         figures.push_back(static_cast<double>(outcome.found_after));
@@ -152,10 +153,11 @@ double percent(std::size_t of, std::size_t all) {
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-/// The share of faults that no test can exceed which raises an alarm in 1 % of sound machines, in percent: that of the
-/// likelihood ratio (J. Neyman and E. Pearson, 1933), whose logarithm is normal, its variance twice its mean.
+/// Returns the highest percentage of faults that any test can find if it raises an alarm in 1 % of sound machines. It
+/// is that of the likelihood ratio (J. Neyman and E. Pearson, 1933), whose logarithm is normal with a variance of twice
+/// its mean.
 double limit_percent(const TestedFault& fault, const std::vector<Figures>& machines) {
-    constexpr double one_in_a_hundred = 2.326; // standard deviations
+    constexpr double one_in_a_hundred = 2.326; // in standard deviations
     double found = 0;
     for (double of_unit : column(machines, evidence_figure + static_cast<std::size_t>(fault_of(fault)))) {
         const double beyond = std::sqrt(2 * of_unit) * fault.units - one_in_a_hundred;
@@ -164,7 +166,7 @@ double limit_percent(const TestedFault& fault, const std::vector<Figures>& machi
     return 100 * found / static_cast<double>(machines.size());
 }
 
-/// A fault's figures, one a machine.
+/// A fault's figures, one per machine.
 struct FaultFigures {
     std::vector<double> found, called, undecided;
 };

@@ -14,44 +14,47 @@
 
 namespace placedpar {
 
-/// Movements of a sound machine among which an alarm is a false one, and those within which a fault is to be found.
+/// The number of movements of a sound machine in which every alarm is false, and the number within which a fault must
+/// be found.
 inline constexpr std::size_t sound_movements = 20, faulty_movements = 8;
 
-/// What is wrong with a machine, and what it is to be called.
+/// A fault of a machine, and the alarm that it should raise.
 struct TestedFault {
     PlantFault fault;
-    double compliance_factor;         ///< times the machine's own
-    identification::AlarmKind called; ///< of the boom
-    bool from_first_day = false;      ///< or after three sound movements
-    double units = 1;                 ///< of WayUnits
-    /// %: of the machines, unless theory's limit is below it, and of those found.
+    double compliance_factor;         ///< relative to the machine's own compliance
+    identification::AlarmKind called; ///< the right alarm for the boom
+    bool from_first_day = false;      ///< if false, the fault begins after three sound movements
+    double units = 1;                 ///< size in WayUnits
+    /// Required percentages: of machines whose fault is found, unless the theoretical limit is lower, and of those
+    /// found whose fault is named correctly.
     double least_found = 90, least_called = 95;
-    /// %: of those found; none where the records do not allow more.
+    /// The allowed percentage of undecided ones among those found; nullopt if the records do not allow a limit.
     std::optional<double> most_undecided = 10;
 };
 
-/// The leaks are there at all times, or begin when the valve opens, as those of leak_of(). 10.5 mV move the spool by
-/// .005 in. Machines whose valves are known by their areas have no offset. A leak that begins and an offset need not be
-/// told apart where no rest follows a movement.
+/// Returns the faults to test. Leaks are there at all times, or begin when the valve opens, as those of leak_of(). A
+/// drift of 10.5 mV moves the spool by .005 in. Machines whose areas are measured have no offset. A leak that begins
+/// and an offset need not be distinguished where no rest follows a movement.
 std::vector<TestedFault> tested_faults(const RecordSource& source, hydraulics::AreasFrom from);
 
-/// What is said in the course of some movements.
+/// The verdicts during some movements.
 struct Outcome {
-    std::size_t found_after = 0; ///< movements; 0: nothing was found
-    bool called = false;         ///< by its name, when it was found
-    bool undecided = false;      ///< "leak or offset", of one of the two
+    std::size_t found_after = 0; ///< number of movements; 0: nothing was found
+    bool called = false;         ///< whether the fault was named correctly when found
+    bool undecided = false;      ///< whether the verdict was "leak or offset" for one of the two
 };
 
-/// Lets a sound machine make movements until its state of health is known: three that tell it, of as many as it takes.
-/// Returns their number. Throws std::runtime_error where fifty do not do it.
+/// Lets a sound machine move until its state of health is known, which takes three informative movements. Returns the
+/// number of movements. Throws std::runtime_error if fifty are not enough.
 std::uint64_t make_known(TestedMachine& machine);
 
-/// Lets the machine make movements with this fault until there is an alarm, `first_number` the one before the first.
+/// Lets the machine move with this fault until there is an alarm. The first movement has the number after
+/// `first_number`.
 Outcome watch(TestedMachine machine, const TestedFault& fault, std::size_t movements, std::uint64_t first_number);
 
-/// What the on-line diagnosis says of machines of their own (tested_machine.hpp), as many as the replay has seeds, at
-/// each of the three levels of noise: sound ones, and ones that become faulty after three sound movements or are so
-/// from the first. `from`: what it is told of the valve.
+/// Compares the verdicts of the on-line diagnosis on machines (tested_machine.hpp), one for each seed of the replay, at
+/// each of the three noise levels. There are sound machines, machines that become faulty after three sound movements,
+/// and machines that are faulty from the first. `from` is what the diagnosis reads of the valve.
 Comparison verdict_comparison(const ReplayContext& context, const char* machine, const RecordSource& source,
                               hydraulics::AreasFrom from);
 

@@ -23,7 +23,7 @@ Eigen::VectorXd normal_vector(Eigen::Index size, RandomStream& random) {
     return vector;
 }
 
-/// Logarithmic weights of the better half.
+/// Returns the logarithmic weights of the better half.
 Eigen::VectorXd recombination(std::size_t population) {
     auto parents = static_cast<Eigen::Index>(population / 2);
     Eigen::VectorXd weights(parents);
@@ -40,7 +40,7 @@ CovarianceAdaptation::CovarianceAdaptation(std::size_t dimensions, std::size_t p
       mean_(Eigen::VectorXd::Constant(static_cast<Eigen::Index>(dimensions), 0.5)),
       step_path_(Eigen::VectorXd::Zero(mean_.size())), shape_path_(step_path_),
       shape_(Eigen::MatrixXd::Identity(mean_.size(), mean_.size())), effective_(1 / weights_.squaredNorm()) {
-    // The tutorial's table 1.
+    // These are the values of the tutorial's table 1.
     auto n = static_cast<double>(dimensions);
     step_memory_ = (effective_ + 2) / (n + effective_ + 5);
     step_damping_ = 1 + 2 * std::max(0.0, std::sqrt((effective_ - 1) / (n + 1)) - 1) + step_memory_;

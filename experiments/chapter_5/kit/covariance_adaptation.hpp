@@ -11,22 +11,23 @@
 namespace placedpar {
 
 /// CMA-ES with rank-one and rank-mu update and the usual constants (N. Hansen, "The CMA evolution strategy: a
-/// tutorial", 2016), from the middle of the unit cube. Points outside of the cube are evaluated at its nearest point
-/// and pay their squared distance from it.
+/// tutorial", 2016), started at the middle of the unit cube. A point outside the cube is evaluated at the nearest point
+/// in it, and the squared distance is added as a penalty.
 class CovarianceAdaptation {
 public:
-    /// The deviation of the points along their longest axis, in lengths of the cube, does not fall below `least_step`:
-    /// a positive one keeps looking around when the objective changes. REQUIRES: a population of four or more.
+    /// `least_step` is the lower limit of the points' deviation along their longest axis, in lengths of the cube. With
+    /// a positive limit the search continues to explore when the objective changes. REQUIRES: a population of at least
+    /// four.
     CovarianceAdaptation(std::size_t dimensions, std::size_t population, double least_step, RandomStream random);
 
-    /// A generation, as many evaluations as the population has points.
+    /// Makes a generation, with one evaluation per point.
     void next_generation(const Objective01& minimised);
-    /// The mean of the points to come, in the cube.
+    /// Returns the mean of the next points, in the cube.
     Eigen::VectorXd mean() const;
 
 private:
     void move(const std::vector<Eigen::VectorXd>& best_steps);
-    /// The longest axis of the shape becomes 1, which changes no point.
+    /// Scales the longest axis of the shape to 1 and the step accordingly, which changes no point.
     void give_step_the_length();
     void adapt(const std::vector<Eigen::VectorXd>& best_steps, const Eigen::VectorXd& way);
 

@@ -10,21 +10,20 @@
 
 namespace placedpar {
 
-/// Of a point of the unit cube.
+/// An objective for a point of the unit cube.
 using Objective01 = std::function<double(const Eigen::VectorXd&)>;
 
-/// Differential evolution, rand/1/bin (R. Storn and K. Price, 1997), in the unit cube; what would lie outside of it is
-/// reflected.
+/// Differential evolution, rand/1/bin (R. Storn and K. Price, 1997), in the unit cube. Points outside it are reflected.
 class DifferentialEvolution {
 public:
     static constexpr double weight = 0.8, crossover = 0.9; ///< F and CR of the paper
 
-    /// A first population at random. REQUIRES: at least four points.
+    /// Draws a random first population. REQUIRES: at least four points.
     DifferentialEvolution(std::size_t dimensions, std::size_t population, RandomStream random);
 
-    /// Finds the values of the points anew: the objective has changed.
+    /// Evaluates the points again, after the objective has changed.
     void evaluate(const Objective01& minimised);
-    /// A generation, as many evaluations as points. REQUIRES: evaluate() was called.
+    /// Makes a generation, with one evaluation per point. REQUIRES: evaluate() was called.
     void next_generation(const Objective01& minimised);
     /// REQUIRES: evaluate() was called.
     const Eigen::VectorXd& best() const;

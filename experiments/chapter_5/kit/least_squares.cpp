@@ -9,7 +9,7 @@ namespace placedpar {
 
 namespace {
 
-// Of the covariance at the start: nothing is known.
+// The initial variance, which is large because nothing is known.
 constexpr double unknown = 1e6;
 
 LinearPlant least_squares_of_delay(std::span<const Sample> window, std::size_t delay) {
@@ -62,7 +62,7 @@ void RecursiveLeastSquares::push(const Sample& sample) {
     Eigen::VectorXd scaled = covariance_ * inputs;
     weights_ += scaled * (error / (forgetting_ + inputs.dot(scaled)));
     covariance_ = (covariance_ - scaled * scaled.transpose() / (forgetting_ + inputs.dot(scaled))) / forgetting_;
-    covariance_ = (0.5 * (covariance_ + covariance_.transpose())).eval(); // else a forgetting of .9 diverges
+    covariance_ = (0.5 * (covariance_ + covariance_.transpose())).eval(); // without this, a forgetting of .9 diverges
     unexplained_ = {sample[0] - weights_.dot(inputs), unexplained_[0]};
     plant_.weights = weights_.head<LinearPlant::coefficients>();
     plant_.squared_error = forgetting_ * plant_.squared_error + error * error;

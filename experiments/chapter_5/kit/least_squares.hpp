@@ -12,30 +12,29 @@
 
 namespace placedpar {
 
-/// A linear plant of second order, y(k) = a1 y(k-1) + a2 y(k-2) + b0 u(k-d) + b1 u(k-d-1) + b2 u(k-d-2): what the plant
-/// of chapter 5 is to whoever estimates its coefficients instead of its poles and zeros.
+/// A linear plant of second order, y(k) = a1 y(k-1) + a2 y(k-2) + b0 u(k-d) + b1 u(k-d-1) + b2 u(k-d-2). It is the
+/// plant of chapter 5 for methods that estimate coefficients instead of poles and zeros.
 struct LinearPlant {
     static constexpr std::size_t coefficients = 5, delays = 4; ///< d from 1 to 4
     using Coefficients = Eigen::Matrix<double, coefficients, 1>;
 
     std::size_t delay = 1;
     Coefficients weights = Coefficients::Zero(); ///< a1, a2, b0, b1, b2
-    double squared_error = 0;                    ///< what it was chosen for
+    double squared_error = 0;                    ///< the criterion by which it was chosen
 
-    /// What the weights belong to in a sample of plant_record.
+    /// Returns the values of a plant_record sample by which the weights are multiplied.
     static Coefficients inputs(const Sample& sample, std::size_t delay);
-    /// The pole with the greatest real part; beta is 0 for a pair of real ones.
+    /// Returns the pole with the greatest real part; beta is 0 for two real poles.
     Pole pole() const;
 };
 
-/// The plant of the least sum of squared prediction errors over the window: of each delay by a complete orthogonal
-/// decomposition (Eigen), of the four the best. So nobody who searches the poles and zeros for that criterion can do
-/// better. REQUIRES: a window that is not empty.
+/// Returns the plant with the least sum of squared prediction errors over the window. Each delay is solved by a
+/// complete orthogonal decomposition (Eigen), and the best of the four is chosen. No search of poles and zeros for this
+/// criterion can find a better plant. REQUIRES: the window is not empty.
 LinearPlant least_squares(std::span<const Sample> window);
 
-/// Least squares over all samples, each weighed by forgetting^age, found from sample to sample. With `noise_terms` also
-/// c1 e(k-1) + c2 e(k-2) is estimated, e being what the estimate before could not explain (extended least squares), for
-/// coloured noise.
+/// Recursive least squares over all samples, with weight forgetting^age. With `noise_terms` it also estimates c1 e(k-1)
+/// + c2 e(k-2), where e is the previous prediction error (extended least squares), for coloured noise.
 class RecursiveLeastSquares {
 public:
     enum class NoiseTerms : bool { none, two };
@@ -44,7 +43,7 @@ public:
     RecursiveLeastSquares(std::size_t delay, double forgetting, NoiseTerms noise_terms = NoiseTerms::none);
 
     void push(const Sample& sample);
-    /// With the sum of squared prediction errors, weighed alike.
+    /// Returns the plant with its sum of squared prediction errors, weighted likewise.
     const LinearPlant& plant() const { return plant_; }
 
 private:
@@ -56,7 +55,7 @@ private:
     std::array<double, 2> unexplained_{};
 };
 
-/// One for each delay; the plant is that of the least error.
+/// Runs one recursion per delay; the plant is the one with the least error.
 class RecursiveIdentification {
 public:
     explicit RecursiveIdentification(

@@ -23,7 +23,7 @@ const SearchProblem& static_problem(const std::string& name) {
         ProblemRegistry problems;
         add_benchmark_problems(problems);
         for (const StaticTask& task : static_tasks())
-            problems.find(task.problem); // made before threads ask for it
+            problems.find(task.problem); // made before threads use it
         return problems;
     }();
     return *registry.find(name).problem();
@@ -47,7 +47,7 @@ IslandsResult run_hypercube(const SearchProblem& problem, std::size_t islands, s
                        observer);
 }
 
-/// Of all islands, in each generation.
+/// Returns the best objective of all islands in each generation.
 Figures best_so_far(const SearchProblem& problem, std::size_t islands, std::size_t population, std::size_t generations,
                     std::uint64_t seed) {
     GenerationLog log(island_names(islands));
@@ -65,7 +65,7 @@ double best_fitness(const IslandsResult& result, std::size_t generation) {
     return best;
 }
 
-/// `add(series, study, size, x)` for each size of each study.
+/// Calls `add(series, study, size, x)` for each size of each study.
 template <class Add>
 Panel panel_by_size(Panel panel, const std::vector<TaskStudy>& studies, Add add) {
     int colour = 0;
@@ -83,10 +83,10 @@ Panel panel_by_size(Panel panel, const std::vector<TaskStudy>& studies, Add add)
 
 const std::vector<StaticTask>& static_tasks() {
     static const std::vector<StaticTask> tasks{
-        {"one-max(bits = 60)", 60},                   // every bit
+        {"one-max(bits = 60)", 60},                   // every bit is 1
         {"foxholes", 1},                              // the deepest of the holes, .998
-        {"schwefel(dimensions = 5, bits = 10)", 100}, // the best valley, the next one is 118 above it
-        {"trap(blocks = 6, size = 4)", 24}};          // out of every trap
+        {"schwefel(dimensions = 5, bits = 10)", 100}, // the best valley; the next one is 118 above it
+        {"trap(blocks = 6, size = 4)", 24}};          // outside every trap
     return tasks;
 }
 

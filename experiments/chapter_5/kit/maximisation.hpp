@@ -11,44 +11,45 @@
 
 namespace placedpar {
 
-/// A function that stands still, and what is to be reached of it: the optimum, or the valley that it lies in.
+/// A constant objective function and the target of its search: the optimum, or the valley in which it lies.
 struct StaticTask {
-    std::string problem; ///< as a netlist names it
-    double target;       ///< objective that is good enough
+    std::string problem; ///< name in a netlist
+    double target;       ///< objective that ends the search
 };
 const std::vector<StaticTask>& static_tasks();
 
-/// Generations until one of the islands reaches the target first, from 1; `limit` where none does before. Operators as
-/// in 5.4, but ranking, since these fitnesses may be negative: islands of `population` each, the hypercube's neighbours
-/// sending their bests in turn every three generations (5.2.1).
+/// Returns the number of generations, from 1, until an island reaches the target, or `limit` if none does. Operators
+/// are those of 5.4, but with ranking, since these fitnesses may be negative. There are `islands` islands of
+/// `population` individuals each. Neighbours in a hypercube send their best individuals in turn every three generations
+/// (5.2.1).
 std::size_t generations_to_target(const StaticTask& task, std::size_t islands, std::size_t population,
                                   std::size_t limit, std::uint64_t seed);
 
-/// How long a task takes by the size of something, over the seeds of a replay.
+/// The time that a task takes for several sizes of something, over the seeds of a replay.
 struct TaskStudy {
     StaticTask task;
     std::vector<std::size_t> sizes;
-    double limit = 0;                       ///< `taken` where the target is not reached
-    std::vector<std::vector<double>> taken; ///< of each size, of each seed: generations or evaluations
+    double limit = 0;                       ///< value of `taken` if the target is not reached
+    std::vector<std::vector<double>> taken; ///< generations or evaluations, by size and seed
 
     std::size_t reached(std::size_t size) const;
-    /// Share of the runs, in percent.
+    /// Returns the percentage of the runs that reach the target.
     double reached_percent(std::size_t size) const;
-    /// The median over the seeds.
+    /// Returns the median over the seeds.
     double median(std::size_t size) const;
 };
 
-/// generations_to_target of every seed of the replay.
+/// Returns generations_to_target for every seed of the replay.
 std::vector<double> study_task(const ReplayContext& context, const StaticTask& task, std::size_t islands,
                                std::size_t population, std::size_t limit);
 
-/// The best objective of all islands so far, generation by generation, of the same runs.
+/// Returns the best objective of all islands so far, generation by generation, for the same runs.
 ConvergenceCurve study_convergence(const ReplayContext& context, const StaticTask& task, std::size_t islands,
                                    std::size_t population, std::size_t generations);
 
-/// Medians by size with their 95 % intervals; of sizes with which more than nine in ten runs reach the target.
+/// Plots medians by size, with 95 % intervals, for the sizes with which more than nine in ten runs reach the target.
 Panel taken_panel(std::string title, Axis x, Axis y, const std::vector<TaskStudy>& studies);
-/// How many runs reach the target, with 95 % intervals.
+/// Plots how many runs reach the target, with 95 % intervals.
 Panel reached_panel(std::string title, Axis x, const std::vector<TaskStudy>& studies);
 
 } // namespace placedpar

@@ -11,10 +11,10 @@ namespace placedpar {
 
 namespace {
 
-// The thesis names none of these: readings that follow its text.
+// The thesis does not state these: they are readings that follow its text.
 constexpr std::size_t plant_elite = 1;
 const char* const plant_acceptance = "offspring";
-// Diversity is looked at from here on, every so many generations.
+// The first generation at which diversity is measured, and the interval.
 constexpr std::size_t diversity_from = 400, diversity_every = 10;
 
 IslandsSettings settings_of(const PlantIslands& plant) {
@@ -36,7 +36,7 @@ IslandsSettings settings_of(const PlantIslands& plant) {
     return settings;
 }
 
-/// How many bits two of a population differ in on average.
+/// Returns the mean number of bits in which two individuals of a population differ.
 double mean_difference(std::span<const Genome> population) {
     auto size = static_cast<double>(population.size());
     double sum = 0;

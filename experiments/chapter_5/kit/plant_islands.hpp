@@ -11,37 +11,39 @@
 
 namespace placedpar {
 
-/// A configuration of Table 5.3 at work on the changing plant.
+/// A configuration of Table 5.3 on the changing plant.
 struct PlantIslands {
     std::string name;
-    std::vector<std::size_t> populations{100}, windows{30}; ///< of each island, windows in samples
+    std::vector<std::size_t> populations{100}, windows{30}; ///< one per island; windows in samples
     std::string topology = "none", schedule = "broadcast(every = 12)";
     std::string reproduction = "universal"; ///< on max(0, sum of B - e^2)
     Coding coding = Coding::natural;
-    double bias = 10;       ///< B, of one sample
-    bool simulated = false; ///< y-hat inside the window, from the two outputs measured before it
+    double bias = 10;       ///< B of one sample
+    bool simulated = false; ///< whether y-hat inside the window is simulated from the two outputs measured before it
     PlantExperiment plant = {};
-    /// Whose bests are answers of all, by the names of IslandChoice: analysed at each broadcast.
+    /// The rules, by the names of IslandChoice, that choose the island whose best is the answer of all. They are
+    /// applied at each broadcast.
     std::vector<std::string> choices = {};
 };
 
-/// 30:24:16:10 and 24:30:40:50; 30:30:30:30 and 24:24:24:24.
+/// Windows 30:24:16:10 and populations 24:30:40:50, and their equal counterparts 30:30:30:30 and 24:24:24:24.
 inline const std::vector<std::size_t> distributed_windows{30, 24, 16, 10}, distributed_populations{24, 30, 40, 50},
     equal_windows{30, 30, 30, 30}, equal_populations{24, 24, 24, 24};
 
-/// What was found, generation by generation.
+/// The results, generation by generation.
 struct PlantSearchRun {
-    std::vector<std::vector<Pole>> islands;       ///< of each island's best
-    std::vector<std::vector<Pole>> answers;       ///< of each choice's island; before the first broadcast island 0's
-    std::vector<std::vector<std::size_t>> chosen; ///< by each choice, at each broadcast
-    double diversity = 0; ///< bits in which two of an island differ on average, over islands and generations 400 to 600
-    double identical = 0; ///< share of the generations 400 to 600 in which the bests of first and last island are one
+    std::vector<std::vector<Pole>> islands; ///< each island's best
+    std::vector<std::vector<Pole>> answers; ///< best of each choice's island; before the first broadcast island 0's
+    std::vector<std::vector<std::size_t>> chosen; ///< island of each choice at each broadcast
+    double diversity = 0; ///< mean number of bits in which two individuals of an island differ, over islands and
+                          ///< generations 400 to 600
+    double identical = 0; ///< share of generations 400 to 600 in which the bests of first and last island are equal
 };
 
-/// What is measured of the plant: the same for everything that is tried with a seed.
+/// Returns the measurements of the plant, which are the same for all methods with a seed.
 std::vector<std::vector<double>> plant_samples(const PlantExperiment& plant, std::uint64_t seed);
 
-/// Operators as in 5.4, one elite; the record and all searches by the seed.
+/// Searches with the operators of 5.4 and one elite individual; the seed determines the record and all searches.
 PlantSearchRun search_plant(const PlantIslands& islands, std::uint64_t seed);
 
 } // namespace placedpar

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t plotted_every = 5;
 
-// The figures of a run: its two of diversity, then of each track those of TrackingFigures and of every fifth pole.
+// The figures of a run are two of diversity, then for each track those of TrackingFigures and every fifth pole.
 
 void append_track(Figures& figures, const std::vector<Pole>& found, const PlantChange& change) {
     TrackingFigures tracking = track(found, change);
@@ -118,7 +118,7 @@ std::vector<double> less(const std::vector<double>& one, const std::vector<doubl
 }
 
 std::vector<double> ratio(const std::vector<double>& one, const std::vector<double>& other) {
-    // A deviation of 0 happens: the elite stays. A thousandth is far below the resolution of the strings.
+    // A deviation of 0 can occur, since the elite stays. A thousandth is far below the resolution of the strings.
     constexpr double nothing = 0.001;
     return paired(one, other, [](double a, double b) { return (a + nothing) / (b + nothing); });
 }

@@ -14,7 +14,7 @@ namespace placedpar {
 
 namespace {
 
-/// Whether a value is on the claimed side.
+/// Returns whether a value is on the claimed side.
 bool agrees(const Claim& claim, double value) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     return value >= claim.at_least.value_or(-infinity) && value <= claim.at_most.value_or(infinity);
@@ -29,7 +29,7 @@ std::string bound_of(const Claim& claim) {
     return bound;
 }
 
-/// As many as the bounds need to be printed as they are, 2 at least and 6 at most.
+/// Returns the number of decimals, from 2 to 6, that prints the bounds exactly.
 int decimals_of(const Claim& claim) {
     auto fits = [](std::optional<double> bound, int decimals) {
         double shifted = bound.value_or(0) * std::pow(10, decimals);
@@ -64,7 +64,7 @@ constexpr TrackColumn track_columns[]{{"delay to 20 %", Tracking::delay_20, 1},
                                       {"error after", Tracking::error_after, 3},
                                       {"deviation after", Tracking::deviation_after, 4}};
 
-/// A colour for each row; the truth has one of its own.
+/// The truth has its own colour; the rows have the others.
 constexpr int truth_colour = 7;
 
 double generation_of(std::size_t point) { return 5.0 * static_cast<double>(point); }
@@ -81,7 +81,7 @@ void add_pole_series(Panel& panel, const std::string& name, int colour, std::siz
     }));
 }
 
-/// Of each seed's run.
+/// Returns the part of the pole in each seed's run.
 std::vector<double> parts_of(const TrackRow& row, std::size_t point, double Pole::*part) {
     std::vector<double> parts;
     for (const auto& run : row.study->runs)
@@ -93,7 +93,7 @@ Pole median_pole(const TrackRow& row, std::size_t point) {
     return {median(parts_of(row, point, &Pole::alpha)), median(parts_of(row, point, &Pole::beta))};
 }
 
-/// The quartiles of the real part over the seeds.
+/// Returns the quartiles of the real part over the seeds.
 BandPoint quartiles_at(const TrackRow& row, std::size_t point) {
     auto real_parts = parts_of(row, point, &Pole::alpha);
     return {generation_of(point), quantile(real_parts, 0.25), quantile(real_parts, 0.75)};
@@ -106,7 +106,8 @@ Band quartiles(const TrackRow& row, int colour, std::size_t points) {
     return band;
 }
 
-/// The rows' names, each with what a row that is set in has from the one above it: "traditional, an island at random".
+/// Returns the rows' names in full. An indented row inherits the beginning from the row above it: "traditional, an
+/// island at random".
 std::vector<std::string> full_names(const std::vector<TrackRow>& rows) {
     std::vector<std::string> names;
     std::string above;
@@ -119,7 +120,7 @@ std::vector<std::string> full_names(const std::vector<TrackRow>& rows) {
     return names;
 }
 
-/// A legend says only what differs: "window 24" where all are "distributed".
+/// Removes the beginning that all names share: "window 24" if all are "distributed".
 std::vector<std::string> names_in_legend(const std::vector<TrackRow>& rows) {
     std::vector<std::string> names = full_names(rows);
     const std::string common = names.front().substr(0, names.front().find(", ")) + ", ";

@@ -13,29 +13,30 @@
 
 namespace placedpar {
 
-/// What is expected of a condition, in percent of the runs: of other seeds of this program.
+/// The expected results of a condition, in percent of the runs, from other seeds of this program.
 struct Expected {
     std::optional<double> converged, followed;
 };
 
-/// What a condition's runs came to.
+/// The results of a condition's runs.
 struct Tally {
     std::string name;
     std::size_t runs = 0, converged = 0, followed = 0;
-    std::vector<double> converged_at = {}; ///< generation, for each run
+    std::vector<double> converged_at = {}; ///< generation of each run
 
     double converged_percent() const;
     double followed_percent() const;
 };
 
-/// A run for each seed. The name tells the condition from all others of the experiment.
+/// Makes a run for each seed. `name` must be unique within the experiment.
 Tally tally_runs(const ReplayContext&, const std::string& name, const std::function<PlantOutcome(std::uint64_t)>& run);
 Tally tally_search(const ReplayContext&, const std::string& name, const PlantSearch&);
 
-/// A row: both shares with their 95 % intervals, and the median generation of convergence with its own. Shares that are
-/// expected are judged at four deviations of two samples (share_tolerance).
+/// Adds a row with both shares and their 95 % intervals, and the median generation of convergence with its own. Shares
+/// with an expected value are judged at four standard deviations of two samples (share_tolerance).
 void add_tally(Comparison&, const Tally&, const Expected& = {});
-/// A row: the 95 % interval of how many percent points more runs converged and followed than with the control.
+/// Adds a row with the 95 % interval of the increase, in percentage points, of runs that converged and followed
+/// compared with the control.
 void add_gain(Comparison&, const Tally& control, const Tally&);
 
 } // namespace placedpar

@@ -12,9 +12,9 @@ namespace placedpar {
 
 namespace {
 
-using Errors = std::vector<float>; ///< of the string that is the index in binary
+using Errors = std::vector<float>; ///< indexed by the string in binary
 
-constexpr double same_error = 1e-3; ///< two readings of one plant, as beta and -beta, differ by rounding only
+constexpr double same_error = 1e-3; ///< two readings of one plant, such as beta and -beta, differ only by rounding
 
 Genome string_numbered(std::size_t number, std::size_t bits) {
     Genome genome(bits);
@@ -22,7 +22,7 @@ Genome string_numbered(std::size_t number, std::size_t bits) {
     return genome;
 }
 
-/// Steepest descent, all strings at once: where each ends.
+/// Steepest descent from all strings at once; stores where each descent ends.
 class Descents {
 public:
     Descents(const Errors& errors, std::size_t bits) : end_(errors.size()) {
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    /// The best of those that differ in one bit, or the string itself.
+    /// Returns the best of the strings that differ in one bit, or the string itself.
     static std::uint32_t better_neighbour(const Errors& errors, std::size_t bits, std::size_t from) {
         std::size_t best = from;
         for (std::size_t bit = 0; bit < bits; ++bit)
@@ -50,7 +50,7 @@ private:
         return static_cast<std::uint32_t>(best);
     }
 
-    /// Errors fall along the way, so that it comes to an end.
+    /// Follows the descent from a string. It ends because errors fall along it.
     void follow(std::size_t from) {
         std::size_t end = from;
         while (end_[end] != end)
@@ -68,7 +68,7 @@ bool is_good(const PlantProblem& problem, const Recoding& reading, std::size_t s
     return std::hypot(plant.alpha - pole.alpha, std::abs(plant.beta) - pole.beta) < PlantOutcome::near_the_pole;
 }
 
-/// How many of the strings, by their numbers, satisfy it.
+/// Counts the strings, by their numbers, for which `is` returns true.
 template <class Is>
 double count_strings(std::size_t strings, Is is) {
     std::size_t count = 0;

@@ -7,8 +7,8 @@
 
 namespace placedpar {
 
-/// The pair of Figure 6.6 as it is set, as SVG: both searches with their populations, the strings that they breed,
-/// field by field, above the problem's string, and what goes from one to the other. The same settings give the same
+/// Draws the pair of Figure 6.6 with these settings, as SVG. It shows both searches with their populations, their
+/// strings, field by field, above the problem's string, and the data sent between them. The same settings give the same
 /// bytes. REQUIRES: a name for each field, without <, > and &.
 std::string draw_pair(const CoarseFineSettings& settings, const std::vector<std::string>& fields);
 

@@ -13,31 +13,32 @@
 
 namespace placedpar {
 
-/// The plant of chapter 5 as its search problem, read in natural binary, and the bits of its fields (Table 5.1).
+/// The plant of chapter 5 as a search problem in natural binary, and the bits of its fields (Table 5.1).
 const SearchProblem& plant_search_problem();
 std::vector<std::size_t> plant_field_bits();
-/// The coarse reading of Table 6.3: two bits for the delay, so many for each of the five others. 7 is the whole string.
+/// Returns the coarse reading of Table 6.3: two bits for the delay, `bits` for each of the five other parameters. With
+/// 7 it is the whole string.
 Recoding plant_reading(std::size_t bits, Coding coding = Coding::natural);
 
-/// The settings that all searches of this chapter have in common, as those of chapter 5: a window of 30 samples, B = 10
-/// a sample, stochastic universal sampling, an elite of one, rates .8 and .01.
+/// Returns the settings that all searches of this chapter share with chapter 5: a window of 30 samples, B = 10 per
+/// sample, stochastic universal sampling, an elite of one, rates .8 and .01.
 SearchSettings plant_settings(std::size_t population);
 
-/// How well a search followed the dominant pole while a1 changed (Table 5.4), without noise.
+/// The quality with which a search followed the dominant pole while a1 changed (Table 5.4), without noise.
 struct PlantOutcome {
     static constexpr double near_the_pole = 0.1;
 
-    /// Root mean squares of |pole found - true pole| over generations 100 to 199, 200 to 399 and 500 to 599.
+    /// The rms of |pole found - true pole| over generations 100 to 199, 200 to 399 and 500 to 599.
     std::array<double, 3> pole_error{};
-    /// The first generation from which on that distance stays below near_the_pole for ten generations, before
-    /// the change; 200 where there is none.
+    /// The first generation, before the change, from which that distance stays below near_the_pole for ten generations;
+    /// 200 if there is none.
     double converged_at = 0;
 
     bool converged() const { return pole_error[0] < near_the_pole; }
     bool followed() const { return pole_error[2] < near_the_pole; }
 };
 
-/// Of an answer, a pole's alpha and beta, for each generation.
+/// Collects an answer, a pole's alpha and beta, in each generation.
 class PoleTrack {
 public:
     void add(const std::vector<double>& parameters);
@@ -47,17 +48,16 @@ private:
     std::vector<double> distance_;
 };
 
-/// A search of the plant: the whole of what a condition of an experiment says. The first population is random unless
-/// one is given.
+/// The complete settings of a search of the plant under one condition.
 struct PlantSearch {
     SearchSettings settings;
     Recoding reading;
-    bool spread_start = false; ///< spread_population() instead of a random one
+    bool spread_start = false; ///< use spread_population() for the first population instead of a random one
 };
 
 PlantOutcome run_plant_search(const PlantSearch& search, std::uint64_t seed);
 
-/// What the pair's halves answered.
+/// The results of the two halves of the pair.
 struct PairOutcome {
     PlantOutcome coarse, fine;
 };

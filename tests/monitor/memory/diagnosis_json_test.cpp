@@ -94,7 +94,7 @@ TEST_CASE("a state that lacks a member, or has one that is wrong, is refused wit
             "tracks.0.sums.inlet_psi: \"x\" is not a number");
     refused("\"judged\":false", "\"judged\":0", "judged: ");
     refused("\"judged\":false", "\"judged\":false,\"more\":1", "it is not whole: 18 members, expected 17");
-    refused("\"configuration\":null", "\"configuration\":\"f\"", "configuration: \"f\" is none of its names");
+    refused("\"configuration\":null", "\"configuration\":\"f\"", "configuration: \"f\" is not one of its names");
     refused("\"active\":\"\"", "\"active\":\"BO BU\"", "active: \"BO BU\" is not a list of links");
     refused("\"sets\":{}", "\"sets\":{\"P9\":{}}", "sets.P9: there is no such population set");
     refused("\"inlet_psi\":\"\"", "\"inlet_psi\":\"1\"", "the parts of a link's readings do not belong together");

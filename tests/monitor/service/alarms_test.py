@@ -100,7 +100,7 @@ class Alarms(ServiceTest):
         self.assertEqual(self.tell(service, "forget", "digger")["type"], "forgotten")
         self.assertEqual(self.tell(service, "alarms")["alarms"], [])
         self.assertIn("expected one of: alarms, load, forget MACHINE", self.tell(service, "remember", code=1))
-        self.assertIn("has 0 words behind it", self.tell(service, "forget", code=1))
+        self.assertIn("is followed by 0 words", self.tell(service, "forget", code=1))
 
     def test_the_command_knows_tokens_and_sockets(self):
         token = self.folder / "token"
@@ -108,7 +108,7 @@ class Alarms(ServiceTest):
         token.chmod(0o600)
         path = self.folder / "socket"
         service = self.service("--unix", path, "--port", 0, "--token-file", token)
-        self.assertIn("nobody knows who you are", self.tell(service, "load", code=1))
+        self.assertIn("not authenticated", self.tell(service, "load", code=1))
         self.assertEqual(self.tell(service, "load", "--token-file", str(token))["type"], "load")
         done = subprocess.run([PROGRAM, "tell", "--unix", path, "--token-file", token, "load"], capture_output=True,
                               text=True, timeout=SECONDS, check=True)

@@ -140,7 +140,7 @@ class Crowd(ServiceTest):
         client = self.client(service, "digger", path=str(path))
         client.ask(**CONFIGURATION)
         self.assertEqual(client.ask(**boom(0))["samples"], 1)
-        self.assertIn("somebody listens there already", self.refusal("--unix", path))
+        self.assertIn("a program listens there already", self.refusal("--unix", path))
         self.assertIn("something else", self.refusal("--unix", self.token_file()))
         self.assertIn("more than 107 bytes", self.refusal("--unix", "x" * 108))
         _, errors = service.stop(signal.SIGKILL)

@@ -138,7 +138,7 @@ class Page(ServiceTest):
             raw.sendall(b"GET /snapshot HTTP/1.1\r\nHost: localhost\r\nAuthorization: Bearer wrong-horse-battery\r\n\r\n" * 3)
             answers = b"".join(iter(lambda: raw.recv(4096), b""))
         self.assertEqual(answers.count(b"HTTP/1.1 401"), 1)
-        self.assertRegex(service.stop()[1], r"Z placedpar monitor: 127.0.0.1 port \d+ has said a wrong token\n")
+        self.assertRegex(service.stop()[1], r"Z placedpar monitor: 127.0.0.1 port \d+ sent a wrong token\n")
 
     def test_no_peer_takes_the_whole_page(self):
         service = self.service("--http", 0)

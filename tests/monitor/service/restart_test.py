@@ -125,7 +125,7 @@ class Restart(ServiceTest):
             client.send(**boom(i))
             self.assertEqual(client.receive_type("estimates")["samples"], i + 1)
         _, errors = service.stop(signal.SIGKILL)
-        self.assertEqual(errors.count("going on, but a restart would forget"), 1)
+        self.assertEqual(errors.count("the service continues, but a restart would lose what was not written"), 1)
         again = self.service("--state", self.state)
         known = self.client(again, "digger").welcome["samples"]
         self.assertGreater(known, 10)
@@ -168,7 +168,7 @@ class Restart(ServiceTest):
         self.assertEqual(client.receive_type("kept")["kept"], True)
         self.assertEqual(client.ask(**boom(20)), expected[20])
         _, errors = service.stop(signal.SIGKILL)
-        self.assertEqual(len(re.findall("a restart would forget|written again", errors)), 2, errors)
+        self.assertEqual(len(re.findall("a restart would lose|written again", errors)), 2, errors)
         self.assertIn("the state file is written again", errors)
         client = self.client(self.service("--state", self.state, *UNSETTLED), "digger")
         self.assertEqual(client.welcome["samples"], 21)
