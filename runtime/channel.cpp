@@ -61,7 +61,7 @@ void AnyChannel::expect_inputter(const Process& process) { own_input(process); }
     const bool inside = &end == &outputter_ ? outputter_inside_ : inputter_inside_;
     if (end.process && (inside || !may_follow(end, process)))
         throw std::logic_error(fmt::format(
-            "process {} {} channel {}, as {} record: a channel joins two processes only", process.path(), verb, name_,
+            "process {} {} channel {}, as {} does: a channel joins two processes only", process.path(), verb, name_,
             end.outermost == &process.outermost() ? "another component of a PAR" : "process " + end.outermost->path()));
     end = user(process);
 }

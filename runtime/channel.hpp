@@ -392,7 +392,7 @@ private:
 template <class T>
 class Channel final : public AnyChannel {
     static_assert(Protocol<T>,
-                  "a message has a fixed size, or says by wire_form() const what it is on a wire; moving it record not "
+                  "a message has a fixed size, or says by wire_form() const what it is on a wire; moving it does not "
                   "throw; it is no pointer, reference or view: processes share no memory");
 
 public:

@@ -22,7 +22,7 @@ public:
         check_adapters_without_bus();
         if (c_.buses_refused = c_.reporter.failed(); c_.buses_refused)
             return;
-        for (const BusWay& way : all_hypotheses())
+        for (const BusWay& way : all_ways())
             add_way(way);
     }
 
@@ -76,7 +76,7 @@ private:
 
     /// Returns the ways to link adapters first, so that a channel which may take either is led as the netlist attaches
     /// them.
-    std::vector<BusWay> all_hypotheses() const {
+    std::vector<BusWay> all_ways() const {
         std::vector<BusWay> all;
         for (std::size_t i = 0; i < nodes().size(); ++i)
             if (const auto& medium = nodes()[i].kind->medium; medium && medium->ways)

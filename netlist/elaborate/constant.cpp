@@ -178,9 +178,9 @@ Constant apply_cast(const std::string& type, const Constant& operand) {
     if (type == "char" && (v < -128 || v > 255))
         throw NoResult{fmt::format("{} is not a character", v), "a character has a code from 0 to 255"};
     if (type == "short" && (v < -32768 || v > 32767))
-        throw NoResult{fmt::format("{} record not fit into a short", v), "a short goes from -32768 to 32767"};
+        throw NoResult{fmt::format("{} does not fit into a short", v), "a short goes from -32768 to 32767"};
     if (type == "int" && (v < -0x80000000LL || v > 0x7fffffffLL))
-        throw NoResult{fmt::format("{} record not fit into an int", v), "an int goes from -2147483648 to 2147483647"};
+        throw NoResult{fmt::format("{} does not fit into an int", v), "an int goes from -2147483648 to 2147483647"};
     return {result};
 }
 

@@ -113,7 +113,7 @@ ProcessKind sender_or_fail_kind() {
             .ports = {packets_out()},
             .parameters = {packet_count(), packet_bytes(), packet_cycles(),
                            packet_timeout("after which it gives a packet up")},
-            .measurements = {{"given_up", "packets", "of which it record not know that they have gone"}},
+            .measurements = {{"given_up", "packets", "of which it does not know that they have gone"}},
             .body = produce_or_fail,
             .check = require_can_give_up};
 }

@@ -155,7 +155,7 @@ ParameterDescription link_of_switch(const char* name, std::int64_t by_default, c
 ProcessKind switch_logic_kind() {
     return {.name = "csp.switch_logic",
             .about =
-                "What a C004 record with the bytes that come over its configuration link: it connects and disconnects "
+                "What a C004 does with the bytes that come over its configuration link: it connects and disconnects "
                 "its links, and answers. Placed on the switch; a part of the machine, which never ends.",
             .ports = {input<SwitchCommand>("commands", "c004 command", "1 to 3 bytes"),
                       optional(output<SwitchAnswer>("answers", "c004 answer", "a byte, to the command 2"))},

@@ -77,7 +77,7 @@ DeviceKind vme() {
             .attributes = bus_attributes(),
             .medium = Medium{.slots = vme_slots, .broadcasts = true, .takes = can_be_attached, .ways = ways_over_bus},
             .faults = {{.name = "hogged",
-                        .about = "another master asks for the bus and record not let go of it",
+                        .about = "another master asks for the bus and does not let go of it",
                         .attributes = {fault_begins(), fault_must_end(), request_level()},
                         .why_not = why_not_hogged}},
             .tracks = bus_tracks,

@@ -81,7 +81,7 @@ private:
             attached_.reporter.error(
                 adapter.declared,
                 fmt::format("nobody on the bus \"{}\" can use the link adapter \"{}\"", bus.name, adapter.name),
-                "a workstation or a bus master record: connect sun.bus[0] to " + bus.name + ".slot[1];");
+                "a workstation or a bus master does: connect sun.bus[0] to " + bus.name + ".slot[1];");
         else
             attached_.reporter.error(adapter.declared,
                                      fmt::format("which master uses the link adapter \"{}\", \"{}\" or \"{}\"?",

@@ -186,7 +186,7 @@ void VmeMaster::require_answer(BusSlave& slave) {
         return;
     move(1, bus_.timing().time_out);
     ++bus_errors_;
-    throw BusError(fmt::format("bus error: {} record not answer {} on bus {} within {}", slave.bus_name(), name_,
+    throw BusError(fmt::format("bus error: {} does not answer {} on bus {} within {}", slave.bus_name(), name_,
                                bus_.name(), to_string(bus_.timing().time_out)));
 }
 

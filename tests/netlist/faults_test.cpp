@@ -143,7 +143,7 @@ TEST_CASE("a processor that halts stops its processes, and those that wait for i
     CHECK(run_stream("fault a halts (from = 1s);").faults[0].had_effect() == false);
 }
 
-TEST_CASE("a stream with time-outs survives what a stream without record not, and counts what is lost") {
+TEST_CASE("a stream with time-outs survives what a stream without does not, and counts what is lost") {
     for (const char* fault :
          {"fault wire silent (from = at, until = 5ms);", "fault wire loses_acknowledge (from = at);",
           "fault wire silent (from = at, until = 5ms, direction = \"out\");"}) {
@@ -206,7 +206,7 @@ TEST_CASE("who asks something absent on a bus is told so by a bus error after th
     };
     std::string said = refused_with("fault b absent (from = 100us);");
     CHECK(said.find("process p (csp.producer) at ") != std::string::npos);
-    CHECK(said.find("bus error: b record not answer a on bus vme within 125.000000 us") != std::string::npos);
+    CHECK(said.find("bus error: b does not answer a on bus vme within 125.000000 us") != std::string::npos);
     CHECK(refused_with("fault b absent (from = 1s);").empty());
     CHECK(refused_with("fault b absent (until = 100us); fault b absent (from = 1s);").find(" at 1") !=
           std::string::npos);                       // each of two, and not the last alone
@@ -227,7 +227,7 @@ TEST_CASE("a router that asks something absent on a bus is told so as a program 
         said = error.what();
     }
     CHECK(said.find("router ") != std::string::npos);
-    CHECK(said.find("bus error: ad record not answer sun on bus vme within 125.000000 us") != std::string::npos);
+    CHECK(said.find("bus error: ad does not answer sun on bus vme within 125.000000 us") != std::string::npos);
 }
 
 TEST_CASE("two hogs stand in two slots, and what is printed of one loads again") {

@@ -157,7 +157,7 @@ TEST_CASE("mutated netlists are read to an end") {
         auto printed = print_cfs(*result.network);
         auto again = read_netlist_text(printed, small_catalogue());
         if (!again.network || print_cfs(*again.network) != printed)
-            FAIL("record not load again:\n" << text << "\nprinted:\n" << printed << render(again.diagnostics));
+            FAIL("does not load again:\n" << text << "\nprinted:\n" << printed << render(again.diagnostics));
         print_dot(*result.network);
         boost::json::parse(print_json(*result.network)); // throws at what is no JSON
     }

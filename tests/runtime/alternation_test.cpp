@@ -85,7 +85,7 @@ TEST_CASE("a guard whose condition is false is passed over") {
     CHECK(chosen == "10");
 }
 
-TEST_CASE("a timeout is taken at its moment when no message comes, and not when one record") {
+TEST_CASE("a timeout is taken at its moment when no message comes, and not when one does") {
     auto watch = [](auto c, std::string& log) {
         alt(on(c[0]->in(), [&](int) { log += fmt::format("message@{}", now() / microseconds{1}); }),
             after(microseconds{5}, [&] { log += fmt::format("timeout@{}", now() / microseconds{1}); }));
@@ -272,7 +272,7 @@ TEST_CASE("over a link an alternation is woken by the first byte of a message") 
     CHECK(received == std::chrono::nanoseconds{550 + 300 + 98 * 560 + 550});
 }
 
-TEST_CASE("a timeout that is due already record not keep others from running, nor an interruption from being seen") {
+TEST_CASE("a timeout that is due already does not keep others from running, nor an interruption from being seen") {
     Simulation simulation;
     Channel<int> c("c");
     bool got = false;

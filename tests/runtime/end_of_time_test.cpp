@@ -50,7 +50,7 @@ TEST_CASE("a computation that goes beyond the end of time ends the run, and name
     CHECK(rounds == 1);
 }
 
-TEST_CASE("so record a delay, but only when everything before it has happened") {
+TEST_CASE("so does a delay, but only when everything before it has happened") {
     Simulation simulation;
     Time last{};
     simulation.process("waits", [] { wait_for(Time::max() - Time{3}), wait_for(Time{3}); });
@@ -59,7 +59,7 @@ TEST_CASE("so record a delay, but only when everything before it has happened") 
     CHECK(last == Time::max() - Time{1});
 }
 
-TEST_CASE("so record a message over a link that is too slow for it") {
+TEST_CASE("so does a message over a link that is too slow for it") {
     Simulation simulation;
     Channel<LongMessage> c("c");
     c.put_on(simulation.add<Link>(LinkTiming{.bits_per_second = 1, .wire_delay = std::chrono::microseconds{5}})

@@ -240,7 +240,7 @@ TEST_CASE("a process that swallows its unwinding has no part in what links do an
     CHECK(swallowed == 3);
 }
 
-TEST_CASE("a device that never stops record not keep a run from completing") {
+TEST_CASE("a device that never stops does not keep a run from completing") {
     Simulation simulation;
     int polls = 0, alive = 0;
     simulation

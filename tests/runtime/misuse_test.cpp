@@ -180,7 +180,7 @@ TEST_CASE("an outputter whom the carrier refused has left the channel") {
     CHECK(!c.output_waits());
 }
 
-TEST_CASE("a soft channel record not join processors") {
+TEST_CASE("a soft channel does not join processors") {
     for (bool outputter_first : {true, false}) {
         Simulation simulation;
         auto& a = simulation.add<Processor>("a");
@@ -202,7 +202,7 @@ TEST_CASE("each end of a channel has one owner") {
     SUBCASE("an end that two processes declare") {
         simulation.process("first", {c.out()}, [] {});
         CHECK_THROWS_WITH_AS(simulation.process("second", {c.in(), c.out()}, [] {}),
-                             "process second outputs to channel c, as process first record: a channel joins two "
+                             "process second outputs to channel c, as process first does: a channel joins two "
                              "processes only",
                              std::logic_error);
     }
@@ -216,7 +216,7 @@ TEST_CASE("each end of a channel has one owner") {
         simulation.process("second", [&] { go.in().input(), c.out().output(2); });
         simulation.process("inputter", [&] { c.in().input(), c.in().input(); });
         CHECK_THROWS_WITH_AS(simulation.run(),
-                             "process second outputs to channel c, as process first record: a channel joins two "
+                             "process second outputs to channel c, as process first does: a channel joins two "
                              "processes only",
                              std::logic_error);
     }
@@ -225,7 +225,7 @@ TEST_CASE("each end of a channel has one owner") {
         simulation.process("second", [&] { go.in().input(), alt(on(c.in(), [](int) {})); });
         simulation.process("outputter", [&] { c.out().output(1), c.out().output(2); });
         CHECK_THROWS_WITH_AS(simulation.run(),
-                             "process second inputs from channel c, as process first record: a channel joins two "
+                             "process second inputs from channel c, as process first does: a channel joins two "
                              "processes only",
                              std::logic_error);
     }
@@ -235,7 +235,7 @@ TEST_CASE("each end of a channel has one owner") {
         });
         simulation.process("inputter", [&] { c.in().input(), c.in().input(); });
         CHECK_THROWS_WITH_AS(simulation.run(),
-                             "process p/1 outputs to channel c, as another component of a PAR record: a channel joins "
+                             "process p/1 outputs to channel c, as another component of a PAR does: a channel joins "
                              "two processes only",
                              std::logic_error);
     }
@@ -255,7 +255,7 @@ TEST_CASE("each end of a channel has one owner") {
     }
 }
 
-TEST_CASE("a component of a PAR record not use an end while one within another component is at it") {
+TEST_CASE("a component of a PAR does not use an end while one within another component is at it") {
     Simulation simulation;
     Channel<int> c("c");
     SUBCASE("it outputs") {
@@ -264,7 +264,7 @@ TEST_CASE("a component of a PAR record not use an end while one within another c
                 [&] { par([&] { c.out().output(2); }, [] {}); });
         });
         CHECK_THROWS_WITH_AS(simulation.run(),
-                             "process p/0 outputs to channel c, as another component of a PAR record: a channel joins "
+                             "process p/0 outputs to channel c, as another component of a PAR does: a channel joins "
                              "two processes only",
                              std::logic_error);
     }
@@ -347,7 +347,7 @@ TEST_CASE("computing in no time can be interrupted") {
     other.join();
 }
 
-TEST_CASE("a process that catches everything record not hang the end") {
+TEST_CASE("a process that catches everything does not hang the end") {
     Death death = die([] {
         Simulation simulation;
         Channel<int> c("c");

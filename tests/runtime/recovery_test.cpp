@@ -153,6 +153,6 @@ TEST_CASE("an end is reset by its owner, when nobody is in it") {
     simulation.process("resets", [&] { reset(c.out()); });
     CHECK_THROWS_WITH_AS(
         simulation.run(),
-        "process resets resets channel c, as process outputs record: a channel joins two processes only",
+        "process resets resets channel c, as process outputs does: a channel joins two processes only",
         std::logic_error);
 }

@@ -31,7 +31,7 @@ TEST_CASE("the second to arrive goes on, the first goes to the back of the ready
     CHECK(order == "ori");
 }
 
-TEST_CASE("an outputter that arrives first waits as an inputter record") {
+TEST_CASE("an outputter that arrives first waits as an inputter does") {
     Simulation simulation;
     Channel<int> c("c");
     std::string order;
@@ -114,7 +114,7 @@ TEST_CASE("a second user of an end is refused by name, also while the first wait
         } catch (const std::logic_error& error) {
             message = error.what();
         }
-        CHECK(message == "process second outputs to channel busy, as process first record: "
+        CHECK(message == "process second outputs to channel busy, as process first does: "
                          "a channel joins two processes only");
     }
 }

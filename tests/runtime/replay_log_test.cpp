@@ -247,7 +247,7 @@ void communicate(std::uint32_t bytes) {
 
 } // namespace
 
-TEST_CASE("what a program record once more with other messages is what it would have done on the machine") {
+TEST_CASE("what a program does once more with other messages is what it would have done on the machine") {
     std::size_t repeated = 0, has_diverged = 0;
     for (std::uint64_t seed : test::seeds(400, 1))
         for (bool depends : {false, true}) {
@@ -282,7 +282,7 @@ TEST_CASE("keeping a history changes nothing") {
     }
 }
 
-TEST_CASE("who record something else than he did departs") {
+TEST_CASE("who does something else than he did departs") {
     auto work = [](Cycles cycles, Time delay, std::uint32_t bytes) {
         compute(cycles, {.between_points = Cycles{5}});
         wait_for(delay);
@@ -305,7 +305,7 @@ TEST_CASE("who record something else than he did departs") {
     }
 }
 
-TEST_CASE("who alternates between other guards departs, and who record not chooses as he did") {
+TEST_CASE("who alternates between other guards departs, and who does not chooses as he did") {
     std::optional<std::size_t> chosen;
     auto alternate = [&](bool on_another, Time due) {
         Channel<int> never("never"), other("other");

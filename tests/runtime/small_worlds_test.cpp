@@ -280,7 +280,7 @@ TEST_CASE("the worlds are all there are, each once") {
     }
 }
 
-TEST_CASE("who waits for ever record not get to its second action") {
+TEST_CASE("who waits for ever does not get to its second action") {
     std::set<std::string> worlds;
     for_every_world({2}, [&](const SmallWorld& world) {
         if (world.channels.size() == 1)

@@ -173,7 +173,7 @@ TEST_CASE("delays of one moment end in the order in which they began") {
     CHECK(order == "bca");
 }
 
-TEST_CASE("a wait beyond the end of time record not come back, one for the past record at once") {
+TEST_CASE("a wait beyond the end of time does not come back, one for the past does at once") {
     Simulation simulation;
     bool returned = false;
     Time after_past{};

@@ -14,7 +14,7 @@ using namespace placedpar::hardware;
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-TEST_CASE("a process whose components compute record not wait; it record when all of them do") {
+TEST_CASE("a process whose components compute does not wait; it does when all of them do") {
     Simulation simulation;
     constexpr Cycles one_millisecond{20'000};
     Process& works = simulation.process(

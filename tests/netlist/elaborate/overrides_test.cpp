@@ -123,7 +123,7 @@ TEST_CASE("a length is that of every wire, with or without a name, and what is p
     CHECK(good_text(print_cfs(network)).hash == network.hash);
 }
 
-TEST_CASE("a parameter that the netlist record not give, and one without a default") {
+TEST_CASE("a parameter that the netlist does not give, and one without a default") {
     std::string text = "T800 t; process m, s; use \"ga.master\" for m; use \"ga.slave\" for s; connect m.out to s.in; "
                        "connect s.out to m.back; place m on t; place s on t;";
     CHECK_FALSE(read_netlist_text(text, small_catalogue()).network);
@@ -288,7 +288,7 @@ TEST_CASE("what cannot be set so is told how it can") {
                "{1000000000, 2000000000, 3000000000, ...}"));
 }
 
-TEST_CASE("what record not exist is answered with what record, the nearest name first") {
+TEST_CASE("what does not exist is answered with what does, the nearest name first") {
     auto unknown = refusal({{"peeple", "3"}});
     CHECK(unknown == "--set:1:1: error: the netlist has no val, attribute or parameter \"peeple\"\n"
                      "    peeple=3\n"

@@ -48,7 +48,7 @@ TEST_CASE("what is printed loads again to the same network") {
     CHECK(files >= 5);
 }
 
-TEST_CASE("and so it record for every number of slaves") {
+TEST_CASE("and so it does for every number of slaves") {
     for (int slaves = 0; slaves < 12; ++slaves) {
         auto result = read_netlist(netlist_folder() + "/good/cluster_of_n.cfs", small_catalogue(),
                                    {{"slaves", std::to_string(slaves)}});

@@ -30,7 +30,7 @@ TEST_CASE("bit model: a receiver that takes more bytes than the sender gives wai
     CHECK(course.input_ended == Nanoseconds{1550, 1000 + 2 * 560 + 550});
 }
 
-TEST_CASE("bit model: an alternation observe the first byte for which nothing has asked, also in the middle") {
+TEST_CASE("bit model: an alternation sees the first byte for which nothing has asked, also in the middle") {
     Traffic traffic{.messages = {}, .given = {{0, 3}}, .taken = {{0, 1}, {0, 2, true}}};
     BitModel model({}, {traffic, {}});
     auto course = model.run_until_quiet(10'000)[0];

@@ -82,7 +82,7 @@ struct Exchange {
 
 } // namespace
 
-TEST_CASE("each command record what its contract says, and an answer says what an output is connected to") {
+TEST_CASE("each command does what its contract says, and an answer says what an output is connected to") {
     Simulation simulation;
     Crossbar& sw = simulation.add<Crossbar>("sw");
     auto answer = [&](std::uint8_t output) { return static_cast<int>(sw.obey({Kind::enquire, output})->byte); };
@@ -371,7 +371,7 @@ struct RandomWorld : Exchange {
 
 } // namespace
 
-TEST_CASE("whatever a switch record in the middle of messages, the closed form record as every byte record") {
+TEST_CASE("whatever a switch does in the middle of messages, the closed form does as every byte does") {
     std::size_t received = 0, lost = 0;
     for (std::uint64_t seed : test::seeds(60)) {
         INFO(test::replay(seed));

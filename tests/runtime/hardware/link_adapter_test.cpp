@@ -371,7 +371,7 @@ TEST_CASE("one who outputs the channels of a broadcast one after the other is st
     }
 }
 
-TEST_CASE("a receiver that record not come holds up the others, and they are not taken for those at fault") {
+TEST_CASE("a receiver that does not come holds up the others, and they are not taken for those at fault") {
     BroadcastingHost<std::int32_t> host(3);
     for (std::size_t i : {std::size_t{0}, std::size_t{2}})
         host.simulation.process("node" + std::to_string(i), [&c = host.channel(i)] { c.in().input(); });

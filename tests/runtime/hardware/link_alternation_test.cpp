@@ -159,7 +159,7 @@ TEST_CASE("random programs that alternate over links complete, every message in 
     }
 }
 
-TEST_CASE("a message of one byte that an alternation has taken record not end the next input") {
+TEST_CASE("a message of one byte that an alternation has taken does not end the next input") {
     Simulation simulation;
     Link& link = simulation.add<Link>();
     Channel<Numbered> channel("channel", link.from_a_to_b());

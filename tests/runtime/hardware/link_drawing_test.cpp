@@ -83,7 +83,7 @@ std::string drawing() {
 
 } // namespace
 
-TEST_CASE("the drawing of two bytes and their acknowledges is what a link record") {
+TEST_CASE("the drawing of two bytes and their acknowledges is what a link does") {
     std::ifstream page(PLACEDPAR_SOURCE_DIR "/runtime/hardware/README.md");
     REQUIRE(page);
     const std::string text{std::istreambuf_iterator<char>(page), {}};

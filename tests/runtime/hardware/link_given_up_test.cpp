@@ -98,7 +98,7 @@ TEST_CASE("what has asked early and is withdrawn leaves the step of another pack
     CHECK(end_after_withdrawals(true) == 1610ns);
 }
 
-TEST_CASE("a message that its receiver has given up twice record not arrive") {
+TEST_CASE("a message that its receiver has given up twice does not arrive") {
     for (bool every_byte : {false, true}) {
         CAPTURE(every_byte);
         TwoWays ways({.wire_delay = 5us}, every_byte);

@@ -185,7 +185,7 @@ TEST_CASE("of a message that is still coming, the words until the end count, tho
     CHECK(words == 479); // 1 ms / (2.24 - .15) us = 478.5, the word under way counts
 }
 
-TEST_CASE("time that links take record not cost a process its timeslice, nor its place before its rivals") {
+TEST_CASE("time that links take does not cost a process its timeslice, nor its place before its rivals") {
     Simulation simulation;
     Processor& t800 = simulation.add<Processor>("t", twenty_megahertz, Cycles{0}, Memory{.access = Cycles{3}});
     Link& link = simulation.add<Link>();
@@ -371,7 +371,7 @@ TEST_CASE("what links have moved is known at every moment as if each byte were a
     }
 }
 
-TEST_CASE("a message that begins when the last byte of the other direction record has moved no words") {
+TEST_CASE("a message that begins when the last byte of the other direction does has moved no words") {
     constexpr Time last_byte_begins = 99 * std::chrono::nanoseconds{560};
     OneLink t{Memory{}};
     Bytes back("back", t.link.from_b_to_a());

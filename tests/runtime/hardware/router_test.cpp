@@ -82,7 +82,7 @@ TEST_CASE("two channels each way over one link: every message arrives, in the or
 }
 
 TEST_CASE(
-    "an outputter goes on only after its message was input, and a late inputter record not stop the other channel") {
+    "an outputter goes on only after its message was input, and a late inputter does not stop the other channel") {
     TwoNodes nodes;
     Channel<int> late("late", nodes.carrier(true)), prompt("prompt", nodes.carrier(true));
     Time late_output{}, late_input{}, prompt_output{};
@@ -128,7 +128,7 @@ TEST_CASE("the stated price: a packet each way on the link, two handlings on eac
     CHECK(output - input <= back_on_link + (200 + 3 * 19) * cycle);
 }
 
-TEST_CASE("a router that has nothing to do record not keep a run from completing") {
+TEST_CASE("a router that has nothing to do does not keep a run from completing") {
     TwoNodes nodes;
     Channel<int> c("c", nodes.carrier(true));
     nodes.simulation.process(

@@ -134,7 +134,7 @@ TEST_CASE("where nobody answers, the bus timer ends the cycle and the program is
         }
     });
     CHECK(simulation.run().time == nanoseconds{200} + microseconds{125});
-    CHECK(told == "bus error: memory record not answer master on bus bus within 125.000000 us");
+    CHECK(told == "bus error: memory does not answer master on bus bus within 125.000000 us");
     CHECK(master.bus_errors() == 1);
     CHECK(now.unanswered == 1);
     CHECK(later.unanswered == 0);
