@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-/// Finds the ways over buses from their attachments; the bus kinds know the ways.
+/// Adds the ways over buses to the network's connections. Each bus kind computes the ways from what is attached to it.
 class Buses {
 public:
     explicit Buses(Completion& c) : c_(c) {}
@@ -74,8 +74,7 @@ private:
                                   fmt::format("connect {}.bus[0] to vme.slot[...];", adapter.name));
     }
 
-    /// Returns the ways to link adapters first, so that a channel which may take either is led as the netlist attaches
-    /// them.
+    /// Returns the ways over all buses: ways to link adapters first, in the order of attachment, then ways to memory.
     std::vector<BusWay> all_ways() const {
         std::vector<BusWay> all;
         for (std::size_t i = 0; i < nodes().size(); ++i)

@@ -50,12 +50,12 @@ std::vector<StatedRoute> StatedRoutes::by_ends(const NetworkChannel& channel) co
             continue;
         if (end == &channel.to && placed->second.size() > 1)
             refuse(placed->second[1].at,
-                   fmt::format("the route of the channel \"{}\" is told at its input", channel.name),
+                   fmt::format("the route of the channel \"{}\" is stated at its input", channel.name),
                    "place the output on the link by which the channel leaves each processor on its way");
         for (std::size_t i = 0; i < placed->second.size(); ++i) {
             StatedRoute here = wire_at({channel, *end, placed->second, i});
             bool again = end == &channel.to && !told.empty() && told.back().connection == here.connection;
-            if (!again) // both ends may say the same
+            if (!again) // both ends may name the same wire
                 told.push_back(here);
         }
     }
@@ -82,7 +82,7 @@ std::size_t StatedRoutes::connection_at(const StatedPlacement& place) const {
     return wires_[found].at_run_time ? connection_to_partner(place) : found;
 }
 
-/// Requires that the route begins at the processor that holds the process.
+/// Refuses the route unless it begins at the processor that holds the process.
 void StatedRoutes::require_own_link(const StatedPlacement& place) const {
     const DraftProcess& process = process_of(place);
     if (end_of_way(place.where()).node != process.node)
@@ -132,7 +132,8 @@ std::size_t StatedRoutes::connection_to_partner(const StatedPlacement& place) co
     return *found;
 }
 
-/// From a master's place on a bus: the next place says where the way leads, or the receiver.
+/// Returns the way that leaves a master's place on a bus. The next stated place decides where the way leads; after the
+/// last place, the receiver does.
 std::size_t StatedRoutes::way_from_bus(const StatedPlacement& place) const {
     bool last = place.number + 1 == place.all.size();
     auto other = place.inputs() ? place.channel.from.node
@@ -149,7 +150,8 @@ std::size_t StatedRoutes::way_from_bus(const StatedPlacement& place) const {
     return *found;
 }
 
-/// Returns the way to memory, if there is one; else the way by the adapter that the fewest channels use.
+/// Returns the way over a bus between the two nodes: through memory if possible, otherwise by the adapter that the
+/// fewest channels use.
 std::optional<std::size_t> StatedRoutes::way_between(std::size_t one, std::size_t other) const {
     std::optional<std::size_t> best;
     auto cost = [&](std::size_t i) {
@@ -161,7 +163,7 @@ std::optional<std::size_t> StatedRoutes::way_between(std::size_t one, std::size_
     return best;
 }
 
-/// Where the wire leads to a link adapter, the way of which it is a part; else the wire.
+/// Returns the way over a bus that includes the wire, if the wire leads to a link adapter; otherwise the wire itself.
 std::size_t StatedRoutes::way_over_bus(std::size_t wire) const {
     auto way = ways_.find(wire);
     return way == ways_.end() ? wire : way->second;

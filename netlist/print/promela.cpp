@@ -28,9 +28,9 @@ std::vector<std::string> kinds_in_promela(const Catalogue& catalogue) {
 const ProcessKind& kind_with_statements(const ProcessInstance& process, const Catalogue& catalogue) {
     const ProcessKind* kind = catalogue.find(process.kind);
     if (!kind || !kind->promela)
-        throw UserError(fmt::format(
-            "\"{}\" is a {}, which does not say in Promela what it communicates; these do: {}", process.name,
-            process.kind.empty() ? "process of no kind" : process.kind, fmt::join(kinds_in_promela(catalogue), ", ")));
+        throw UserError(fmt::format("\"{}\" is a {}, which does not say in Promela what it communicates; these do: {}",
+                                    process.name, process.kind.empty() ? "process of no kind" : process.kind,
+                                    fmt::join(kinds_in_promela(catalogue), ", ")));
     return *kind;
 }
 

@@ -151,8 +151,7 @@ TEST_CASE("an end is reset by its owner, when nobody is in it") {
     simulation.process("outputs", [&] { c.out().output(1); });
     simulation.process("inputs", [&] { wait_for(1us), c.in().input(); });
     simulation.process("resets", [&] { reset(c.out()); });
-    CHECK_THROWS_WITH_AS(
-        simulation.run(),
-        "process resets resets channel c, as process outputs does: a channel joins two processes only",
-        std::logic_error);
+    CHECK_THROWS_WITH_AS(simulation.run(),
+                         "process resets resets channel c, as process outputs does: a channel joins two processes only",
+                         std::logic_error);
 }
