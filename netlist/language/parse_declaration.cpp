@@ -81,7 +81,7 @@ Statement Parser::parse_edge_channel() {
     return {word.at, EdgeChannelDeclaration{direction_named(word.text), std::move(names)}};
 }
 
-/// `name[i] (n = 4);`
+/// Parses `name[i] (n = 4);`.
 Statement Parser::parse_setting() {
     auto process = parse_reference("a statement");
     if (!tokens_.peek().is("("))

@@ -82,8 +82,8 @@ void TokenStream::include(const Token& directive) {
     open(*name);
 }
 
-/// Where an included file is looked for: beside the file that includes it, as its path is shown and as it is, then on
-/// the include path.
+/// Returns the folders to search for an included file: the folder of the including file, by its displayed and by its
+/// canonical path, then the include path.
 std::vector<std::filesystem::path> TokenStream::folders_for(const Token& name) const {
     std::vector<std::filesystem::path> folders{std::filesystem::path(name.at.file->path()).parent_path(),
                                                open_.back().path.parent_path()};
@@ -120,7 +120,7 @@ void TokenStream::refuse_missing(const Token& name) {
                                     : "it is neither beside the file that includes it nor in " + folders);
 }
 
-/// Whether it does; then that is reported.
+/// Returns true, after reporting, if the file includes itself, directly or through others.
 bool TokenStream::includes_itself(const std::filesystem::path& real, const Token& name) {
     auto same = std::ranges::find(open_, real, &Open::path);
     if (same == open_.end())

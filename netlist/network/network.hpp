@@ -48,7 +48,7 @@ struct LinkEnd {
     bool operator==(const LinkEnd&) const = default;
 };
 
-/// A way through a crossbar switch, from a's side to b's.
+/// The passage of a connection through a crossbar switch, from the side of its end a.
 struct SwitchCrossing {
     std::size_t node = nowhere;
     int from_link = 0, to_link = 0;

@@ -15,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t most_processes = 254; ///< Spin's 255, less init
+constexpr std::size_t most_processes = 254; ///< Spin's limit of 255 processes, less init
 
 std::vector<std::string> kinds_in_promela(const Catalogue& catalogue) {
     std::vector<std::string> names;
@@ -34,7 +34,8 @@ const ProcessKind& kind_with_statements(const ProcessInstance& process, const Ca
     return *kind;
 }
 
-/// "fork[1]" as fork_1_, with its number before it, which keeps it apart from others and from Promela's words.
+/// Returns a Promela identifier for the process: "fork[1]" becomes p3_fork_1_. The process's number makes it unique and
+/// keeps it apart from Promela's words.
 std::string identifier(const Network& network, std::size_t process) {
     std::string name = fmt::format("p{}_{}", process, network.processes[process].name);
     std::ranges::replace_if(
