@@ -37,13 +37,13 @@ struct StudyRow {
 /// A table of figures of a study beside known ones, with a cell for each row and column.
 struct StudyTable {
     std::string name, against = "known", notes = "";
-    bool judged = false;   ///< even where it is not the first
+    bool judged = false;   ///< judged even if it is not the first table
     bool fit = false;      ///< whether a line below the table gives the deviation of its figures from the known ones
     Overrides shared = {}; ///< settings of all its runs, unless a row or column sets them
     std::vector<StudyVariant> columns = {};
     std::vector<StudyRow> rows = {};
 
-    /// Returns the settings of a cell.
+    /// Returns the settings of the cell in this row and column.
     Overrides set(const StudyRow&, const StudyVariant& column) const;
 };
 
