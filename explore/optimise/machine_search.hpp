@@ -13,7 +13,7 @@
 
 namespace placedpar {
 
-/// Why machines are infeasible.
+/// A reason why machines are infeasible.
 struct Infeasible {
     std::size_t machines = 0;
     std::string said = {}; ///< full text of the first refusal
@@ -31,7 +31,7 @@ struct SearchCourse {
     std::vector<std::size_t> front() const { return front_of(merits); }
 };
 
-/// The progress of a search, as told to its listener.
+/// The progress of a search, for its listener.
 struct CourseProgress {
     const SearchCourse& course;
     std::string step;   ///< "generation 3 of 20"

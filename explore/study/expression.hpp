@@ -17,7 +17,7 @@ public:
     /// Numbers by name; a setting of the same name takes precedence.
     using Figures = std::map<std::string, double>;
 
-    /// "" makes an empty expression. Throws RefusedInput.
+    /// Parses the expression; "" gives an empty one. Throws RefusedInput.
     explicit StudyExpression(const std::string& text);
 
     explicit operator bool() const { return parsed_ != nullptr; }

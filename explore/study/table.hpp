@@ -14,7 +14,7 @@ struct StudyVariant {
     Overrides set = {};
 };
 
-/// How far a figure may be from the known one.
+/// The allowed distance of a figure from the known one.
 struct StudyTolerance {
     StudyExpression amount{""}; ///< expression of the settings and `known`; none: no tolerance
     bool in_percent = false;    ///< percent of the known figure; otherwise in the unit of the figure

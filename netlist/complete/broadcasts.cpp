@@ -46,13 +46,13 @@ RouteHop Broadcasts::way_of(const NetworkChannel& channel, const Placed& placed)
     if (channel.from.node == nowhere || channel.to.node == nowhere)
         throw StatementRefused{}; // reported
     require_master(channel, placed);
-    const DraftPlacement* told = placement_of(channel.to);
+    const DraftPlacement* stated = placement_of(channel.to);
     std::optional<std::size_t> best;
     auto cost = [&](std::size_t way) { return std::pair(load_[2 * way + 1], connection(way).b.link); };
     for (std::size_t way : adapter_ways(placed.bus()))
         if (const LinkConnection& each = connection(way);
             each.a.node == channel.from.node && each.b.node == channel.to.node &&
-            (told == nullptr || told->where == each.b) && (!best || cost(way) < cost(*best)))
+            (stated == nullptr || stated->where == each.b) && (!best || cost(way) < cost(*best)))
             best = way;
     if (!best)
         refuse_receiver(channel, placed);
@@ -98,11 +98,11 @@ void Broadcasts::refuse_receiver(const NetworkChannel& channel, const Placed& pl
     if (c_.buses_refused)
         throw StatementRefused{}; // reported
     const DraftProcess& receiver = c_.draft.processes[channel.to.process];
-    const DraftPlacement* told = placement_of(channel.to);
+    const DraftPlacement* stated = placement_of(channel.to);
     std::vector<SecondPlace> others{{"the receiver is placed here", receiver.placed}};
-    if (told != nullptr)
+    if (stated != nullptr)
         others.push_back(
-            {fmt::format("its input is placed on {}", link_name(c_.network.nodes, told->where)), told->at});
+            {fmt::format("its input is placed on {}", link_name(c_.network.nodes, stated->where)), stated->at});
     refuse(placed.by.at,
            fmt::format("the channel \"{}\" cannot be broadcast on the bus \"{}\": {}", channel.name,
                        node_name(placed.bus()), why_not(channel, placed.bus())),
@@ -152,7 +152,8 @@ void Broadcasts::check() const {
             check(channel, out[channel.placement.route.front().connection]);
 }
 
-/// If two channels of one broadcast conflict, reports the second.
+/// Reports a channel that is not alone on the way of a broadcast. If two channels of one broadcast conflict, only the
+/// second is reported.
 void Broadcasts::check(const NetworkChannel& broadcast, const std::vector<const NetworkChannel*>& on_way) const {
     const NetworkChannel& other = *(on_way.front() == &broadcast ? on_way.back() : on_way.front());
     bool both = &other != &broadcast && other.placement.broadcast_on != nowhere;

@@ -21,7 +21,7 @@ class Carriers {
 public:
     explicit Carriers(Completion& c)
         : c_(c), wires_(c.network.connections), load_(wires_.size() * 2, 0), search_(c.network.nodes, wires_, load_),
-          told_(c, load_), broadcasts_(c, load_) {
+          stated_(c, load_), broadcasts_(c, load_) {
         for (std::size_t i = 0; i < c_.network.connections.size(); ++i) {
             const auto& connection = c_.network.connections[i];
             between_[{connection.a.node, connection.b.node}].push_back(i);
@@ -36,7 +36,7 @@ public:
         std::vector<std::size_t> left;
         for (std::size_t i = 0; i < c_.network.channels.size(); ++i)
             attempt([&] {
-                if (!place_as_told(i))
+                if (!place_as_stated(i))
                     left.push_back(i);
             });
         for (auto i : left)
@@ -58,25 +58,25 @@ private:
         }
     }
 
-    bool place_as_told(std::size_t index) {
+    bool place_as_stated(std::size_t index) {
         auto& channel = c_.network.channels[index];
         if (auto placed = broadcasts_.placed(channel)) {
             broadcast(index, *placed);
             return true;
         }
-        auto told_wires = told_.wires(index);
-        if (told_wires.empty())
+        auto stated_wires = stated_.wires(index);
+        if (stated_wires.empty())
             return false;
         if (channel.from.at_edge() || channel.to.at_edge())
-            carry_to_edge(channel, told_wires.front().connection, told_wires.front().at);
+            carry_to_edge(channel, stated_wires.front().connection, stated_wires.front().at);
         else
-            carry(channel, route_over(channel, told_wires));
+            carry(channel, route_over(channel, stated_wires));
         return true;
     }
 
     void broadcast(std::size_t index, const Broadcasts::Placed& placed) {
         auto& channel = c_.network.channels[index];
-        if (auto by_connection = told_.by_connection(index))
+        if (auto by_connection = stated_.by_connection(index))
             refuse(by_connection->at, fmt::format("the channel \"{}\" is placed twice", channel.name), "",
                    {{"first placed here", placed.by.at}});
         carry(channel, {broadcasts_.way_of(channel, placed)});
@@ -352,7 +352,7 @@ private:
     const std::vector<LinkConnection>& wires_;
     std::vector<std::size_t> load_; ///< channels on each connection, b to a and a to b
     RouteSearch search_;
-    StatedRoutes told_;
+    StatedRoutes stated_;
     Broadcasts broadcasts_;
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> between_;
     std::map<std::size_t, std::vector<std::size_t>> edges_of_;

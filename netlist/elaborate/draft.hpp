@@ -17,8 +17,8 @@ namespace placedpar {
 /// tool.
 inline constexpr std::size_t most_things = 250'000;
 
-/// What the statements of a netlist say, unrolled but not yet checked as a whole. The elaborator fills it;
-/// complete() turns it into a Network.
+/// The structures below describe a netlist whose statements were executed, but which was not checked as a whole. The
+/// elaborator fills a Draft; complete() makes a Network of it.
 
 struct DraftConnection {
     std::string name;

@@ -35,7 +35,7 @@ using Type = std::variant<NodeType, ProcessType>;
 /// The type `node`: its attribute `element` says whether it declares processors or processes.
 struct AnyElement {};
 
-/// What a name stands for.
+/// The meaning of a name.
 struct Symbol {
     std::variant<Constant, NodeType, ProcessType, AnyElement, DeclaredThings> meaning;
     Location declared; ///< no place if predefined

@@ -93,7 +93,7 @@ struct Medium {
     std::function<std::vector<BusWay>(const Attached&, std::size_t node)> ways;
 };
 
-/// How a device looks in the drawing of a network.
+/// The look of a device in the drawing of a network.
 struct Drawing {
     enum class Shape { box, crossed_box, ellipse };
     Shape shape = Shape::box;

@@ -26,9 +26,10 @@ struct Measurement {
 };
 
 /// Gives a running process what the netlist defines for it: the channels at its ports, its parameters, its random
-/// streams. A process need not know where it is placed, nor whether its channels lead over links. Throws
-/// std::logic_error for a port or a parameter that the kind does not have, or has with another protocol or type: that
-/// is a defect of the kind.
+/// streams. A process need not know where it is placed, nor whether its channels lead over links.
+///
+/// Throws std::logic_error for a port or a parameter that the kind does not have, or has with another protocol or type:
+/// that is a defect of the kind.
 class ProcessEnvironment {
 public:
     struct Port {

@@ -28,8 +28,10 @@ DeviceModel chip(std::string name, std::int64_t memory_bytes, int links, bool ov
 }
 
 /// Returns the bare chips with their internal memory. The M212 has two links for the network; its other two lead to its
-/// disk ports. The databook says that the T800, T805 and T425 overlap acknowledges, and that the T414 does not. We
-/// assume by generation that the T801, T400, T222 and T225 overlap them, and that the T212 and M212 do not.
+/// disk ports.
+///
+/// The databook says that the T800, T805 and T425 overlap acknowledges, and that the T414 does not. We assume by
+/// generation that the T801, T400, T222 and T225 overlap them, and that the T212 and M212 do not.
 std::vector<DeviceModel> chips() {
     constexpr bool overlapped = true, separate = false;
     return {chip("T805", 4 * kilobyte, 4, overlapped), chip("T801", 4 * kilobyte, 4, overlapped),
@@ -110,9 +112,8 @@ std::vector<AttributeDescription> transputer_attributes() {
     attributes.push_back(
         {.value = description::integer(
              "memorycycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1000},
-             "of an access to a word of external memory, where messages lie, and the code and data "
-             "that a program states; 0: 3, or 2 for a T2 or T801, or 1 if memory is at most the 4K of a "
-             "chip"),
+             "of an access to a word of external memory, which holds messages, and the code and data that a program "
+             "declares outside of the chip; 0: 3, or 2 for a T2 or T801, or 1 if memory is at most the 4K of a chip"),
          .json_name = "memory_access_cycles"});
     attributes.push_back(
         {.value = description::integer("switching",
@@ -129,7 +130,7 @@ std::vector<AttributeDescription> transputer_attributes() {
          .json_name = "route_cost"});
     attributes.push_back({.value = description::integer(
                               "linkquota", {.unit = "links", .by_default = 4, .least = 0, .most = 1e6},
-                              "its wired links, lowest first, that may carry through-routed channels; 0: none"),
+                              "how many of its wired links, lowest first, may carry through-routed channels; 0: none"),
                           .json_name = "link_quota"});
     attributes.push_back(
         {.value = description::integer("router_priority", {.by_default = 0, .least = 0, .most = 1},

@@ -18,7 +18,7 @@ bool can_be_attached(const Attached&, const BusAttachment&);
 /// master that uses a link adapter to the processor at the other end of its link.
 std::vector<BusWay> ways_over_bus(const Attached&, std::size_t bus);
 
-/// For DeviceKind::make.
+/// Makes the bus of a run, for DeviceKind::make.
 std::unique_ptr<MachineNode> make_vme(MachineParts&, std::size_t node);
 
 /// Returns whether the arbiter of the bus supports level 3 only.

@@ -224,7 +224,7 @@ bool is_set_at_run_time(const Network& network, std::size_t node);
 
 bool is_on_bus(const Network& network, std::size_t node);
 
-/// "t[0].link[2]", "sun.bus[0]", or the name of an edge.
+/// Returns "t[0].link[2]", "sun.bus[0]", or the name of an edge.
 std::string link_name(const std::vector<Node>& nodes, const LinkEnd& end);
 
 /// Return where a hop begins and ends.

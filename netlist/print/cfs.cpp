@@ -403,7 +403,7 @@ private:
     void print_route(const NetworkChannel& channel) {
         const std::string sender = fmt::format("place {} on ", end(channel.from));
         for (const auto& hop : channel.placement.route) {
-            const std::string& link = told_name(hop);
+            const std::string& link = stated_name(hop);
             if (routes_ == Routes::counted)
                 counted_ += sender.size() + link.size() + 2;
             else
@@ -411,17 +411,17 @@ private:
         }
     }
 
-    const std::string& told_name(const RouteHop& hop) {
-        told_names_.resize(2 * n_.connections.size());
-        std::string& name = told_names_[2 * hop.connection + (hop.from_a_to_b ? 1 : 0)];
+    const std::string& stated_name(const RouteHop& hop) {
+        stated_names_.resize(2 * n_.connections.size());
+        std::string& name = stated_names_[2 * hop.connection + (hop.from_a_to_b ? 1 : 0)];
         if (name.empty())
-            name = end(told_end(hop));
+            name = end(stated_end(hop));
         return name;
     }
 
     /// Returns the link end that states a hop: where the hop leaves, or the adapter's link if a master may use several
     /// adapters.
-    LinkEnd told_end(const RouteHop& hop) const {
+    LinkEnd stated_end(const RouteHop& hop) const {
         const auto& way = n_.connections[hop.connection].over_bus;
         bool by_adapter = way && way->wire != nowhere && hop.from_a_to_b;
         return by_adapter ? LinkEnd{n_.attachments[way->slave].node, 0} : begin_of(hop, n_.connections);
@@ -434,7 +434,7 @@ private:
         if (way.b.link != bus_port)
             line("place {} on {};", end(channel.from.node == way.b.node ? channel.from : channel.to), end(way.b));
         else if (have_other_ways(way))
-            line("place {} on {};", end(channel.from), end(told_end(channel.placement.route.front())));
+            line("place {} on {};", end(channel.from), end(stated_end(channel.placement.route.front())));
     }
 
     bool have_other_ways(const LinkConnection& way) const {
@@ -448,8 +448,8 @@ private:
     ParameterOrder order_;
     Routes routes_ = Routes::written;
     std::string text_;
-    std::size_t counted_ = 0;             ///< bytes of routes
-    std::vector<std::string> told_names_; ///< names of each connection's end b, then its end a; empty until used
+    std::size_t counted_ = 0;               ///< bytes of routes
+    std::vector<std::string> stated_names_; ///< names of each connection's end b, then its end a; empty until used
 };
 
 } // namespace

@@ -13,6 +13,7 @@ struct Room {
 };
 
 /// Collects the slices and messages of a run of any length in stretches. A full stretch is packed at once.
+///
 /// An entry that begins before the open stretch goes into a second row of longer stretches, or into a third row if it
 /// begins before the second row's open stretch. The stretches of a row do not overlap. So the stretches that contain a
 /// time hold all entries at that time.

@@ -46,7 +46,7 @@ std::string name_of_input(const Slice& slice) {
     return slice.awaited.empty() ? "waits for packets to send" : "inputs from " + partners_of(slice, " ");
 }
 
-/// How a viewer shows a slice. The viewer derives the colour from the name.
+/// Category and name of a slice in a viewer, which derives the colour from the name.
 struct Shown {
     const char* category;
     std::string name;

@@ -9,12 +9,14 @@
 namespace placedpar {
 
 /// Writes a trace in the Trace Event Format (JSON) during the run; ui.perfetto.dev and chrome://tracing show it as a
-/// timeline. In that format a node is a process, and each of its tracks a thread. A slice is a complete event (X); an
-/// open slice is an event that only begins (B). A message is a flow (s, f) between slices. The end of the trace is an
-/// instant (i) that states the reason. Names and order are metadata (M). A critical path is a process of its own above
-/// all others. One thread has the whole path; each processor and link on the path has a thread with the parts there.
-/// The parts are red in viewers that accept colours (cname). A flow leads from each part to the next, so that one line
-/// leads from the beginning of the run to its end.
+/// timeline. In that format a node is a process, and each of its tracks a thread.
+///
+/// A slice is a complete event (X); an open slice is an event that only begins (B). A message is a flow (s, f) between
+/// slices. The end of the trace is an instant (i) that states the reason. Names and order are metadata (M).
+///
+/// A critical path is a process of its own above all others. One thread has the whole path; each processor and link on
+/// the path has a thread with the parts there. The parts are red in viewers that accept colours (cname). A flow leads
+/// from each part to the next, so that one line leads from the beginning of the run to its end.
 class PerfettoTrace final : public TraceWriter {
 public:
     /// REQUIRES: file and tracks outlive it, and nothing has been written to the file.

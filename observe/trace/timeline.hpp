@@ -69,7 +69,7 @@ private:
         std::optional<Slice> last = {};           ///< slice at the end of the trace, once the trace has ended
         std::string path = {};                    ///< path of the process, once the trace has ended
     };
-    /// What a processor executes, a link carries, or a bus does at present.
+    /// The present use of a processor, a direction of a link, or a bus.
     struct Use {
         std::string subject;
         Time since;

@@ -14,8 +14,9 @@ namespace placedpar {
 /// Writes a trace as a value change dump (IEEE 1364) for GTKWave and other viewers of waveforms. A processor has a wire
 /// that is 1 while it is busy. A process has a wire for each activity, which is 1 while the process or a component of
 /// its PARs has this activity. A direction of a link has a wire that is 1 while it carries bytes. Each node is a scope
-/// that contains a scope for each of its processes. Times are in picoseconds. Changes are kept until the end of the
-/// run, since a slice is known only when it is over.
+/// that contains a scope for each of its processes. Times are in picoseconds.
+///
+/// Changes are kept until the end of the run, since a slice is known only when it is over.
 class VcdTrace final : public TraceWriter {
 public:
     /// REQUIRES: file and tracks outlive it, and nothing has been written to the file.
