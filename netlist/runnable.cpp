@@ -60,8 +60,9 @@ SecondPlace note_on_program(const std::string& program, const Missing& missing) 
 }
 
 SecondPlace note_on_edge(const std::string& edge, const Missing& missing) {
-    return {fmt::format("there is no process at the edge \"{}\", to which these lead: {}", edge, listed(missing.names)),
-            missing.first};
+    return {
+        fmt::format("the edge \"{}\" has no process, but these channels lead there: {}", edge, listed(missing.names)),
+        missing.first};
 }
 
 /// Returns a text such as "2 programs are unknown, and 1 edge has no process".

@@ -138,7 +138,7 @@ std::string Broadcasts::hint_at_adapters(const NetworkChannel& channel, std::siz
         return fmt::format("no link adapter of \"{}\" on \"{}\" leads to a processor", master, node_name(bus));
     bool more = ends.size() > most;
     ends.resize(std::min(ends.size(), most));
-    return fmt::format("those of \"{}\" lead to {}{}", master, fmt::join(ends, ", "), more ? ", ..." : "");
+    return fmt::format("the link adapters of \"{}\" lead to {}{}", master, fmt::join(ends, ", "), more ? ", ..." : "");
 }
 
 void Broadcasts::check() const {

@@ -61,7 +61,8 @@ LinkEnd Elaborator::place_of_channel(const PlaceStatement& form, const Found& fo
     const Reference& where = form.where;
     const DeviceKind& kind = *draft_.nodes[found.first].kind;
     if (kind.medium && !kind.medium->broadcasts)
-        refuse(where.at, fmt::format("\"{}\" is {}, on which no channel is placed as a whole", where.name, kind.noun),
+        refuse(where.at,
+               fmt::format("\"{}\" is {}, on which a channel cannot be placed as a whole", where.name, kind.noun),
                fmt::format("place {}.{} on the sender's place there, bus[0]", form.what.name, form.what.field));
     if (kind.medium && !where.field.empty())
         refuse(where.field_at, "a channel is placed on a bus as a whole",

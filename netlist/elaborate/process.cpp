@@ -14,7 +14,7 @@ void check_unique(const Entries& entries, const Declarator& declarator, Reporter
     const auto* known = find_named(entries, declarator.name);
     if (known == nullptr)
         return;
-    reporter.error(declarator.at, fmt::format("\"{}\" is twice in the interface", declarator.name), "",
+    reporter.error(declarator.at, fmt::format("the interface has \"{}\" twice", declarator.name), "",
                    {{"first declared here", known->at}});
     throw StatementRefused{};
 }

@@ -32,7 +32,7 @@ Elaborator::Found Elaborator::find(const Reference& reference) {
     const auto* things = std::get_if<DeclaredThings>(&symbol->meaning);
     if (things == nullptr)
         refuse(reference.at,
-               fmt::format("\"{}\" is {}, nothing that can be connected or placed", reference.name, describe(*symbol)));
+               fmt::format("\"{}\" is {}, which cannot be connected or placed", reference.name, describe(*symbol)));
     if (things->first != nowhere)
         return {things->category, things->dimensions, things->first};
     return {Category::node, {}, host(reference.at)};
@@ -103,7 +103,7 @@ LinkEnd Elaborator::link_end(const Reference& reference, const Found& found) {
 int Elaborator::link_number(const Reference& reference, const Node& node, int links) {
     if (links == 0)
         refuse(reference.at, fmt::format("\"{}\" has no links: it is {}", node.name, with_article(node.type)),
-               fmt::format("devices are in its slots: connect sun.bus[0] to {}.slot[1];", node.name));
+               fmt::format("connect to one of its slots: connect sun.bus[0] to {}.slot[1];", node.name));
     if (reference.field.empty())
         refuse(reference.at, fmt::format("a link of \"{}\" is missing", node.name),
                fmt::format("{}.link[...], from 0 to {}", node.name, links - 1));

@@ -69,7 +69,8 @@ void Elaborator::refuse_name(const SetStatement& set, const std::string& name, c
                                                           : "is not an array"),
                fmt::format("the netlist gives it {}: --set '{}=...'", shown(val->second), array));
     if (auto element = std::ranges::find(all, array, base); element != all.end())
-        refuse(set.target.at, fmt::format("\"{}\" is a {}: say what of it to set", array, element->noun()),
+        refuse(set.target.at,
+               fmt::format("\"{}\" is a {}: name the attribute or parameter to set", array, element->noun()),
                fmt::format("--set {}.NAME=VALUE", name), {{element->text_of_members(), {}}});
     if (vals_in_blocks_.contains(array))
         refuse(set.target.at, fmt::format("the val \"{}\" is declared in a block", array),

@@ -72,7 +72,7 @@ void Parser::refuse(const Location& at, std::string message, std::string hint) {
     if (meant.empty())
         reporter_.error(at, std::move(message), std::move(hint));
     else
-        reporter_.error(misspelt_->at, fmt::format("\"{}\" begins no statement", misspelt_->text),
+        reporter_.error(misspelt_->at, fmt::format("no statement begins with \"{}\"", misspelt_->text),
                         fmt::format("did you mean \"{}\"?", meant));
     throw StatementRefused{};
 }

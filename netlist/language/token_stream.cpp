@@ -116,7 +116,7 @@ void TokenStream::refuse_missing(const Token& name) {
     for (const auto& folder : include_folders_)
         folders += (folders.empty() ? "" : ", ") + folder.string();
     reporter_.error(name.at, fmt::format("cannot include \"{}\": there is no such file", name.text),
-                    folders.empty() ? "-I FOLDER says where else to look than beside the file that includes it"
+                    folders.empty() ? "-I FOLDER adds a folder to search, besides the folder of the including file"
                                     : "it is neither beside the file that includes it nor in " + folders);
 }
 
