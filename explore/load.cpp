@@ -27,7 +27,7 @@ std::string render_faults(const std::vector<Diagnostic>& faults, const File& fil
     return render(diagnostics) + not_shown(more, severity);
 }
 
-/// Warns of the faults, or throws when one of them refuses the text.
+/// Passes on warnings, and throws RefusedInput if one of the faults is an error.
 void report(const std::vector<Diagnostic>& faults, const File& file, const WarningSink& warn) {
     if (std::string warnings = render_faults(faults, file, Severity::warning); !warnings.empty())
         warn(warnings);

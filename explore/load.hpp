@@ -21,7 +21,7 @@ struct RecordNeeds; // hydraulics/data/record_table.hpp
 // Functions that read the user's files. A file with errors is refused: RefusedInput shows each error with file, line,
 // column and a caret. "-" is standard input.
 
-/// Limits the errors shown, and likewise the warnings.
+/// Limits the number of errors shown, and the number of warnings.
 inline constexpr std::size_t most_faults_shown = 20;
 
 /// A function that receives a file's warnings as text in whole lines.
@@ -38,10 +38,10 @@ struct LoadedRecord {
     hydraulics::Record record;
     std::vector<Diagnostic> warnings;
 };
-/// Throws RefusedInput.
+/// Reads a record of measurement. Throws RefusedInput.
 LoadedRecord load_record(const std::filesystem::path&, const hydraulics::RecordNeeds&, const WarningSink&);
 
-/// The excavator's constants, with those of the file in place of those of the same name; no file when the path
+/// Returns the excavator's constants; constants in the file replace those of the same name. No file is read if the path
 /// is empty. Throws RefusedInput.
 hydraulics::Parameters load_machine(const std::filesystem::path&, const WarningSink&);
 

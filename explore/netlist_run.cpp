@@ -13,7 +13,7 @@ public:
         if (!interruption_)
             return;
         interruption_->simulation_ = &simulation;
-        if (interruption_->requested()) // before it knew the simulation
+        if (interruption_->requested()) // the request came before the simulation was known to it
             simulation.interrupt();
     }
     ~InterruptibleSimulation() {

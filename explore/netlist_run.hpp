@@ -26,7 +26,7 @@ private:
     std::atomic<Simulation*> simulation_{nullptr}; ///< the simulation that is running, or null
 };
 
-/// How a network is run.
+/// The settings of a run.
 struct RunSettings {
     std::uint64_t seed = 1;
     Time until = Time::max(); ///< time at which the run ends at the latest

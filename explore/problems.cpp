@@ -68,7 +68,7 @@ std::vector<ProblemFamily>& own_problems() {
     return problems;
 }
 
-/// Throws UserError.
+/// Throws UserError for a name that is taken.
 [[noreturn]] void refuse_taken(const char* what, const std::string& name) {
     throw UserError(fmt::format("this program adds a {0} \"{1}\", but that name is taken: give the {0} another, such "
                                 "as \"own.{2}\"",
@@ -100,8 +100,8 @@ void add_own_device(Catalogue& catalogue, const DeviceKind& kind) {
     for (const DeviceModel& model : kind.models)
         if (!can_be_a_name(model.name))
             throw UserError(
-                fmt::format("this program adds a device \"{}\", which no netlist could declare: its name is to "
-                            "be one word, and no word of the language",
+                fmt::format("this program adds a device \"{}\", which no netlist could declare: its name must be "
+                            "one word that is not reserved",
                             model.name));
         else if (catalogue.node_types().contains(model.name))
             refuse(model.name);

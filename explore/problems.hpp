@@ -24,7 +24,7 @@ Catalogue known_kinds(const ProblemRegistry& problems, SearchObserver* observer 
 /// anything else here, by one thread.
 void add_own_kinds(std::vector<ProcessKind>);
 void add_own_devices(std::vector<DeviceKind>);
-/// Adds search problems likewise.
+/// Adds search problems, with the same requirement.
 void add_own_problems(std::vector<ProblemFamily>);
 
 } // namespace placedpar

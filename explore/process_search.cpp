@@ -26,7 +26,7 @@ using Settings = std::map<std::string, Value>;
 
 std::int64_t integer(std::size_t value) { return static_cast<std::int64_t>(value); }
 
-/// The parameters of a searching process by which it does what identify() does.
+/// Returns the parameters that make a searching process do what identify() does.
 Settings settings_of(const IdentificationWay& way) {
     const SearchSettings& search = way.search;
     return {{"population", integer(search.population)},
@@ -98,7 +98,8 @@ bool is_val(const std::string& name, const Network& network) {
     return set != nullptr && set->elements.empty();
 }
 
-/// Reads the netlist with the settings; those that it fixes otherwise go by the vals of their names.
+/// Reads the netlist with the settings. A setting that the netlist fixes to another value is set by the val of its
+/// name; without such a val the netlist is refused.
 Network load_with(const Settings& settings, const NetlistAsked& netlist, const ProblemRegistry& problems,
                   const WarningSink& warn) {
     const Catalogue catalogue = kinds_with(settings, problems);

@@ -23,7 +23,7 @@ struct NetlistAsked {
 
 /// The first search of identify(), ready to run as the processes of a netlist.
 struct ProcessSearch {
-    ProblemRegistry problems; ///< "boom" is what the record asks
+    ProblemRegistry problems; ///< "boom" is the problem of the record
     Network network;
     std::string master; ///< the process that searches
 

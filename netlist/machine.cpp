@@ -6,10 +6,10 @@ namespace placedpar {
 
 namespace {
 
-/// A link overlaps its acknowledges where both of its ends can.
+/// Returns the timing of a link. The link overlaps acknowledges if both of its ends can.
 hardware::LinkTiming timing_of(const LinkConnection& connection, const MachineParts& parts) {
     constexpr auto metre = static_cast<double>(hardware::LinkTiming::metre_of_wire.count());
-    std::int64_t crossing = 0; // in hundredths of a bit time
+    std::int64_t crossing = 0; // hundredths of a bit time
     for (const SwitchCrossing& each : connection.crossings)
         crossing += parts.nodes[each.node]->crossing_delay();
     hardware::LinkTiming timing{.bits_per_second = connection.bits_per_second,
@@ -38,7 +38,8 @@ Machine::Machine(const Network& network, const Catalogue& catalogue, std::uint64
     start_processes();
 }
 
-/// Devices with slots are made later, since they look for the devices in their slots and beyond.
+/// Makes the nodes with slots, or those without. Devices with slots are made later, since they use the devices in their
+/// slots.
 void Machine::make_nodes(bool with_slots) {
     parts_.nodes.resize(network_.nodes.size());
     for (std::size_t i = 0; i < network_.nodes.size(); ++i)
@@ -67,7 +68,8 @@ void Machine::make_link(const LinkConnection& connection) {
         ask(end.node, &MachineNode::has_link, link);
 }
 
-/// The switches that a program sets decide what gets over; the engines at its ends may be those of other links, too.
+/// Returns the carriers of a connection that switches make during the run. Its link engines are shared with the other
+/// connections of these links.
 CarrierPair Machine::switched(std::size_t index) {
     const LinkConnection& connection = network_.connections[index];
     hardware::Link& link = *parts_.links[index];
@@ -127,7 +129,7 @@ void Machine::carry(std::size_t index) {
     std::vector<hardware::Hop> hops;
     for (auto [connection, forth] : network_.channels[index].placement.route) {
         const auto& [carriers, router_link] = connections_[connection];
-        if (!router_link) // then there is no other hop
+        if (!router_link) // a channel without packets has a single hop
             return channel.put_on(forth ? *carriers.from_a_to_b : *carriers.from_b_to_a);
         hops.push_back({*router_link, forth});
     }
@@ -149,7 +151,7 @@ void Machine::start_processes() {
     software_.start(simulation_, executives);
     for (std::size_t i = 0; i < network_.processes.size(); ++i)
         if (network_.nodes[network_.processes[i].node].kind->is_set_by_link())
-            software_.processes()[i]->serve_machine(); // it is a part of the switch, and never ends
+            software_.processes()[i]->serve_machine(); // the process is the switch's logic and never ends
 }
 
 } // namespace placedpar

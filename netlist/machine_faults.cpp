@@ -45,7 +45,7 @@ void Machine::strike_link(std::size_t connection, const hardware::LinkFault& fau
     effects_.back().of_links.push_back(&parts_.links[connection]->suffer(fault));
 }
 
-/// Of a link that a switch connects during the run, whatever it is connected to.
+/// Applies a fault of a link. If switches connect the link during the run, the fault affects each of its connections.
 void Machine::strike_links_at(const Fault& fault) {
     LinkEnd end{fault.node, fault.link};
     for (std::size_t i = 0; i < parts_.links.size(); ++i) {
@@ -55,11 +55,11 @@ void Machine::strike_links_at(const Fault& fault) {
     }
 }
 
-/// At its end of each of them.
+/// Silences all links of the failed device, each at the device's end.
 void Machine::silence_links(const Fault& fault) {
     for (std::size_t i = 0; i < parts_.links.size(); ++i) {
         bool at_a = network_.connections[i].a.node == fault.node;
-        if (!parts_.links[i]) // a way over a bus, whose master has no engine that could fall silent
+        if (!parts_.links[i]) // a way over a bus has no link engine
             continue;
         if (at_a || network_.connections[i].b.node == fault.node)
             strike_link(i, {.from = begin_of(fault), .wire_from_a = at_a, .wire_from_b = !at_a});
@@ -88,7 +88,7 @@ std::vector<std::string> Machine::stopped_on(std::size_t node) const {
     return stopped;
 }
 
-/// A way over a bus leads over the wire at its adapter.
+/// Returns whether the fault stops packets on the route. A way over a bus to an adapter includes the adapter's wire.
 bool Machine::is_stopped_by(const hardware::Route& route, const Fault& fault) const {
     if (fault.link < 0) {
         const Executive* executive = parts_.nodes[fault.node]->executive();

@@ -21,13 +21,14 @@ namespace placedpar {
 
 namespace {
 
-/// A process that still waits at the end of the work will continue unless it is in a deadlock, so its wait is not
-/// reported: it waits for the end of the work, or for a process that does (see wait_until_work_is_over).
+/// Removes the open waits of processes that are not in the deadlock. Such a process waits for the end of the work, or
+/// for a process that does, and would continue (see wait_until_work_is_over).
 void forget_waits_that_end(RunReport& report) {
     auto is_held = [&](const ProcessUse& process) {
         const auto& stuck = report.result.deadlock->processes;
         return std::any_of(stuck.begin(), stuck.end(), [&](const StuckProcess& each) {
-            return each.path == process.name || each.path.starts_with(process.name + "/"); // it, or a component of it
+            return each.path == process.name ||
+                   each.path.starts_with(process.name + "/"); // the process or one of its components
         });
     };
     for (ProcessUse& process : report.processes)
@@ -35,14 +36,14 @@ void forget_waits_that_end(RunReport& report) {
             process.waits_since.reset();
 }
 
-/// "farm.cfs:12"
+/// Returns "farm.cfs:12"; "" if there is no file.
 std::string file_and_line(const Location& location) {
     if (!location.file)
         return "";
     return fmt::format("{}:{}", std::filesystem::path(location.file->path()).filename().string(), location.line);
 }
 
-/// The process of the network, or the one that a component belongs to.
+/// Returns the network's process that has this path or contains this component; null if there is none.
 const ProcessInstance* outermost(const Network& network, std::string_view path) {
     return find_named(network.processes, path.substr(0, path.find('/')));
 }
@@ -66,20 +67,21 @@ void add_places(Deadlock& deadlock, const Network& network) {
             stuck.netlist = file_and_line(network.channels[place].connected);
 }
 
-/// Which process failed, and when if not at the start. Those of the network are the outermost; it may be a component.
+/// Returns which process or component failed, its kind, and the time unless that is 0: "process a/1 (kind) at 3 us".
 std::string failing(const Failure& failure, const ProcessInstance* process) {
     return fmt::format("process {}{}{}", failure.process, process ? " (" + process->kind + ")" : "",
                        failure.time == Time{0} ? "" : " at " + to_string(failure.time));
 }
 
-/// Whether what a process throws may come from a device of another program, which carries its messages.
+/// Returns whether a program's own device is in the network: an exception in a process may then come from the device
+/// that carries its messages.
 bool has_own_devices(const Network& network) {
     return std::ranges::any_of(network.nodes, [](const Node& node) { return node.kind->is_own; });
 }
 
-/// Rethrows what is being handled, with the process that threw it and where that was declared, after a file's own
-/// places. What a process of PlacedPar throws without a user's doing is a defect; what the system refuses is not the
-/// process's fault.
+/// Rethrows the current exception with the name and declaration of the process that threw it. Becomes a UserError if a
+/// user can cause the exception; otherwise a logic_error, a defect of PlacedPar. Errors of the system are rethrown
+/// unchanged.
 [[noreturn]] void rethrow_with_process(const Failure& failure, const Network& network, const Catalogue& catalogue) {
     const ProcessInstance* process = outermost(network, failure.process);
     const bool is_own = (process && catalogue.find(process->kind)->is_own) || has_own_devices(network);
@@ -98,7 +100,7 @@ bool has_own_devices(const Network& network) {
                                     who, refused.what()));
     } catch (const UserError& refused) {
         throw UserError(fmt::format("{}: {}", who, refused.what()));
-    } catch (const hardware::BusError& error) { // of a machine with a fault, which the program does not provide for
+    } catch (const hardware::BusError& error) { // the program does not handle a fault of the machine
         throw UserError(fmt::format("{}: {}", who, error.what()));
     } catch (...) {
         const std::string why = what_was_thrown();

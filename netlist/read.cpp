@@ -38,7 +38,8 @@ std::size_t most_words_in(std::string_view printed) {
     return count;
 }
 
-/// What is printed of a network that loads must load, too: replicated, a network can be larger than its text.
+/// Refuses a network whose printed text would be too large to be read again. Replication can make that text larger than
+/// the netlist.
 void check_size(WrittenOut out, const Location& at, Reporter& reporter) {
     if (out.bytes > largest_source_bytes)
         reporter.give_up(at, fmt::format("the network is too large: written out it would have {} bytes, {} are allowed",
@@ -84,7 +85,7 @@ void sort_by_place(std::vector<Diagnostic>& diagnostics) {
 
 std::string render(const ReadResult& result) { return render(result.diagnostics) + result.not_shown; }
 
-/// The statements, and what else comes of the text alone.
+/// The results of reading and parsing the text, which do not depend on options.
 struct ParsedNetlist::Syntax {
     Syntax(const LoadedSource& source, const std::filesystem::path& path, const ReadOptions& options);
     void parse(const std::filesystem::path& path);
@@ -93,7 +94,7 @@ struct ParsedNetlist::Syntax {
 
     std::shared_ptr<const SourceFile> file;
     ReadOptions options;
-    Reporter found; ///< what is wrong with it, whatever is set
+    Reporter found; ///< diagnostics of the text, independent of options
     Statements statements;
     std::vector<std::string> included_paths;
     bool includes_toolset = false;
@@ -156,7 +157,7 @@ ReadResult ParsedNetlist::read(const Catalogue& catalogue, const Overrides& over
     try {
         result.network = syntax_->network(catalogue, overrides, reporter, result.declared);
     } catch (const GiveUp&) {
-        // the last diagnostic says why
+        // the reporter gave up; its last diagnostic says why
     }
     result.diagnostics = reporter.take();
     result.not_shown = reporter.not_shown();

@@ -58,7 +58,7 @@ private:
     std::shared_ptr<const Syntax> syntax_;
 };
 
-/// Parses and reads a netlist of which one network is needed.
+/// Parses and reads a netlist, if only one network is needed.
 ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& catalogue, const Overrides& overrides = {},
                         const ReadOptions& options = {});
 

@@ -45,8 +45,8 @@ std::optional<RunReport> RepeatedRun::run() {
         if (!course_.has_diverged)
             throw;
         return std::nullopt;
-    } catch (...) { // a departure from the record, or an exception that on the machine might come at another time or
-                    // not at all
+    } catch (...) { // a divergence from the record, or an exception that might come at another time, or never, on the
+                    // machine
         return std::nullopt;
     }
     if (course_.has_diverged)

@@ -14,7 +14,7 @@ namespace placedpar {
 
 namespace {
 
-/// Of processes that run one program, or channels that lead to one edge.
+/// The processes that run one unknown program, or the channels that lead to one edge without a process.
 struct Missing {
     std::vector<std::string> names;
     Location first;
@@ -35,7 +35,7 @@ MissingByName unknown_programs(const Network& network, const Catalogue& catalogu
     return programs;
 }
 
-/// Edges by name, and the channels of processes that lead there.
+/// Returns the edges by name, each with the process channels that lead there.
 MissingByName deserted_edges(const Network& network) {
     MissingByName edges;
     for (const NetworkChannel& channel : network.channels)
@@ -46,7 +46,7 @@ MissingByName deserted_edges(const Network& network) {
     return edges;
 }
 
-/// The first few of them.
+/// Lists the first six names, and the number of the others.
 std::string listed(std::vector<std::string> names) {
     constexpr std::size_t most = 6;
     auto more = names.size() - std::min(names.size(), most);
@@ -60,18 +60,19 @@ SecondPlace note_on_program(const std::string& program, const Missing& missing) 
 }
 
 SecondPlace note_on_edge(const std::string& edge, const Missing& missing) {
-    return {fmt::format("there is no process at the edge \"{}\", to which these lead: {}", edge, listed(missing.names)),
-            missing.first};
+    return {
+        fmt::format("the edge \"{}\" has no process, but these channels lead there: {}", edge, listed(missing.names)),
+        missing.first};
 }
 
-/// "2 programs are unknown, and 1 edge has no process".
+/// Returns a text such as "2 programs are unknown, and 1 edge has no process".
 std::string summary(std::size_t programs, std::size_t edges) {
     auto unknown = counted(programs, "program") + (programs == 1 ? " is" : " are") + " unknown";
     auto deserted = counted(edges, "edge") + (edges == 1 ? " has" : " have") + " no process";
     return programs == 0 ? deserted : edges == 0 ? unknown : unknown + ", and " + deserted;
 }
 
-/// Returns the statements that would remedy the first program and the first edge.
+/// Returns a hint: the options or statements that would remedy the first program and the first edge.
 std::string remedy(const MissingByName& programs, const MissingByName& edges) {
     std::string text;
     if (auto named = std::ranges::find_if(programs, [](const auto& each) { return !each.first.empty(); });

@@ -9,7 +9,7 @@ namespace placedpar {
 
 namespace {
 
-/// REQUIRES: the network can be run.
+/// Returns the kind of the process. REQUIRES: the network can be run.
 const ProcessKind& kind_of(const ProcessInstance& process, const Catalogue& catalogue) {
     return *catalogue.find(process.kind);
 }

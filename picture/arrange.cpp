@@ -14,12 +14,12 @@ namespace placedpar::picture {
 
 namespace {
 
-/// About what a node's box takes of its cell.
+/// Approximate size of a node's box, in cells.
 constexpr double box_width = 0.7, box_height = 0.6;
-constexpr double across_a_box = 6, diagonal = 0.5; ///< in the cost of a wire, beside the square of its length
+constexpr double across_a_box = 6, diagonal = 0.5; ///< terms of the cost of a wire, besides the square of its length
 
-/// Nodes by the cell that they stand in, to find those near a place.
-class Ground {
+/// Holds the placed nodes by cell, to find the nodes near a place.
+class NodeGrid {
 public:
     void put(std::size_t node, Point at) { cells_[cell(at)].push_back({node, at}); }
 
@@ -32,7 +32,7 @@ public:
     }
 
 private:
-    struct Standing {
+    struct PlacedNode {
         std::size_t node;
         Point at;
     };
@@ -42,12 +42,12 @@ private:
 
     bool leaves_room(Cell cell, Point at) const {
         auto found = cells_.find(cell);
-        return found == cells_.end() || std::ranges::none_of(found->second, [&](const Standing& each) {
+        return found == cells_.end() || std::ranges::none_of(found->second, [&](const PlacedNode& each) {
                    return std::abs(each.at.x - at.x) < 1 && std::abs(each.at.y - at.y) < 1;
                });
     }
 
-    std::map<Cell, std::vector<Standing>> cells_;
+    std::map<Cell, std::vector<PlacedNode>> cells_;
 };
 
 Box box_at(Point at) { return {at, box_width, box_height}; }
@@ -59,13 +59,13 @@ Box extent(const std::vector<Point>& points) {
     return around(boxes);
 }
 
-/// A group of blocks that wires hold together, or those that no wire leads to.
+/// A group of blocks that are connected by wires.
 class Group {
 public:
     Group(const Network& network, const Wiring& wiring, std::vector<Point>& places)
         : n_(network), wiring_(wiring), places_(places), placed_(network.nodes.size(), false) {}
 
-    bool empty() const { return standing_.empty(); }
+    bool empty() const { return nodes_.empty(); }
 
     std::size_t wires_to(const Block& block) const {
         std::size_t wires = 0;
@@ -83,10 +83,10 @@ public:
             stand(block.nodes[i], best.offset + (*best.shape)[i]);
     }
 
-    /// Moves the group; gives where it ends then.
+    /// Moves the group's upper left corner to `corner`; returns its extent there.
     Box move_to(Point corner) {
         Box now = extent(points());
-        for (auto node : standing_)
+        for (auto node : nodes_)
             places_[node] = places_[node] + corner - Point{now.left(), now.top()};
         return extent(points());
     }
@@ -100,7 +100,7 @@ private:
 
     std::vector<Point> points() const {
         std::vector<Point> result;
-        for (auto node : standing_)
+        for (auto node : nodes_)
             result.push_back(places_[node]);
         return result;
     }
@@ -108,11 +108,11 @@ private:
     void stand(std::size_t node, Point at) {
         places_[node] = at;
         placed_[node] = true;
-        standing_.push_back(node);
-        ground_.put(node, at);
+        nodes_.push_back(node);
+        grid_.put(node, at);
     }
 
-    /// Every offset, in halves of a cell, by which the shape stands among or beside what stands already.
+    /// Tries every offset, in steps of half a cell, that puts the shape among or beside the placed nodes.
     void consider(const Block& block, const Shape& shape, Choice& best) {
         if (empty()) {
             if (!best.shape)
@@ -135,10 +135,10 @@ private:
     }
 
     bool fits(const Shape& shape, Point offset) const {
-        return std::ranges::all_of(shape, [&](Point each) { return ground_.is_free(offset + each); });
+        return std::ranges::all_of(shape, [&](Point each) { return grid_.is_free(offset + each); });
     }
 
-    /// No more than `enough` is of interest.
+    /// Returns the cost of the block's wires to placed nodes; stops when the cost reaches `enough`.
     double length_of_wires(const Block& block, const Shape& shape, Point offset, double enough) const {
         double cost = 0;
         for (std::size_t i = 0; i < block.nodes.size() && cost < enough; ++i)
@@ -148,8 +148,8 @@ private:
         return cost;
     }
 
-    /// Of a wire of this length and direction, from a node that is put down. Of equal places a host takes the one to
-    /// the left or above, another node the one to the right or below.
+    /// Returns the cost of a wire that leads from the new node along `way`. Of two equally good places, a host prefers
+    /// the left or upper one, another node the right or lower one.
     double cost_of(std::size_t node, Point way) const {
         bool leads = n_.nodes[node].kind->drawing.in_first_row || n_.nodes[node].kind->links == LinkRole::edge;
         double towards = leads ? -1 : 1;
@@ -157,7 +157,7 @@ private:
         return way.x * way.x + way.y * way.y + diagonal * slant + 0.001 * towards * way.x + 0.0008 * towards * way.y;
     }
 
-    /// Boxes of nodes that stand already, which the new wires cross, and new boxes that are crossed.
+    /// Returns the cost of placed boxes that the new wires cross, and of placed wires that cross the new boxes.
     double cost_of_crossings(const Block& block, const Shape& shape, Point offset) const {
         double cost = 0;
         for (std::size_t i = 0; i < block.nodes.size(); ++i) {
@@ -171,14 +171,14 @@ private:
 
     double boxes_between(std::size_t node, Point at, std::size_t other) const {
         double count = 0;
-        for (auto each : standing_)
+        for (auto each : nodes_)
             count += each != node && each != other && crosses(box_at(places_[each]), at, places_[other]) ? 1 : 0;
         return count;
     }
 
     double wires_across(Point at) const {
         double count = 0;
-        for (auto node : standing_)
+        for (auto node : nodes_)
             for (auto other : wiring_.neighbours(node))
                 count += node < other && placed_[other] && crosses(box_at(at), places_[node], places_[other]) ? 1 : 0;
         return count;
@@ -186,10 +186,10 @@ private:
 
     const Network& n_;
     const Wiring& wiring_;
-    std::vector<Point>& places_; ///< of all nodes of the network
+    std::vector<Point>& places_; ///< by node of the network
     std::vector<bool> placed_;
-    std::vector<std::size_t> standing_;
-    Ground ground_;
+    std::vector<std::size_t> nodes_;
+    NodeGrid grid_;
 };
 
 class Arrangement {
@@ -206,7 +206,8 @@ public:
     }
 
 private:
-    /// The most wires to what stands; then the most nodes; then the first that was declared.
+    /// Returns the block with the most wires to the group; among equals the one with the most nodes, then the one
+    /// declared first.
     std::size_t next_block(const Group& group) const {
         auto rank = [&](const Block& block) {
             auto first = static_cast<std::ptrdiff_t>(block.nodes.front());
@@ -233,7 +234,7 @@ private:
         return group;
     }
 
-    /// In rows that are not much longer than the longest group.
+    /// Puts the groups into rows that are about as long as the longest group.
     void set_beside(std::vector<Group>& groups) {
         double longest = 4, bottom = 0;
         for (Group& group : groups)

@@ -17,7 +17,7 @@ constexpr std::size_t longest_row = 8, largest_circle = 40, largest_cube = 160;
 
 using Nodes = std::vector<std::size_t>;
 
-/// How the nodes of a block are wired with each other and with others.
+/// Recognises how the nodes of a block are wired with each other and with other nodes.
 class Pattern {
 public:
     Pattern(const Network& network, const Wiring& wiring, const Nodes& nodes)
@@ -35,7 +35,7 @@ public:
 
     bool is_ring() const { return nodes_.size() > 2 && is_line() && wiring_.linked(nodes_.back(), nodes_.front()); }
 
-    /// Wires lead to those whose position differs by one bit, and to all of them.
+    /// Returns whether each node is wired to exactly the nodes whose positions differ from its own in one bit.
     bool is_hypercube() const {
         if (nodes_.size() < 8 || !std::has_single_bit(nodes_.size()))
             return false;
@@ -45,8 +45,8 @@ public:
         return true;
     }
 
-    /// Rows of as many nodes as a cube with a corner for each row has dimensions; each node is wired to its row's, in a
-    /// ring, and to that of the same position in the row whose number differs by the bit of that position.
+    /// Returns whether the nodes form cube-connected cycles: 2^length rows of `length` nodes. Each row is a ring, and
+    /// node i of a row is wired to node i of the row whose number differs in bit i.
     bool is_cube_of_cycles(std::size_t length) const {
         if (length < 3 || length > 16 || nodes_.size() != length << length)
             return false;
@@ -56,15 +56,16 @@ public:
         return true;
     }
 
-    /// What each hangs from, if the nodes are wired into a tree; the one that a wire leads to from elsewhere is its
-    /// root, or the first one. Empty where they are not.
+    /// Returns the parent of each node if the nodes are wired into a tree; empty otherwise. The root is the first node
+    /// with a wire to a node outside, or else the first node.
     std::vector<std::size_t> tree() const {
         std::vector<std::size_t> above(nodes_.size(), no_node);
         std::vector<std::size_t> reached{root()};
         std::set<std::size_t> seen{root()};
         for (std::size_t next = 0; next < reached.size(); ++next)
             for (auto other : inside(reached[next]))
-                if (other != above[reached[next]] && above[other] != reached[next]) { // one may hang by several wires
+                if (other != above[reached[next]] &&
+                    above[other] != reached[next]) { // several wires may join a node to its parent
                     if (!seen.insert(other).second)
                         return {};
                     above[other] = reached[next];
@@ -80,16 +81,17 @@ public:
         return false;
     }
 
-    /// Whether one other node is wired to all of them.
+    /// Returns whether some other node is wired to all nodes of the block.
     bool has_hub() const {
         return std::ranges::any_of(wiring_.neighbours(nodes_.front()), [&](std::size_t hub) {
             return std::ranges::all_of(nodes_, [&](std::size_t node) { return wiring_.linked(hub, node); });
         });
     }
 
-    /// Whether each is wired to one of another array with the same subscript, as the heads of rows are.
+    /// Returns whether each node is wired to the element with its subscript in one other array, as for example heads of
+    /// rows.
     bool has_partners() const {
-        std::map<std::string_view, std::size_t> partners; // of so many nodes
+        std::map<std::string_view, std::size_t> partners; // number of nodes with a partner, by array
         for (std::size_t i = 0; i < nodes_.size(); ++i)
             for (auto base : bases_of_partners(i))
                 ++partners[base];
@@ -97,7 +99,8 @@ public:
     }
 
 private:
-    /// The positions that wires lead to from this one, each as often as there are wires, in order.
+    /// Returns in ascending order the positions within the block that wires lead to from position i, one entry for each
+    /// wire.
     std::vector<std::size_t> inside(std::size_t i) const {
         std::vector<std::size_t> others;
         for (auto other : wiring_.neighbours(nodes_[i]))
@@ -213,7 +216,7 @@ private:
 
     bool is_single_processor(std::size_t node) const { return is_single(node) && n_.nodes[node].kind->has_executive(); }
 
-    /// The single processors that a single processor is wired to, each once; none for other nodes.
+    /// Returns the single processors that this single processor is wired to; empty for other nodes.
     std::set<std::size_t> singles_beside(std::size_t node) const {
         std::set<std::size_t> others;
         if (is_single_processor(node))
@@ -223,7 +226,7 @@ private:
         return others;
     }
 
-    /// The single nodes that wires between single nodes hold together with this one.
+    /// Returns this node and the single processors that are connected to it through single processors.
     std::set<std::size_t> singles_around(std::size_t start) const {
         std::set<std::size_t> found{start};
         Nodes reached{start};
@@ -234,7 +237,7 @@ private:
         return found;
     }
 
-    /// A line, a ring or a tree is one block; what is wired otherwise is put down node by node.
+    /// Adds the single nodes around `start`: a line, a ring or a tree as one block, otherwise a block for each node.
     void add_singles(std::size_t start) {
         auto found = singles_around(start);
         bool line = std::ranges::all_of(found, [&](auto node) { return singles_beside(node).size() <= 2; });
@@ -248,7 +251,7 @@ private:
                 add_in_order({node});
     }
 
-    /// From an end of the line; a ring from its first node.
+    /// Returns the nodes in the order of the line from one of its ends, or around the ring from its first node.
     Nodes walk(const Nodes& nodes) const {
         auto end = std::ranges::find_if(nodes, [&](auto node) { return singles_beside(node).size() < 2; });
         Nodes walked{end == nodes.end() ? nodes.front() : *end};

@@ -9,17 +9,17 @@ namespace placedpar {
 
 namespace {
 
-/// Okabe and Ito's colours, distinguishable to the colour-blind too, the dark ones first; their yellow is replaced by
-/// black, being hard to see on white.
+/// The colours of Okabe and Ito, which the colour-blind can distinguish, dark ones first. Black replaces their yellow,
+/// which is hard to see on white.
 constexpr std::array<const char*, 8> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                              "#E69F00", "#56B4E9", "#000000", "#7F7F7F"};
 
-/// Of each colour, as gnuplot numbers them: a circle, a square, triangles, a rhombus, and their outlines.
+/// Gnuplot's number of each colour's symbol: a circle, a square, triangles, a rhombus, and their outlines.
 constexpr std::array<int, colours.size()> symbols{7, 5, 9, 13, 11, 6, 4, 8};
-/// Of a curve, at about so many places.
+/// Approximate number of symbols on a curve.
 constexpr std::size_t symbols_of_curve = 9;
 
-/// Of each colour: lengths of strokes and gaps.
+/// Dashes of each colour: lengths of strokes and gaps.
 constexpr std::array<const char*, colours.size()> dashes{"solid",     "(9,4)",          "(2,3)", "(14,4,3,4)",
                                                          "(5,2,5,7)", "(14,4,3,4,3,4)", "(3,7)", "(6,3,2,3)"};
 constexpr const char* asked_for = "(8,5)"; // Stroke::dashes
@@ -29,7 +29,7 @@ std::size_t colour_number(const Panel& panel, std::size_t place) {
     return (asked ? static_cast<std::size_t>(*asked) : place) % colours.size();
 }
 
-/// Another series of that stroke has the colour, too.
+/// Returns whether a series of the panel has this stroke and this colour.
 bool has_series(const Panel& panel, Stroke stroke, std::size_t number) {
     for (std::size_t i = 0; i < panel.series.size(); ++i)
         if (panel.series[i].stroke == stroke && colour_number(panel, i) == number)
@@ -37,7 +37,7 @@ bool has_series(const Panel& panel, Stroke stroke, std::size_t number) {
     return false;
 }
 
-/// Some colour stands for a curve and for a dashed one.
+/// Returns whether some colour is used both for a line and for a dashed line.
 bool dashes_have_a_meaning(const Panel& panel) {
     for (std::size_t number = 0; number < colours.size(); ++number)
         if (has_series(panel, Stroke::line, number) && has_series(panel, Stroke::dashes, number))
@@ -45,8 +45,8 @@ bool dashes_have_a_meaning(const Panel& panel) {
     return false;
 }
 
-/// A curve that is not measured needs no symbols where it is alone, where points of its colour lie on it, or where its
-/// dashes are no other curve's.
+/// Returns whether the curve can do without symbols: it has no intervals, and it is alone, has points of its colour, or
+/// is the only dashed curve of its colour.
 bool needs_no_symbols(const Panel& panel, std::size_t place) {
     const std::size_t number = colour_number(panel, place);
     if (!panel.series[place].intervals.empty())
@@ -55,7 +55,7 @@ bool needs_no_symbols(const Panel& panel, std::size_t place) {
            (panel.series[place].stroke == Stroke::dashes && !dashes_have_a_meaning(panel));
 }
 
-/// All curves are of one colour, or told apart from one another by what they are.
+/// Returns whether lines of this colour are drawn solid: no line has another colour, or dashes have a meaning.
 bool needs_no_dashes(const Panel& panel, std::size_t number) {
     bool alone = true;
     for (std::size_t other = 0; other < colours.size(); ++other)

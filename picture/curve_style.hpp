@@ -16,7 +16,7 @@ const char* colour_named(int number);
 const char* colour_of(const Panel& panel, std::size_t place);
 
 std::string style_of(const Panel& panel, std::size_t place);
-/// Marks of a panel differ in their dashes.
+/// Returns the style of the mark at `place`. Neighbouring marks of a panel differ in their dashes.
 std::string style_of(const GuideLine& mark, std::size_t place);
 std::string style_of(const Band& band);
 

@@ -12,9 +12,9 @@ namespace placedpar {
 
 namespace {
 
-constexpr double seen = 1e-6; ///< of an axis's length; less is rounding
+constexpr double seen = 1e-6; ///< smallest part of an axis's length that counts; less is rounding
 
-/// A place on an axis as it is drawn: from 0 to 1 between the ends that are given.
+/// Converts values to places on a drawn axis: 0 and 1 are its given ends.
 class Scale {
 public:
     explicit Scale(const Axis& axis)
@@ -34,7 +34,7 @@ private:
     double from_, length_;
 };
 
-/// One end of one axis, and the axis along which series are cut off by it.
+/// One end of an axis, at which series may be cut off, and the other axis, which runs along this edge.
 class End {
 public:
     End(PanelEdge edge, const Panel& panel)
@@ -47,16 +47,16 @@ public:
     double along(const Point& point) const { return vertical_ ? point.x : point.y; }
     double farther(double one, double other) const { return upper_ ? std::max(one, other) : std::min(one, other); }
 
-    /// Not what is drawn in no case, being beyond the other axis.
+    /// Returns whether the end cuts the point off. Points beyond the ends of the other axis do not count.
     bool cuts(const Point& point) const { return beyond(value(point)) && is_along(along(point)); }
     bool is_along(double place) const {
         const double shown = along_scale_.place(place);
         return !(along_.from && shown < along_scale_.place(*along_.from) - seen) &&
                !(along_.to && shown > along_scale_.place(*along_.to) + seen);
     }
-    /// A line is drawn from there to this end.
+    /// Returns whether a line from the point to this end would be visible.
     bool is_inside(const Point& point) const { return std::isfinite(value(point)) && !beyond(value(point)); }
-    /// Where the straight line between two points, as it is drawn, crosses this end.
+    /// Returns where the drawn line between the two points crosses this end.
     double crossing(const Point& inside, const Point& outside) const {
         const double from = scale_.place(value(inside)), to = scale_.place(value(outside));
         const double share = (scale_.place(*at()) - from) / (to - from);
@@ -76,7 +76,7 @@ private:
     Scale scale_, along_scale_;
 };
 
-/// Of the points from `first` to before `last`, which are all beyond the end.
+/// Returns where the series leaves or enters the panel, for the points [first, last), which all lie beyond the end.
 double place_of(const End& end, const Series& series, std::size_t first, std::size_t last) {
     const auto& points = series.points;
     const bool line = series.stroke != Stroke::points;
@@ -87,7 +87,7 @@ double place_of(const End& end, const Series& series, std::size_t first, std::si
     return end.along(points[first]);
 }
 
-/// The points of a series, and the ends of its bars.
+/// Returns the points of a series, followed by the ends of its bars.
 std::vector<Point> with_ends_of_bars(const Series& series) {
     std::vector<Point> points = series.points;
     for (std::size_t i = 0; i < series.intervals.size(); ++i)
@@ -99,7 +99,7 @@ std::vector<Point> with_ends_of_bars(const Series& series) {
     return points;
 }
 
-/// Where a bar goes over the end from a point within it.
+/// Adds the places where bars extend beyond the end.
 void add_places_of_bars(const End& end, const Series& series, std::vector<double>& places) {
     const std::vector<Point> all = with_ends_of_bars(series);
     for (std::size_t i = series.points.size(); i < all.size(); ++i)

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double text_height = 15;
 
-/// All that a text must not lie on.
+/// Returns the boxes that a mark's text must not overlap.
 std::vector<Box> boxes_to_avoid(const Picture& picture) {
     std::vector<Box> boxes;
     for (const DrawnNode& node : picture.nodes)
@@ -24,14 +24,14 @@ std::vector<Box> boxes_to_avoid(const Picture& picture) {
     return boxes;
 }
 
-/// From a point to both sides of a line, up to so far, nearest first.
+/// Adds points on both sides of `at`, along `aside`, up to the distance `farthest`; the nearest come first.
 void add_beside(Point at, Point aside, double farthest, std::vector<Point>& points) {
     for (double away = 0; away <= farthest; away += pitch)
         for (double side : {-1., 1.})
             points.push_back(at + (side * away) * aside);
 }
 
-/// On the wire, from the middle of its longest line on, then beside it.
+/// Returns candidate places for a text: on the wire, beginning at the middle of its longest line, then beside it.
 std::vector<Point> places_at(const DrawnWire& wire) {
     const Path& path = *std::ranges::max_element(wire.spans, {}, [](const Path& each) {
         std::size_t line = longest_line(each);
@@ -46,7 +46,7 @@ std::vector<Point> places_at(const DrawnWire& wire) {
     return points;
 }
 
-/// Above the box, then below it.
+/// Returns candidate places for a text: above the box, then below it.
 std::vector<Point> places_at(const Box& box) {
     std::vector<Point> points;
     for (double away = text_height; away <= 20 * pitch; away += pitch)

@@ -19,7 +19,7 @@ bool overlap(const Box& a, const Box& b) {
 
 namespace {
 
-/// The part of a line, from 0 at its start to 1 at its end, that lies between two parallels.
+/// The part of a line that lies between two parallels; 0 is the line's start and 1 its end.
 struct Part {
     double from = 0, to = 1;
 

@@ -2,7 +2,7 @@
 
 #include "text/user_error.hpp"
 
-#define BOOST_PROCESS_USE_STD_FS // Boost.Filesystem would have to be linked
+#define BOOST_PROCESS_USE_STD_FS // otherwise Boost.Filesystem would have to be linked
 #include <boost/asio/io_context.hpp>
 #include <boost/process/args.hpp>
 #include <boost/process/async.hpp>
@@ -30,7 +30,7 @@ std::filesystem::path find_gnuplot() {
     return path;
 }
 
-/// A file without a name that holds the script: written through a pipe, it could meet a gnuplot that has given up.
+/// Returns an unnamed file with the script. Writing to a pipe could fail if gnuplot has already ended with an error.
 std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_of(const std::string& script) {
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), std::fclose);
     if (!file || std::fwrite(script.data(), 1, script.size(), file.get()) != script.size() ||

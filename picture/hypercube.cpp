@@ -17,7 +17,7 @@ using At = picture::Point;
 
 constexpr double cube_margin = 56, note_room = 44, text_line = 17, vertex_radius = 15, caption = 40, legend_height = 34;
 
-/// Where a bit leads, from the last of the string to the first: across, up, into the depth, and to the second cube.
+/// The direction of each bit, beginning with the string's last bit: to the right, up, back, and to the second cube.
 constexpr std::array<At, 4> bit_leads{At{132, 0}, {0, -132}, {74, -62}, {284, 40}};
 
 constexpr const char* hypercube_style =
@@ -44,7 +44,7 @@ constexpr const char* head_of_moves =
     R"(<marker id="arrow" viewBox="0 0 10 10" refX="7" refY="5" markerWidth="6" markerHeight="6" )"
     R"(orient="auto-start-reverse"><path d="M0 0 L10 5 L0 10 z" fill="#d55e00"/></marker>)";
 
-/// The width and height of the drawing of one hypercube, and where vertex 0 stands in it.
+/// The size of the drawing of one hypercube, and the place of vertex 0 in it.
 struct CubeArea {
     double width, height;
     At zero;
@@ -81,7 +81,7 @@ const char* class_of(VertexLook look) {
     return "";
 }
 
-/// Offspring have a second ring.
+/// Draws a vertex. Offspring have a second ring.
 SvgPen vertex_symbol(At at, VertexLook look, const std::string& number) {
     SvgPen symbol;
     symbol.circle(at, vertex_radius);
@@ -97,7 +97,7 @@ bool is_spanned(const DrawnHypercube& cube, std::uint32_t from, std::uint32_t to
     });
 }
 
-/// One drawing, whose vertex 0 stands at a point.
+/// Draws one hypercube with vertex 0 at the given point.
 class CubeDrawing {
 public:
     CubeDrawing(SvgPen& pen, const DrawnHypercube& cube, At zero) : pen_(pen), cube_(cube), zero_(zero) {
@@ -122,7 +122,7 @@ private:
         for (auto [from, to] : cube_.moves) {
             At way = at(to) - at(from);
             At unit = (1 / std::max(distance({}, way), 1.0)) * way;
-            // Bent to the side, so that two ways between the same vertices do not lie on each other.
+            // Arrows are bent to the side, so that two between the same vertices do not overlap.
             At start = at(from) + vertex_radius * unit, end = at(to) - (vertex_radius + 5) * unit;
             At bend = at(from) + 0.5 * way + 22 * At{-unit.y, unit.x};
             pen_.path("M" + svg_point(start) + " Q" + svg_point(bend) + " " + svg_point(end),
@@ -160,7 +160,7 @@ void draw_cube(SvgPen& pen, const DrawnHypercube& cube, At corner) {
     }
 }
 
-/// Returns its right end.
+/// Draws the legend; returns the x of its right end.
 double draw_legend(SvgPen& pen, const VertexLegend& legend, At at) {
     for (const auto& [look, words] : legend) {
         pen.add(vertex_symbol(at, look, "")).text(at + At{vertex_radius + 8, 4.5}, "line", words);

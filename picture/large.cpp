@@ -18,15 +18,16 @@ namespace placedpar::picture {
 
 namespace {
 
-constexpr double lane_start = 10, lane_gap = 6; ///< of wires beside each other between two rows or columns
-constexpr double most_sagitta = 0.05;           ///< of a chord in place of an arc, in cells
-constexpr double apart = 3;                     ///< of blocks, in cells
+constexpr double lane_start = 10,
+                 lane_gap = 6;        ///< distances of the wires in a lane between two rows or columns, in pixels
+constexpr double most_sagitta = 0.05; ///< greatest distance between a chord and the arc that it replaces, in cells
+constexpr double apart = 3;           ///< distance between blocks, in cells
 
-/// Blocks are numbered from the left: 0 has the single nodes.
+/// The places of all nodes. Blocks are numbered from the left; block 0 holds the single nodes.
 struct LargeLayout {
     std::vector<Point> places;
-    std::vector<std::size_t> block_of;            ///< of each node
-    std::vector<std::optional<double>> radii{{}}; ///< of each block that is a ring, in cells
+    std::vector<std::size_t> block_of;            ///< by node
+    std::vector<std::optional<double>> radii{{}}; ///< by block, in cells; empty unless the block is a ring
 };
 
 Box large_extent(const std::vector<Point>& points) {
@@ -36,7 +37,7 @@ Box large_extent(const std::vector<Point>& points) {
     return around(boxes);
 }
 
-/// Whether rows are a cell apart, so that wires find a way between them.
+/// Returns whether rows are at least a cell apart, so that wires fit between them.
 bool is_in_rows(const Shape& shape) {
     std::set<double> rows;
     for (Point each : shape)
@@ -44,7 +45,7 @@ bool is_in_rows(const Shape& shape) {
     return std::ranges::adjacent_find(rows, [](double one, double next) { return next < one + 1; }) == rows.end();
 }
 
-/// Puts the largest block down, single nodes to the left of it, the other blocks to the right.
+/// Places the largest block, single nodes to its left, and the other blocks to its right.
 class LargeArrangement {
 public:
     LargeArrangement(const Network& network, const Wiring& wiring) : blocks_(blocks_of(network, wiring)) {
@@ -63,7 +64,7 @@ public:
     }
 
 private:
-    /// With its upper left corner there.
+    /// Places the block with its upper left corner at `corner`.
     void put(const Block& block, Point corner) {
         std::size_t count = block.nodes.size();
         bool round = count > 2 && is_circle(block.shapes.front());
@@ -88,12 +89,12 @@ private:
     std::vector<Block> blocks_;
     LargeLayout layout_;
     double right_ = 0, height_ = 0;
-    double middle_ = 0; ///< the row of the first single node
+    double middle_ = 0; ///< row of the first single node
     std::size_t singles_ = 0;
 };
 
-/// Leads wires through the lanes between rows and columns of their blocks, and through the inside of a ring; from block
-/// to block beside these, and below all that are between.
+/// Routes wires. Within a block, wires use the lanes between its rows and columns, or the inside of a ring. Wires
+/// between blocks lead beside the blocks, and below all blocks in between.
 class LargeRouter {
 public:
     LargeRouter(const LargeLayout& layout, const std::vector<DrawnNode>& nodes)
@@ -129,8 +130,8 @@ public:
 
 private:
     struct Line {
-        std::map<double, std::size_t> positions; ///< along it; their order
-        double first, last;                      ///< borders of its boxes
+        std::map<double, std::size_t> positions; ///< order of the nodes by their position along the line
+        double first, last;                      ///< outer borders of its boxes, across the line
         std::size_t number = 0;
 
         void add(double position, double least, double most) {
@@ -143,9 +144,9 @@ private:
 
     struct LargeBlock {
         Lines rows, columns;
-        bool in_columns = true; ///< with room for wires between them
+        bool in_columns = true; ///< whether wires fit between its columns
         Box extent;
-        std::optional<double> radius; ///< of a ring, in cells
+        std::optional<double> radius; ///< set for a ring, in cells
     };
 
     static void number(Lines& lines) {
@@ -185,7 +186,7 @@ private:
         return a + 1 == b || b + 1 == a;
     }
 
-    /// A straight line in a row or column, or a line from one row to the next.
+    /// Returns the path between neighbours in a row, or between nodes of consecutive rows; nothing for other nodes.
     std::optional<Path> between_neighbours(std::size_t a, std::size_t b) const {
         Point at = layout_.places[a], to = layout_.places[b];
         if (at.y == to.y && follow(row(a), at.x, to.x)) {
@@ -216,7 +217,8 @@ private:
 
     double below(std::size_t node, double lane) const { return row(node).last + lane; }
 
-    /// Down from the one, below its row to the lane right of its column, along that, and below the row of the other.
+    /// Returns a path that leads down from a, below its row to the lane on the right of its column, along the lane, and
+    /// below the row of b.
     Path through_lanes(std::size_t a, std::size_t b) const {
         double flat = lane(column(a).number, column(b).number), steep = lane(row(a).number, row(b).number);
         Point from = box(a).centre, to = box(b).centre;
@@ -230,7 +232,8 @@ private:
         return path;
     }
 
-    /// From the node to beside its block: straight if nothing stands between, else below its row.
+    /// Returns a path from the node to a point beside its block: straight if no box is in between, otherwise below its
+    /// row.
     Path leave(std::size_t node, bool rightward) const {
         if (block(node).radius)
             return out_of_ring(node, rightward);
@@ -244,7 +247,7 @@ private:
         return {{self.centre.x, self.bottom()}, {self.centre.x, y}, {x, y}};
     }
 
-    /// Between blocks, where nothing stands; below all where they are not neighbours.
+    /// Joins the paths that leave two blocks: directly if the blocks are neighbours, otherwise below all blocks.
     Path joined(Path from, Path to, bool beside) const {
         double y = beside ? to.back().y : bottom_ + lane(0, 128) + lane_start;
         from.push_back({from.back().x, y});
@@ -254,7 +257,7 @@ private:
         return from;
     }
 
-    /// On the line from the centre of its ring through the node, so many cells outside of it.
+    /// Returns the point that lies `cells` outside of the node, on the line from the ring's centre through the node.
     Point beside_ring(std::size_t node, double cells) const {
         Point centre = block(node).extent.centre;
         return centre + (1 + cells / *block(node).radius) * (box(node).centre - centre);
@@ -265,7 +268,7 @@ private:
         return {way_out(box(a), box(a).centre, from), from, to, way_out(box(b), box(b).centre, to)};
     }
 
-    /// Around the ring to the side.
+    /// Returns a path from the node around its ring to the left or right side.
     Path out_of_ring(std::size_t node, bool rightward) const {
         const Box& ring = block(node).extent;
         Point outside = beside_ring(node, 0.7), c = ring.centre;
@@ -273,7 +276,8 @@ private:
         double across = ring.width / 2, high = ring.height / 2, reach = 1 + 0.75 / *block(node).radius;
         double angle = std::atan2((outside.y - c.y) / high, (outside.x - c.x) / across),
                goal = rightward ? 0 : std::copysign(std::numbers::pi, angle);
-        // A chord comes no nearer to the boxes than by most_sagitta: a ring of n nodes takes sqrt(n) of them.
+        // Chords come closer to the boxes than the arc by most_sagitta at most; a ring of n nodes takes about sqrt(n)
+        // chords.
         double chord = std::sqrt(8 * most_sagitta / *block(node).radius);
         int steps = static_cast<int>(std::ceil(std::abs(goal - angle) / chord));
         for (int i = 1; i <= steps; ++i) {
@@ -286,7 +290,7 @@ private:
     const LargeLayout& layout_;
     const std::vector<DrawnNode>& nodes_;
     std::vector<LargeBlock> blocks_;
-    double bottom_ = 0; ///< of all boxes
+    double bottom_ = 0; ///< lowest border of all boxes
 };
 
 } // namespace

@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-/// In quotes, for labels have commas.
+/// Returns the text in quotes, since labels may contain commas.
 std::string quoted_cell(const std::string& text) {
     std::string quoted;
     for (char character : escaped(text))
@@ -19,7 +19,7 @@ std::string quoted_cell(const std::string& text) {
     return '"' + quoted + '"';
 }
 
-/// Rows of one panel.
+/// Writes the rows of one panel.
 class Rows {
 public:
     Rows(std::string& out, const Panel& panel) : out_(out), panel_(panel) {}

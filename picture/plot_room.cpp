@@ -12,10 +12,10 @@ namespace placedpar {
 
 namespace {
 
-// Parts of an axis's length.
+// Fractions of an axis's length.
 constexpr double near_frame = .025, room_at_frame = .05, step_beside = .008;
 
-/// An axis as its letter and as the parts of a panel that belong to it.
+/// Describes an axis by its letter and by the members of a panel that belong to it.
 struct AxisParts {
     char letter;
     Axis Panel::*axis;
@@ -25,7 +25,7 @@ struct AxisParts {
 constexpr AxisParts along_x{'X', &Panel::x, &Point::x, &Series::x_intervals},
     along_y{'Y', &Panel::y, &Point::y, &Series::intervals};
 
-/// Where the series of a panel begin and end along an axis.
+/// The range of a panel's series along an axis.
 class Extent {
 public:
     Extent(const Panel& panel, const AxisParts& parts) : axis_(panel.*parts.axis) {
@@ -39,7 +39,7 @@ public:
         }
     }
 
-    /// Counts what else is drawn in the panel, too.
+    /// Extends the range by the panel's bands and marks.
     void add_bands_and_marks(const Panel& panel, const AxisParts& parts) {
         for (const Band& band : panel.bands)
             for (const BandPoint& point : band.points)
@@ -69,7 +69,7 @@ private:
     double least_ = std::numeric_limits<double>::max(), most_ = std::numeric_limits<double>::lowest();
 };
 
-/// A place on an axis, moved by a part of the axis's length, which is from `from` to `to`.
+/// Returns gnuplot's expression for `place`, moved by the fraction `part` of the axis's length between `from` and `to`.
 std::string moved_along(const Axis& axis, const std::string& place, double part, const std::string& from,
                         const std::string& to) {
     return axis.logarithmic ? fmt::format("{}*({}/{})**({:g})", place, to, from, part)
@@ -84,7 +84,7 @@ bool have_intervals_at_one_x(const Series& one, const Series& other) {
                &Point::x);
 }
 
-/// The places of the series that are drawn beside each other, in their order.
+/// Returns the places of the series that must be drawn beside each other, in order.
 std::vector<std::size_t> drawn_beside(const Panel& panel) {
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < panel.series.size(); ++i)

@@ -20,9 +20,9 @@ namespace {
 // Sizes in pixels.
 constexpr int plot_width = 960, title_height = 44, panel_height = 390, left_margin = 104, top_margin = 40,
               bottom_margin = 66;
-constexpr int legend_sample = 70, legend_letter = 9; // of the widest of the fonts that a viewer may take
+constexpr int legend_sample = 70, legend_letter = 9; // in the widest font that a viewer may use
 
-/// A gnuplot string, in which nothing but the quote means anything.
+/// Returns a gnuplot string in single quotes, in which only the quote is special.
 std::string quoted(std::string text) {
     std::ranges::replace(text, '\n', ' ');
     std::string out = "'";
@@ -38,12 +38,12 @@ std::size_t letters(const std::string& utf8) {
 
 bool has_bars(const Series& series) { return !series.intervals.empty() || !series.x_intervals.empty(); }
 
-/// What the legend says.
+/// Returns the series' text in the legend.
 std::string legend_of(const Series& series, const Panel& panel) {
     return series.name.empty() ? "" : series.name + text_of(cut_offs(series, panel));
 }
 
-/// Of the legends, the same for all panels so that their axes stand above each other.
+/// Returns the width of the legends, in pixels; it is equal for all panels, so that their axes are aligned.
 int legend_width(const Plot& plot) {
     std::size_t longest = 0;
     for (const Panel& panel : plot.panels) {
@@ -65,12 +65,12 @@ std::string range_commands(const char* letter, const Axis& axis) {
                        axis.logarithmic ? "set" : "unset");
 }
 
-/// Smaller than the usual size where the text would be longer than so many pixels.
+/// Returns the usual size of letters, or a smaller one if the text would be longer than `length` pixels.
 double letter_size(const std::string& text, double usual, int length) {
     return std::min(usual, 15. * length / (legend_letter * static_cast<double>(letters(text)) + 1));
 }
 
-/// A label that is longer than its axis is in smaller letters.
+/// Sets the axis's label, in smaller letters if it would be longer than its axis.
 std::string label_commands(const char* letter, const Axis& axis, int length) {
     double size = letter_size(axis.label, 15, length);
     return fmt::format("set {}label {} {}{}\n", letter, quoted(axis.label), *letter == 'x' ? "offset 0,0.4" : "",
@@ -84,7 +84,7 @@ std::string data_block(const Panel& panel, std::size_t number, std::size_t place
     return out + "END\n";
 }
 
-/// Where a bar begins, and how long it is in x and y.
+/// Returns the data of bars: where each bar begins, and its length in x and y.
 std::string bar_block(const Panel& panel, std::size_t number, std::size_t place) {
     const Series& series = panel.series[place];
     std::string out = fmt::format("$panel{}bars{} << END\n", number, place);
@@ -110,7 +110,7 @@ std::string data_blocks(const Panel& panel, std::size_t number) {
     return out;
 }
 
-/// Where the panel stands: gnuplot's screen has its origin at the bottom left and size 1.
+/// Returns the commands that place the panel. Gnuplot's screen has its origin at the bottom left and size 1.
 std::string place_commands(std::size_t number, int legend, int height) {
     int top = title_height + static_cast<int>(number) * panel_height;
     auto from_bottom = [&](int pixels) { return static_cast<double>(height - pixels) / height; };
@@ -123,7 +123,7 @@ std::string place_commands(std::size_t number, int legend, int height) {
                        from_bottom(top + top_margin - 4));
 }
 
-/// The tip of an arrow at the edge, or a place that far inside of it: 1 is the panel's width or height.
+/// Returns a gnuplot position `inside` of the edge, in panel widths or heights; 0 is on the edge.
 std::string near_edge(PanelEdge edge, double place, double inside) {
     switch (edge) {
     case PanelEdge::top: return fmt::format("first {}, graph {}", place, 1 - inside);
@@ -134,7 +134,8 @@ std::string near_edge(PanelEdge edge, double place, double inside) {
     return "";
 }
 
-/// Arrows where a series is cut off; how far it goes stands there if it does not in the legend.
+/// Draws arrows where a series is cut off. How far the series goes is written beside the arrow if the series has no
+/// legend.
 std::string cut_commands(const Panel& panel, std::size_t place) {
     std::string out;
     for (const CutOff& cut : cut_offs(panel.series[place], panel)) {
@@ -176,7 +177,7 @@ std::string plot_command(const Panel& panel, std::size_t number) {
     return fmt::format("plot {}\n", fmt::join(curves, ", \\\n     "));
 }
 
-/// Draws it nowhere, for its ranges; nothing is moved yet.
+/// Draws the panel without output, to get gnuplot's ranges. No series is moved beside another yet.
 std::string trial_commands(const Panel& asked, std::size_t number) {
     const Panel panel = with_wide_axes(asked);
     return fmt::format("Xfrom{0} = 1; Xto{0} = 1\n", number) + data_blocks(panel, number) +

@@ -14,7 +14,7 @@ namespace placedpar::picture {
 
 namespace {
 
-/// In steps of a pitch: a bend is worth a detour, and so is not to cross a wire or to run close to a box.
+/// Costs, in steps of a pitch, of a step, of a bend, of crossing a wire and of a point close to a box.
 constexpr unsigned step_cost = 1, bend_cost = 4, crossing_cost = 1, near_cost = 2;
 constexpr std::size_t most_points = 4'000'000, most_steps = 40'000'000;
 
@@ -89,7 +89,7 @@ Box around_ports(const std::vector<Port>& ports) {
 
 } // namespace
 
-/// The cheapest way first (A*). A state is a point and the way by which it was reached.
+/// Finds the cheapest path (A*). A state is a point and the direction in which it was reached.
 class Raster::Search {
 public:
     Search(Raster& raster, const std::vector<Port>& to)
@@ -125,7 +125,7 @@ public:
     }
 
 private:
-    /// The ways on from a point; the opposite of one is two further.
+    /// Directions of a step; the opposite of a direction is two further.
     enum Way : unsigned char { right, below, left, above, from_nowhere };
     using State = std::size_t;
     static constexpr unsigned unreached = std::numeric_limits<unsigned>::max();
@@ -141,7 +141,7 @@ private:
         return found != entries_.end() && found->second == way_to(state);
     }
 
-    /// What the way from here costs at least.
+    /// Returns a lower bound of the cost from here to the goal.
     unsigned at_least(std::size_t index) const {
         Point p = r_.point_of(index);
         double dx = std::max({goal_.left() - p.x, p.x - goal_.right(), 0.}),
@@ -156,7 +156,7 @@ private:
                                       : std::nullopt;
     }
 
-    /// A wire neither follows another nor enters a box but at its end.
+    /// Returns whether a wire may go there: it must not run along another wire, and enters a box only at its end.
     bool may_enter(State state) const {
         const Cell& mark = r_.marks_[state / 4];
         bool across = way_to(state) == left || way_to(state) == right;
@@ -179,7 +179,7 @@ private:
         open_.emplace(cost + at_least(*next), order_++, state);
     }
 
-    /// A wire does not bend where it crosses another.
+    /// Reaches the neighbours of the state. A wire does not bend where it crosses another.
     void go_on(State state) {
         Way way = way_to(state);
         bool may_bend = !r_.marks_[state / 4].has_wire();
@@ -205,12 +205,14 @@ private:
         return path;
     }
 
-    using Entry = std::tuple<unsigned, std::size_t, State>; ///< cost at least, order, state
+    using Entry = std::tuple<unsigned, std::size_t, State>; ///< lower bound of the whole cost, order, state
 
     Raster& r_;
     Box goal_;
-    std::map<std::size_t, Way> entries_; ///< the points at which the search may end, and how they are reached
-    std::vector<unsigned>& costs_; ///< the raster's, so that a search takes no time for points that it does not reach
+    std::map<std::size_t, Way>
+        entries_; ///< points at which the search may end, and the direction in which it must arrive
+    std::vector<unsigned>&
+        costs_; ///< owned by the raster, so that a search takes no time for points that it does not reach
     std::vector<unsigned char>& before_;
     std::vector<State> reached_;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;

@@ -25,7 +25,7 @@ std::vector<Box> boxes_of(const std::vector<DrawnNode>& nodes) {
     return boxes;
 }
 
-/// The sides of a box that a wire may leave by.
+/// Says by which sides of a box a wire may leave.
 struct Sides {
     bool right = true, below = true, left = true, above = true;
 };
@@ -51,7 +51,7 @@ std::vector<Port> ports_of(const Box& box, const Sides& sides) {
     return ports;
 }
 
-/// Where the middle of two boxes' common range lies, and how far it reaches to either side; along x or along y.
+/// Returns the middle of the range that two boxes have in common along an axis, and half of its length.
 std::pair<double, double> common_range(double from, double to, double other_from, double other_to) {
     double least = std::max(from, other_from), most = std::min(to, other_to);
     return {std::round((least + most) / 2 / pitch) * pitch, (most - least) / 2};
@@ -114,7 +114,8 @@ private:
         });
     }
 
-    /// The lines at the middle of what two boxes face each other with, and to its sides. None where they hardly do.
+    /// Returns the first free straight line between two boxes, tried from the middle of their common range outwards;
+    /// empty if there is none.
     template <class LineAt>
     Path first_clear(const Span& span, double middle, double reach, LineAt line_at) const {
         for (double offset = 0; offset + pitch <= reach; offset += port_pitch)
@@ -169,7 +170,7 @@ private:
             draw_around(index, raster);
     }
 
-    /// A wire for which there is no way is a straight line over whatever lies between.
+    /// Draws a wire around boxes. If no path is found, the wire becomes a straight line over everything in between.
     void draw_around(std::size_t index, Raster& raster) {
         const Span& span = spans_[index];
         const Box &a = box_of(span.from), &b = box_of(span.to);
@@ -194,7 +195,7 @@ private:
         return onward ? std::pair(first, last) : std::pair(last, first);
     }
 
-    /// Whether the two are the ends of a row or a column of their array.
+    /// Returns whether the two nodes are the ends of a row or column of their array.
     bool is_outmost(const Span& span, double Point::*same, double Point::*other) const {
         auto base = base_name(n_.nodes[span.from.node].name);
         Point a = box_of(span.from).centre, b = box_of(span.to).centre;
@@ -207,7 +208,7 @@ private:
         return base_name(n_.nodes[span.to.node].name) == base;
     }
 
-    /// What has been drawn since the last call: the links' numbers and the channels.
+    /// Adds link numbers and channel counts to the wires drawn since the last call.
     void label() {
         auto due = [&](std::size_t i) { return !paths_[i].empty() && labelled_.insert(i).second; };
         std::vector<std::size_t> now;

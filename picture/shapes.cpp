@@ -12,7 +12,7 @@ namespace {
 
 double as_cells(std::size_t count) { return static_cast<double>(count); }
 
-/// What point_of(0) to point_of(count - 1) give.
+/// Returns the points point_of(0) to point_of(count - 1).
 template <class PointOf>
 Shape shape_of(std::size_t count, PointOf point_of) {
     Shape shape;
@@ -21,7 +21,7 @@ Shape shape_of(std::size_t count, PointOf point_of) {
     return shape;
 }
 
-/// In eighths, so that every compiler finds the same.
+/// Rounds to eighths of a cell, so that every compiler gives equal results.
 double to_eighths(double cells) { return std::round(cells * 8) / 8; }
 
 Shape circle_of_radius(std::size_t count, double radius) {
@@ -46,7 +46,7 @@ bool centre_has_room(const Shape& shape) {
     return std::ranges::all_of(shape, [](Point each) { return a_cell_apart(each, {}); });
 }
 
-/// The smallest circle of which that is true.
+/// Returns the smallest circle that satisfies the condition.
 template <class Condition>
 Shape smallest_circle(std::size_t count, Condition condition) {
     double radius = std::max(0.5, std::floor(as_cells(count) / 8) - 1);
@@ -56,7 +56,8 @@ Shape smallest_circle(std::size_t count, Condition condition) {
     return shape;
 }
 
-/// How far apart the elements of each dimension stand, where every second dimension goes the same way.
+/// Returns the distance of consecutive elements in each dimension, in cells. Every second dimension runs in the same
+/// direction.
 std::vector<double> strides(const std::vector<std::int64_t>& sizes) {
     std::vector<double> result(sizes.size(), 1);
     for (std::size_t i = sizes.size(); i-- > 0;)
@@ -96,7 +97,7 @@ private:
 
     Shape shape_;
     std::map<std::size_t, std::vector<std::size_t>> below_;
-    double next_ = 0; ///< where the next one that nothing hangs from stands
+    double next_ = 0; ///< x of the next leaf
 };
 
 Shape cube() {

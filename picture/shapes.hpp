@@ -11,10 +11,10 @@ namespace placedpar::picture {
 /// Holds the places of a block's nodes relative to the block, in cells. Each node has a cell of its own.
 using Shape = std::vector<Point>;
 
-/// The node that a tree's root hangs from.
+/// Stands for the parent of a tree's root.
 inline constexpr std::size_t no_node = static_cast<std::size_t>(-1);
 
-// Figures that nodes can stand in, in the order of the nodes. In each, any two nodes are a cell apart across or down.
+// Functions that return shapes, in the order of the nodes. Any two nodes of a shape are a cell apart across or down.
 
 Shape row(std::size_t count);
 Shape column(std::size_t count);

@@ -12,7 +12,7 @@ namespace placedpar::picture {
 
 namespace {
 
-/// How a process is drawn: as a box with its kind, and where it is placed.
+/// Returns the device kind by which a process is drawn: a box with the process's kind and its place.
 std::shared_ptr<const DeviceKind> process_box(bool outside) {
     DeviceKind kind{.name = outside ? "process-outside" : "process",
                     .noun = "a process",
@@ -55,7 +55,7 @@ private:
         software_.network.nodes.push_back(std::move(node));
     }
 
-    /// Of a channel; an edge becomes a node when a channel first leads to it.
+    /// Returns the node of a channel's end. An edge becomes a node when a channel first leads to it.
     std::size_t node_of(const ChannelEnd& end) {
         if (!end.at_edge())
             return end.process;
@@ -71,7 +71,7 @@ private:
         drawn.from.node = from;
         drawn.to.node = to;
         if (from == to) {
-            drawn.placement = {}; // said inside of its box
+            drawn.placement = {}; // a channel of a process with itself is counted inside of its box
         } else {
             auto wire = wire_between(from, to);
             bool onward = software_.network.connections[wire].a.node == from;
@@ -95,14 +95,14 @@ private:
         return found->second;
     }
 
-    /// The node to draw at the top: a process outside of the transputers, or the first.
+    /// Returns the node to draw at the top: the first process outside of the transputers, or else the first node.
     std::size_t find_top() const {
         const auto& nodes = software_.network.nodes;
         auto top = std::ranges::find_if(nodes, [](const Node& node) { return node.kind->drawing.in_first_row; });
         return top == nodes.end() ? 0 : static_cast<std::size_t>(top - nodes.begin());
     }
 
-    /// What each node hangs from, if they form a tree in which one has two or more below it; else empty.
+    /// Returns the parent of each node if the nodes form a tree with at least one branch; empty otherwise.
     std::vector<std::size_t> find_tree() const {
         const std::size_t nodes = software_.network.nodes.size();
         if (software_.spans.size() + 1 != nodes)
@@ -125,7 +125,7 @@ private:
     const Network& n_;
     Software software_;
     std::shared_ptr<const DeviceKind> inside_ = process_box(false), outside_ = process_box(true);
-    std::map<std::size_t, std::size_t> edges_; ///< by node of the network: its node here
+    std::map<std::size_t, std::size_t> edges_; ///< drawn node by the network's edge
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> wires_;
 };
 

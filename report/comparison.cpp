@@ -16,11 +16,11 @@ namespace {
 
 using Cells = std::vector<Cell>;
 
-constexpr std::size_t least_width = 7; // of a figure
+constexpr std::size_t least_width = 7; // of a column of figures
 
 struct ShownColumn {
     std::string name;
-    /// Widths of its widest figures; 0 where no cell of it has a known one, or an error.
+    /// Widths of the widest figures. `known` and `error` are 0 if no cell of the column has such a figure.
     std::size_t simulated = least_width, known = 0, error = 0;
 
     std::size_t width() const {
@@ -28,7 +28,7 @@ struct ShownColumn {
     }
 };
 
-/// Adjacent rows that share their columns.
+/// A table of adjacent rows that have the same columns.
 struct ShownTable {
     std::vector<ShownColumn> columns;
     std::vector<Cells> rows;
@@ -68,7 +68,7 @@ std::string label(const Cell& cell) {
     return cell.unit.empty() ? cell.row : fmt::format("{} [{}]", cell.row, cell.unit);
 }
 
-/// The column of labels is as wide as with every unit shown, an empty one too.
+/// Returns the width of the labels' column, computed as if every label had a unit.
 std::size_t label_width(const Cells& cells) {
     std::size_t width = 0;
     for (const Cell& cell : cells)
@@ -90,7 +90,7 @@ std::string without_trailing_zeros(std::string number) {
     return number.back() == '.' ? number.substr(0, number.size() - 1) : number;
 }
 
-/// Such as +.00006; "0" where nothing is left of it at these decimals.
+/// Returns the difference as +.00006, without the zero before the point; "0" if it vanishes at these decimals.
 std::string print_difference(double difference, int decimals) {
     std::string text = fmt::format("{:+.{}f}", difference, decimals);
     if (text.find_first_of("123456789") == std::string::npos)
@@ -129,7 +129,8 @@ std::string print_error(const Cell& cell, const std::string& against) {
     return error ? fmt::format("{:+.1f}%", *error) : "";
 }
 
-/// In the cell's unit, or in percent; empty where it is not judged, or by a bound that stands in place of its error.
+/// Returns the tolerance in the cell's unit or in percent. Empty if the cell is not judged, or is judged by a bound,
+/// which is printed instead of the error.
 std::string print_tolerance(const Cell& cell) {
     if (cell.at_least || cell.at_most || !cell.reference)
         return "";
@@ -138,7 +139,7 @@ std::string print_tolerance(const Cell& cell) {
     return cell.tolerance_percent ? fmt::format("{:g}%", *cell.tolerance_percent) : "";
 }
 
-/// Each tolerance of the row once, in the order of its columns.
+/// Returns the row's different tolerances in the order of its columns.
 std::string print_tolerances(const Cells& row) {
     std::vector<std::string> each;
     for (const Cell& cell : row)
@@ -156,13 +157,13 @@ bool has_sources(const ShownTable& table) {
     return std::ranges::any_of(table.rows, [](const Cells& row) { return !row.front().source.empty(); });
 }
 
-/// Room for a figure that may be missing.
+/// Widens the column for the figure, unless the figure is empty.
 void widen(std::size_t& width, const std::string& figure) {
     if (!figure.empty())
         width = std::max({width, figure.size(), least_width});
 }
 
-/// Finds what its columns have to show.
+/// Sets the widths of the columns, and whether rows name origins.
 ShownTable with_what_is_shown(ShownTable table, const Comparison& comparison) {
     const std::string& against = comparison.against;
     table.names_origins = comparison.names_origins;
@@ -176,7 +177,7 @@ ShownTable with_what_is_shown(ShownTable table, const Comparison& comparison) {
     return table;
 }
 
-/// A figure, or the word above it, to the right in its width behind a space; nothing in a column without such figures.
+/// Returns a blank and the text, right-aligned to the width; "" for a column without such figures, whose width is 0.
 std::string in_width(const std::string& text, std::size_t width) {
     return width ? fmt::format(" {:>{}}", text, width) : "";
 }
@@ -202,7 +203,7 @@ std::string print_row(const Cells& row, const ShownTable& table, const std::stri
     return out;
 }
 
-/// The numbers end a place before the words above them: behind them there is room for a mark.
+/// Prints the two head lines. Headings end one place to the right of the figures, above the marks behind the figures.
 std::string print_head(const ShownTable& table, const std::string& against, std::size_t width) {
     std::string names, figures;
     for (const ShownColumn& column : table.columns) {
@@ -223,7 +224,7 @@ std::string print_table(const ShownTable& table, const std::string& against, std
     return out;
 }
 
-/// Whether it says how good a fit is: an outcome beside a figure that is not 0.
+/// Returns whether the cell counts for the quality of the fit: an outcome with a known figure other than 0.
 bool shows_fit(const Cell& cell) {
     return cell.origin == Origin::outcome && cell.error_percent() && *cell.reference != 0;
 }

@@ -23,7 +23,7 @@ std::size_t generations_of_all(const ConvergenceCurve& curve) {
     return std::ranges::min_element(curve.runs, {}, &std::vector<double>::size)->size();
 }
 
-/// The generations that are drawn, counted from 0: all, or every second, third, ..., and the last.
+/// Returns the indices of the generations that are drawn: all, or every second, third, ..., and the last.
 std::vector<std::size_t> drawn(std::size_t generations) {
     std::size_t step = (generations + most_points - 1) / most_points;
     std::vector<std::size_t> some;
@@ -60,9 +60,9 @@ void draw_curve(const ConvergenceCurve& curve, Panel& panel) {
         panel.bands.push_back(std::move(around));
 }
 
-/// Generations of a log that are drawn together: of all searches, or of one.
+/// Selects the generations of a log that are drawn together: those of all searches, or of one.
 struct DrawnSearch {
-    std::string title; ///< "" where there is only one
+    std::string title; ///< "" if there is only one
     std::optional<std::size_t> search;
     std::span<const LoggedGeneration> of(const GenerationLog& log) const {
         return search ? log.of(*search) : log.of_all();
@@ -94,8 +94,8 @@ ConvergenceCurve curve_of(std::string name, std::span<const SeededLog> logs, con
     return curve;
 }
 
-/// Where the axis of a quantity that rises may begin: the twentieth of what is drawn that is lowest, as the first
-/// generations may be by far, is left out where it would take more than half of the height.
+/// Returns where the axis of a rising quantity begins; nothing if gnuplot may choose. The lowest twentieth of the
+/// points, often the first generations, is left out if it would take more than half of the height.
 std::optional<double> beginning_of_axis(const Panel& panel) {
     std::vector<double> values;
     for (const Series& series : panel.series)
@@ -118,7 +118,7 @@ bool is_positive(std::span<const ConvergenceCurve> curves) {
 
 using Curves = std::vector<ConvergenceCurve>;
 
-/// What a curve is of: searches, over the seeds of logs.
+/// The data of curves: the selected searches in logs of several seeds.
 struct DrawnLogs {
     const DrawnSearch& searches;
     std::span<const SeededLog> logs;
@@ -136,8 +136,8 @@ struct DrawnLogs {
     }
 };
 
-/// Over a record the mean leaps with the worst individuals, which have any fitness: joined, and with its quartiles, it
-/// would hide the best.
+/// Draws the mean as points without quartiles: for a problem with a record it jumps with the fitness of the worst
+/// individuals, and a line or a band would hide the best.
 Panel fitness_panel(const DrawnLogs& drawn) {
     Curves curves{drawn.curve("mean", &LoggedGeneration::mean, 1, Stroke::points),
                   drawn.curve("best", &LoggedGeneration::best, 0)};

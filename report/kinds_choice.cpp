@@ -13,10 +13,11 @@ namespace placedpar {
 
 namespace {
 
-/// "master" of "ga.master"; the name itself where it has no group.
+/// Returns "master" for "ga.master"; the name itself if it has no group.
 std::string_view name_in_group(std::string_view name) { return name.substr(name.find('.') + 1); }
 
-/// The kind whose name without its group is this one, or near it: users leave the group out. "" if none is.
+/// Returns the kind whose name without its group equals this name, or is near it, since users leave the group out.
+/// Returns "" if there is none.
 std::string kind_without_group(const Catalogue& catalogue, const std::string& name) {
     std::vector<std::string> short_names;
     for (const auto& [full, kind] : catalogue.kinds()) {

@@ -25,7 +25,7 @@ json::value value_json(const Value& value) {
 
 json::array names_json(const std::vector<std::string>& names) { return json::array(names.begin(), names.end()); }
 
-/// Of the thing with everything about it that `entry` says.
+/// Returns an array of `entry(thing)` for each thing.
 template <class Things, class Entry>
 json::array list(const Things& things, Entry entry) {
     json::array array;
@@ -55,7 +55,7 @@ json::object process_json(const ProcessKind& kind) {
             {"measures", list(kind.measurements, measure_json)}};
 }
 
-/// Of its attributes the defaults that are its own.
+/// Describes a model. "defaults" has only the attributes in which it differs from its kind.
 json::object model_json(const DeviceModel& model) {
     json::object defaults;
     for (const auto& [name, value] : model.attributes)
@@ -78,7 +78,7 @@ json::object fault_json(const FaultKind& kind) {
             {"attributes", list(kind.attributes, [](const auto& each) { return parameter_json(each.value); })}};
 }
 
-/// With the models of that name only; with all where it is "".
+/// Describes a device kind with its model of that name; with all models if the name is "".
 json::object device_json(const DeviceKind& kind, const std::string& name) {
     json::array models;
     for (const DeviceModel& model : kind.models)

@@ -64,16 +64,16 @@ std::string print_process(const ProcessKind& kind) {
            (kind.measurements.empty() ? "" : print_measures(kind));
 }
 
-/// Whether it is only another spelling: t800 for T800.
+/// Returns whether the model is only another spelling, such as t800 for T800.
 bool is_alias(const DeviceModel& model) {
     auto upper = [](unsigned char c) { return std::toupper(c); };
     return model.name != model.type && std::ranges::equal(model.name, model.type, {}, upper, upper);
 }
 
-/// A module with another transputer than its own, such as B403_T414.
+/// Returns whether the model is a module with another transputer than the usual one, such as B403_T414.
 bool is_variant(const DeviceModel& model) { return model.name.find('_') != std::string::npos; }
 
-/// What nodes of the kind are declared by, but for what stands for all of them, for aliases and for variants.
+/// Returns the names of the kind's models, without aliases, variants and the model that stands for all.
 std::vector<std::string> model_names(const DeviceKind& kind) {
     std::vector<std::string> names;
     for (const DeviceModel& model : kind.models)
@@ -86,7 +86,7 @@ std::string print_line(const std::string& name, const std::string& about) {
     return fmt::format("  {:<16} {}\n", name, about);
 }
 
-/// The kind by its only model, or by its own name with the models below.
+/// Prints the kind under the name of its only model, or under its own name with the models on the next line.
 std::string print_device_lines(const DeviceKind& kind) {
     auto names = model_names(kind);
     std::string about = kind.about + (kind.refusal.empty() ? "" : " Cannot be declared yet.");
@@ -130,7 +130,7 @@ std::string print_kept(const DeviceKind& kind) {
     return fmt::format("  {}\n  {:<28} read and printed, without effect on a run\n", fmt::join(kind.kept, ", "), "");
 }
 
-/// What the model says itself takes the place of the kind's default.
+/// Prints the attributes with the type's defaults, which include the model's own.
 std::string print_attributes(const NodeType& type) {
     const DeviceKind& kind = *type.preset.kind;
     std::string out = painted(Paint::heading, "\nattributes\n") + (type.needs_type ? print_needed_type(kind) : "");
@@ -149,14 +149,14 @@ std::string print_fault_kinds(const char* heading, const std::vector<FaultKind>&
     return out;
 }
 
-/// What a `fault` statement can say of a node, and of a link at it.
+/// Prints the faults that a `fault` statement can state for a node and for its links.
 std::string print_fault_kinds(const DeviceKind& kind) {
     bool has_links = kind.links == LinkRole::ends && !kind.medium;
     return print_fault_kinds("faults", kind.faults) +
            (has_links ? print_fault_kinds("faults of its links", link_faults()) : "");
 }
 
-/// "B404 (T800)" for a module, which carries one.
+/// Returns "B404 (T800)" for a module, with the transputer that it carries; otherwise the name.
 std::string print_name(const std::string& name, const NodeType& type) {
     bool carries = !type.needs_type && type.preset.type != name;
     return carries ? fmt::format("{} ({})", name, type.preset.type) : name;
@@ -168,7 +168,7 @@ std::string print_what_is_placed(const DeviceKind& kind) {
     return kind.executes != Execution::none ? "can be placed on it" : "none can be placed on it";
 }
 
-/// What nodes can be declared with by this name.
+/// Prints the device type of this name.
 std::string print_device(const std::string& name, const NodeType& type) {
     const DeviceKind& kind = *type.preset.kind;
     std::string head = fmt::format("{}\n{}\n", painted(Paint::heading, print_name(name, type)), kind.about);

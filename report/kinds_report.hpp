@@ -9,20 +9,21 @@
 
 namespace placedpar {
 
-/// The kinds of processes and of devices, a line for each, and the names that devices are declared by.
+/// Prints the kinds of processes and devices, a line for each, and the names by which devices are declared.
 std::string print_kinds(const Catalogue&);
-/// Everything about the kind of process of this name (its ports, parameters and measures), or about what nodes can be
-/// declared with by this name. The name of a group, such as csp of csp.prefix, or "processes" or "devices": its kinds,
-/// a line for each. Throws UserError when there is none of that name, with the nearest one.
+/// Prints everything about the process kind of this name (ports, parameters and measures) or about the device of this
+/// name. For the name of a group, such as csp of csp.prefix, "processes" or "devices", prints its kinds, a line for
+/// each. Throws UserError with the nearest name if there is none of this name.
 std::string print_kind(const Catalogue&, const std::string& name);
 
-/// Its name, type, default and range in a line, what it is about in the next.
+/// Prints a parameter: a line with its name, type, default and range, and a line with its description.
 std::string print_parameter(const ParameterDescription&, const std::optional<Value>& by_default);
-/// All of that.
+/// Returns all that print_parameter() prints.
 boost::json::object parameter_json(const ParameterDescription&);
 
-/// {"processes": [...], "devices": [...]}: all that print_kind says of the kinds that the name stands for; of all kinds
-/// where it is "". A range's ends and a default that are not there are null. Throws UserError as print_kind does.
+/// Returns {"processes": [...], "devices": [...]}: all that print_kind() prints about the kinds that the name stands
+/// for; about all kinds if the name is "". A missing default, and a missing end of a range, are null. Throws as
+/// print_kind().
 boost::json::object kinds_json(const Catalogue&, const std::string& name = "");
 
 } // namespace placedpar

@@ -98,8 +98,8 @@ private:
         out_ += "\n" + std::string(2 * depth, ' ') + close;
     }
 
-    /// Boost prints 86.4 as 8.64E1; people prefer the shortest usual form, which reads back the same. JSON has
-    /// no number that is not finite: such a one becomes null.
+    /// Writes a number in the shortest form that reads back as the same number; Boost writes 86.4 as 8.64E1. A number
+    /// that is not finite becomes null, since JSON has none.
     void add_scalar(const boost::json::value& value) {
         if (!value.is_double())
             out_ += boost::json::serialize(value);

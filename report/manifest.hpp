@@ -12,29 +12,29 @@
 
 namespace placedpar {
 
-/// What is needed to run it again.
+/// Holds what is needed to repeat a run.
 struct Manifest {
     std::string command; ///< as it was typed
     std::uint64_t seed;
     Overrides overrides;
     ReadOptions read = {};
-    Time until = Time::max(); ///< where the run was to be stopped
+    Time until = Time::max(); ///< virtual time at which the run was to be stopped
     std::optional<std::uint64_t> shuffle = {};
 };
 
 extern const char* const version;
-/// Of the sources, as `git describe` names it, with "-dirty" where they were changed since; "" where it is not known.
+/// The commit of the sources as `git describe` names it, with "-dirty" if they were changed since; "" if unknown.
 extern const char* const commit;
 
-/// "0.1.0 (commit 2ec56e0)".
+/// Returns a text such as "0.1.0 (commit 2ec56e0)".
 std::string version_text();
 
-/// {"version", "commit", "command", "netlist", "netlist_hash", "overrides", "set", "programs", "include_folders",
-/// "seed"}. The overrides are as they were asked for; "set" says which elements each of them reached, none for a val.
-/// With "until_ps" where the run was to be stopped, "shuffle" where it was shuffled.
+/// Returns an object with the keys "version", "commit", "command", "netlist", "netlist_hash", "overrides", "set",
+/// "programs", "include_folders" and "seed". "overrides" has the options as given; "set" lists the elements that each
+/// of them set, none for a val. "until_ps" is present if a stopping time was given, "shuffle" if the run was shuffled.
 boost::json::object manifest_json(const Manifest&, const Network&);
 
-/// Indented, so that people can read it; ends with a newline. Numbers that are not finite become null.
+/// Prints the value with indentation and a final newline. Numbers that are not finite become null.
 std::string print_pretty(const boost::json::value&);
 
 std::string hex(std::uint64_t);

@@ -20,20 +20,20 @@ namespace placedpar {
 
 namespace {
 
-/// A parameter that decides something, and the kinds of processes that have it.
+/// A parameter that selects a policy, and the process kinds that have it.
 struct PolicyParameter {
     const ParameterDescription* parameter;
     std::vector<std::string> kinds;
 };
 
-/// What was asked for of a noun.
+/// The part of a noun that a name asks for.
 struct PolicyQuery {
-    Noun noun;                        ///< of its policies and forms, those asked for
-    std::vector<std::string> written; ///< each of the policies as a netlist writes it, with the numbers asked for
+    Noun noun;                        ///< with only the policies and forms that were asked for
+    std::vector<std::string> written; ///< each policy as a netlist writes it, with the numbers in the name
     std::vector<PolicyParameter> parameters;
 };
 
-/// Kinds that have the same parameter to the letter share an entry.
+/// Adds the parameter. Kinds whose parameters are equal in every respect share an entry.
 void add_parameter(std::vector<PolicyParameter>& all, const ParameterDescription& parameter, const std::string& kind) {
     auto is_it = [&](const PolicyParameter& each) {
         return parameter_json(*each.parameter) == parameter_json(parameter);
@@ -54,7 +54,7 @@ std::vector<PolicyParameter> parameters_deciding(const Catalogue& catalogue, con
     return all;
 }
 
-/// "tournament" of "Tournament (3)"; "initial-population" of "initial population".
+/// Returns "tournament" for "Tournament (3)", "initial-population" for "initial population".
 std::string name_alone(const std::string& name) {
     std::string alone = lower_case(name.substr(0, name.find('(')));
     alone.resize(alone.find_last_not_of(' ') + 1);
@@ -72,7 +72,7 @@ bool is_whole_noun(const PolicyQuery& asked, const std::string& name) {
            std::ranges::any_of(asked.parameters, has_name);
 }
 
-/// With its policies as a netlist writes them.
+/// Returns a query for the whole noun.
 PolicyQuery ask_all(const Catalogue& catalogue, Noun noun) {
     PolicyQuery asked{.noun = std::move(noun), .written = {}, .parameters = {}};
     asked.parameters = parameters_deciding(catalogue, asked.noun.name);
@@ -81,7 +81,7 @@ PolicyQuery ask_all(const Catalogue& catalogue, Noun noun) {
     return asked;
 }
 
-/// Only the policy or form of that name, and what is written of it; nothing where there is none.
+/// Returns the query reduced to the policies and forms of that name; nothing if there are none.
 std::optional<PolicyQuery> ask_one(PolicyQuery asked, const std::string& base) {
     std::vector<PolicyDescription>& policies = asked.noun.policies;
     std::erase_if(asked.noun.forms, [&](const Form& form) { return form.name != base; });
@@ -94,7 +94,7 @@ std::optional<PolicyQuery> ask_one(PolicyQuery asked, const std::string& base) {
     return asked;
 }
 
-/// Whatever the name stands for, by its name_alone(): nouns as a whole, or else those that have a policy of it.
+/// Returns what the name stands for: whole nouns, or, if there are none, the policies and forms of that name.
 std::vector<PolicyQuery> find_asked(const Catalogue& catalogue, const std::string& name) {
     std::vector<PolicyQuery> whole, parts;
     for (Noun& noun : policy_nouns()) {
@@ -108,7 +108,7 @@ std::vector<PolicyQuery> find_asked(const Catalogue& catalogue, const std::strin
     return whole.empty() ? parts : whole;
 }
 
-/// The same with the numbers that the name has: only those that take them. Throws UserError where none does.
+/// Applies the numbers in the name, and returns the queries whose policy accepts them. Throws UserError if none does.
 std::vector<PolicyQuery> with_numbers(std::vector<PolicyQuery> all, const std::string& name) {
     std::erase_if(all, [](const PolicyQuery& asked) { return asked.noun.policies.empty(); });
     if (all.empty())
@@ -121,7 +121,7 @@ std::vector<PolicyQuery> with_numbers(std::vector<PolicyQuery> all, const std::s
             asked.written = {asked.noun.printed(lower_case(name))};
             taking.push_back(std::move(asked));
         } catch (const UserError&) {
-            if (!refusal) // of the noun that comes first
+            if (!refusal) // keep the refusal of the first noun
                 refusal = std::current_exception();
         }
     if (taking.empty())
@@ -146,7 +146,7 @@ std::string print_deciding(const PolicyParameter& deciding) {
            fmt::format("  {:<28} of {}\n", "", fmt::join(deciding.kinds, ", "));
 }
 
-/// How a netlist writes it: `reproduction = "roulette"`. "" where no parameter takes it.
+/// Returns how a netlist selects the policy: `reproduction = "roulette"`; "" if no parameter accepts it.
 std::string assignment(const PolicyQuery& asked, const std::string& written) {
     auto takes_policies = [](const PolicyParameter& each) { return each.parameter->check != nullptr; };
     auto found = std::ranges::find_if(asked.parameters, takes_policies);
@@ -228,7 +228,7 @@ struct Entry {
     std::string name, about;
 };
 
-/// Its policies as they are written, and its forms.
+/// Returns the noun's policies, as a netlist writes them, and its forms.
 std::vector<Entry> entries_of(const Noun& noun) {
     std::vector<Entry> entries;
     for (const PolicyDescription& policy : noun.policies)
@@ -238,7 +238,7 @@ std::vector<Entry> entries_of(const Noun& noun) {
     return entries;
 }
 
-/// Of the longest name of all entries.
+/// Returns the length of the longest name among all entries.
 std::size_t width_of_names(const std::vector<Noun>& nouns) {
     std::size_t width = 0;
     for (const Noun& noun : nouns)

@@ -11,10 +11,10 @@
 
 namespace placedpar {
 
-// What there is to decide about a genetic algorithm (gaprocs/policies/nouns.hpp), the policies that there are for it,
-// and the parameters of the catalogue's processes that name them.
+// Functions that describe the decisions about a genetic algorithm (gaprocs/policies/nouns.hpp), the policies for each,
+// and the parameters of the catalogue's processes that select them.
 
-/// The name that stands for all policies where a kind is asked for by name.
+/// The name that stands for all policies in place of a kind's name.
 inline constexpr std::string_view policies_group = "policies";
 
 /// Returns every name that is_policy() accepts as it is: "policies", the decisions, the policies, the forms.

@@ -17,14 +17,14 @@ namespace placedpar {
 
 namespace {
 
-/// Nothing where the problem is no family.
+/// Returns the family of this name; nothing if there is none.
 std::optional<PolicyDescription> family_named(const ProblemRegistry& problems, std::string_view name) {
     auto families = problems.families();
     auto found = std::ranges::find(families, name, &PolicyDescription::name);
     return found == families.end() ? std::nullopt : std::optional(*found);
 }
 
-/// "sphere" of "sphere(3)".
+/// Returns "sphere" for "sphere(3)".
 std::string base_of(const std::string& name) { return name.substr(0, name.find('(')); }
 
 std::string record_of(const RecordedProblem& recorded) {
@@ -43,7 +43,7 @@ std::string what_is_searched(const RecordedProblem& recorded) {
     return objective ? goal_of(*objective) : record_of(recorded);
 }
 
-/// A field; or of many those that are alike and follow each other, "x_1 ... x_20".
+/// A row of the table of fields: one field, or, if there are many, consecutive fields that are alike, "x_1 ... x_20".
 struct FieldRow {
     StringField first;
     std::string last;
@@ -71,7 +71,7 @@ std::string print_fields(const std::vector<StringField>& fields) {
     return out;
 }
 
-/// "C_BUi in^3/psi"; of many alike the first and the last.
+/// Returns the parameters' names with units, such as "C_BUi in^3/psi"; of more than four, the first two and the last.
 std::string print_names(const SearchProblem& problem) {
     auto names = problem.parameter_names(), units = problem.parameter_units();
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -98,7 +98,7 @@ boost::json::value value_or_null(std::optional<double> value) {
     return value ? boost::json::value(*value) : boost::json::value();
 }
 
-/// A name too long for its column has a line of its own.
+/// Prints a line of two columns. A name that is too long for its column gets a line of its own.
 std::string in_two_columns(const std::string& name, const std::string& about) {
     constexpr std::size_t width = 42;
     return fmt::format("  {:<{}}{}{}\n", name, width + 1, name.size() > width ? fmt::format("\n{:45}", "") : "", about);

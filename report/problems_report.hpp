@@ -9,7 +9,7 @@
 
 namespace placedpar {
 
-/// The name that stands for all problems where a kind is asked for by name.
+/// The name that stands for all problems in place of a kind's name.
 inline constexpr std::string_view problems_group = "problems";
 
 /// Prints the search problems, a line for each; families of problems with their numbers and defaults.

@@ -37,7 +37,7 @@ Table measurements_of(const std::vector<Measurement>& rows) {
     });
 }
 
-/// Of a name for many elements, those that it reached; the first of them where they are very many.
+/// Lists the elements that an option set, if its name stands for several: at most the first eight.
 std::string print_reached(std::vector<std::string> elements) {
     constexpr std::size_t most = 8;
     if (elements.empty())
@@ -54,7 +54,7 @@ std::string print_set(const Network& network) {
     return out;
 }
 
-/// In the largest unit of which there is one: "12.345 us".
+/// Prints a time in the largest unit that it contains: "12.345 us".
 std::string print_time(Time time) {
     constexpr std::pair<Time, const char*> units[] = {{std::chrono::seconds{1}, "s"},
                                                       {std::chrono::milliseconds{1}, "ms"},
@@ -67,13 +67,13 @@ std::string print_time(Time time) {
     return to_string(time);
 }
 
-/// A part of the run's time: in percent, or where there is no whole, as in a deadlock, as it is.
+/// Prints a part of the run's time in percent, or as a time if the run ended in a deadlock.
 std::string print_part(const RunReport& report, Time part) {
     auto share = report.share(part);
     return share ? fmt::format("{:.1f}%", 100 * *share) : print_time(part);
 }
 
-/// In documents a fraction of the run; null where there is no whole.
+/// Returns a part of the run's time as a fraction; null if the run ended in a deadlock.
 boost::json::value part_json(const RunReport& report, Time part) {
     auto share = report.share(part);
     return share ? boost::json::value(*share) : boost::json::value();
@@ -99,7 +99,8 @@ Table processors_of(const RunReport& report) {
     });
 }
 
-/// A text has those that carried something, below each other as all of them would be.
+/// Returns a table of these links. Columns are as wide as for all links of the report, although a text lists only used
+/// links.
 Table links_of(const RunReport& report, const std::vector<LinkUse>& links) {
     std::size_t width = 13;
     for (const LinkUse& each : report.links)
@@ -159,7 +160,7 @@ Field figure_of(const RunReport& report, const std::string& name, const std::var
 Table rows_of(const RunReport& report, const DeviceUse& device) {
     const std::size_t figures = device.columns.size() - 1;
     return table_of(device.rows, [&](DeviceUse::Row each) {
-        if (each.figures.empty()) // of the headings
+        if (each.figures.empty()) // the row of headings
             each.figures.resize(figures);
         if (each.figures.size() != figures)
             throw UserError(
@@ -180,7 +181,8 @@ std::string print_devices(const RunReport& report) {
     return out;
 }
 
-/// In a deadlock a process that waits does so for ever; where a run was stopped, it waited when it was.
+/// Prints a process's waiting time. An open wait lasts for ever in a deadlock; in a run that was stopped, it lasted at
+/// the stop.
 std::string print_wait(const RunReport& report, const ProcessUse& process) {
     if (!process.waits_since)
         return print_part(report, process.waiting);
@@ -215,7 +217,7 @@ std::string print_hit(const FaultUse::Hit& hit) {
                        hit.channel);
 }
 
-/// What of it was lost; the last loss is the one that nobody has recovered from, if there is such a one.
+/// Prints the fault's effects, with its first and last loss. If a loss caused a deadlock, it is the last one.
 std::string print_effect(const FaultUse& fault) {
     std::vector<std::string> said;
     if (fault.last)
@@ -371,7 +373,7 @@ std::string print_ending(Ending ending) {
     return painted(well ? Paint::success : Paint::failure, name_of(ending));
 }
 
-/// The first of them; the JSON document has all.
+/// Lists the first processes that never ran; the JSON document has all.
 std::string print_never_ran(const std::vector<std::string>& names) {
     constexpr std::size_t most = 12;
     std::size_t shown = std::min(names.size(), most), left_out = names.size() - shown;

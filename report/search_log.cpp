@@ -15,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-/// What must be equal for two searches to be compared.
+/// Returns what must be equal for two searches to be comparable: problem and coding.
 std::pair<Value, Value> searched_for(const ProcessInstance& process) {
     auto value = [&](const char* parameter) {
         auto found = process.parameters.find(parameter);
@@ -28,7 +28,7 @@ void append_row(std::string& out, std::uint64_t seed, const LogRow& row) {
     auto end = std::back_inserter(out);
     fmt::format_to(end, "{},{},", seed, row.generation);
     if (row.time)
-        fmt::format_to(end, "{}", static_cast<double>(row.time->count()) / 1e9); // of 9 decimals, not one more
+        fmt::format_to(end, "{}", static_cast<double>(row.time->count()) / 1e9); // ps to ms; at most 9 decimals
     fmt::format_to(end, ",{},{},{},{}\n", row.search, row.from, row.quantity, row.value);
 }
 
@@ -40,10 +40,9 @@ bool searches(const ProcessInstance& process) {
 
 void require_searches(const Network& network) {
     if (std::ranges::none_of(network.processes, searches))
-        throw UserError(
-            fmt::format("no process of {} searches, so that there are no generations to log: ga.traditional, "
-                        "ga.master, ga.island, ga.coarse and ga.fine do",
-                        network.source_path));
+        throw UserError(fmt::format("no process of {} searches, so there are no generations to log; ga.traditional, "
+                                    "ga.master, ga.island, ga.coarse and ga.fine search",
+                                    network.source_path));
 }
 
 GenerationLog log_of(const Network& network) {

@@ -12,7 +12,7 @@ namespace placedpar {
 /// Returns whether the process holds a population, as ga.traditional, ga.master, ga.island, ga.coarse and ga.fine do.
 bool searches(const ProcessInstance&);
 
-/// Throws UserError when no process searches.
+/// Throws UserError if no process searches.
 void require_searches(const Network&);
 
 /// Makes an empty log of the processes that search, in the order of the netlist. Its searches are comparable if they

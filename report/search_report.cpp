@@ -16,12 +16,12 @@ namespace placedpar {
 
 namespace {
 
-/// A search, or all together, from its first generation to its last.
+/// Summary of one search, or of all together, from the first generation to the last.
 struct SearchSummary {
     std::string process;
     std::size_t generations;
     LoggedGeneration first, last;
-    std::size_t nearly_there; ///< the generation by which the best so far had come 99 % of its way
+    std::size_t nearly_there; ///< generation at which the best so far had made 99 % of its total progress
     std::size_t accepted = 0, turned_away = 0;
     bool of_all = false;
 };
@@ -69,7 +69,7 @@ std::string print_between(const SearchSummary& all) {
                        all.first.between, all.last.between);
 }
 
-/// "120 [100, 131]": the median of a figure of several runs, and its quartiles.
+/// Returns the median of a figure over several runs, and its quartiles: "120 [100, 131]".
 template <class Figure>
 std::string print_middle(const std::vector<std::vector<SearchSummary>>& runs, std::size_t row, Figure figure) {
     std::vector<double> values;
@@ -95,7 +95,7 @@ std::string print_middles(const std::vector<std::vector<SearchSummary>>& runs) {
     return table.text("\n") + "medians, and quartiles in brackets\n";
 }
 
-/// JSON knows no other numbers.
+/// Returns null for numbers that are not finite, since JSON has none.
 boost::json::value finite_json(double number) {
     return std::isfinite(number) ? boost::json::value(number) : boost::json::value();
 }

@@ -9,7 +9,7 @@ namespace placedpar::store {
 
 namespace {
 
-/// An operator may look into the file with a program of his own: how long his lock is waited for.
+/// Time to wait for a lock of another program, such as a database browser.
 constexpr int busy_ms = 5000;
 
 [[noreturn]] void fail(sqlite3* database) {

@@ -14,7 +14,8 @@ struct sqlite3_stmt;
 
 namespace placedpar::store {
 
-/// In SQLite's words, and the system's where it has any. `damage()`: the file is not what SQLite wrote.
+/// An error with SQLite's message, and the system's if there is one. `damage()` is true if the file is not as SQLite
+/// wrote it.
 class DatabaseError : public UserError {
 public:
     DatabaseError(const std::string& what, bool damage) : UserError(what), damage_(damage) {}
@@ -24,8 +25,7 @@ private:
     bool damage_;
 };
 
-/// An open database of SQLite. All its functions, and those of its statements, throw DatabaseError. One thread at a
-/// time.
+/// An open SQLite database. Its functions and its statements' functions throw DatabaseError. Not thread-safe.
 class Database {
 public:
     /// Opens the database. `make`: create the file if it does not exist.

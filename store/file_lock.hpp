@@ -5,13 +5,12 @@
 
 namespace placedpar::store {
 
-/// A lock on an existing file. All names of the file, symbolic and hard links included, lead to the same lock. The
-/// system releases it when the program ends, in whatever way. SQLite's own locks are of another kind, so that both can
-/// be had.
+/// An exclusive lock on an existing file. All names of the file, symbolic and hard links included, lead to one lock.
+/// The system releases it when the program ends, even by a crash. SQLite's own locks are independent of it.
 class FileLock {
 public:
-    /// Throws UserError when another program holds the lock, or the file cannot be opened for reading and writing.
-    /// Messages call the file `shown`, and the other program `user`: "placedpar monitor".
+    /// Throws UserError if another program holds the lock, or if the file cannot be opened for reading and writing.
+    /// Messages name the file as `shown`, and the other program as `user`, such as "placedpar monitor".
     FileLock(const std::filesystem::path& path, const std::string& shown, const std::string& user);
     ~FileLock();
     FileLock(const FileLock&) = delete;

@@ -78,7 +78,7 @@ std::vector<std::string> busiest(const Uses& uses, Name name, Spent spent) {
     return names;
 }
 
-/// Gathers changes.
+/// Collects the changes worth trying.
 class Changes {
 public:
     Changes(const Network& network, const RunReport& report, const DeclaredWith& declared)
@@ -267,7 +267,7 @@ private:
                 add_process(process);
     }
 
-    /// A constant by the node or process that has it.
+    /// The value of a constant by the node or process that has it.
     using Costs = std::map<std::string, std::int64_t>;
 
     template <class Map>
@@ -288,7 +288,8 @@ private:
                 add_constant(name, by_owner, factor);
     }
 
-    /// By its name where it is the same everywhere, else of each that has it. Of 4 cycles none is a tenth.
+    /// Adds the change of a constant: by its name alone if it is equal everywhere, otherwise for each node or process.
+    /// A reduction that rounds to no change is left out, such as a tenth of 4 cycles.
     void add_constant(const std::string& name, const Costs& costs, const Factor& factor) {
         const std::int64_t one = costs.begin()->second;
         const bool same = std::ranges::all_of(costs, [one](const auto& cost) { return cost.second == one; });

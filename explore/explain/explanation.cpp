@@ -81,7 +81,7 @@ MachineRows machine_of(const Explanation& explanation) {
         if (Time waited = waited_to(link, explanation); link.bytes > 0)
             rows.links.push_back(use_of("link", link_direction(link), width, link.occupied, whole,
                                         waits(percent(waited, whole)).as("waits_to_ps", waited.count())));
-    for (const BusUse& bus : report.buses) // on an average as many masters at a time
+    for (const BusUse& bus : report.buses) // may exceed 100 %: several masters can wait at a time
         rows.buses.push_back(use_of("bus", bus.name, width, bus.busy, whole,
                                     waits("its masters waited " + percent(masters_waited(bus), whole))
                                         .as("masters_waited_ps", masters_waited(bus).count())));

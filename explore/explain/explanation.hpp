@@ -14,8 +14,7 @@ namespace placedpar {
 struct Explanation {
     RunReport report;
     std::map<std::string, Account> accounts; ///< by process
-    /// By direction of a link, "a.link[0] -> b.link[1]": how long outputting processes waited there for the inputting
-    /// ones.
+    /// How long outputting processes waited for inputting ones, by the direction of a link, "a.link[0] -> b.link[1]".
     std::map<std::string, Time> waits_at_links;
     std::vector<PathPart> path;
     bool path_too_long = false;  ///< the path was not kept because it is too long

@@ -26,7 +26,7 @@ struct Answer {
     bool completed() const { return refused.empty() && ending == Ending::completed; }
 };
 
-/// How the changed netlists are run.
+/// The settings of the changed runs.
 struct WhatIfs {
     ChangedNetlist read;
     std::uint64_t seed;

@@ -70,7 +70,7 @@ std::string body_of(const TopologyRequest& request, const Job& job, const Topolo
                        host);
 }
 
-/// A channel is written out wire by wire.
+/// Reads the generated netlist. Its printed form lists the wires of each channel, and can be too large.
 Network read(const TopologyRequest& request, const std::string& text, const Catalogue& catalogue) {
     constexpr std::string_view too_large = "the network is too large: written out ";
     ReadResult result = read_netlist_text(text, catalogue, {}, "the netlist");

@@ -8,7 +8,7 @@ namespace placedpar::generate {
 
 namespace {
 
-/// As examples/thesis/workload.inc, under the first reading of Table E.1.
+/// The workload of examples/thesis/workload.inc, under the first reading of Table E.1.
 constexpr const char* workload = R"(val samples 0;                  /* of the record; 0: all */
 val cycles_per_error 1440;      /* Table E.1: one individual's error at one sample */
 val cycles_per_individual 1750; /* the genetic operators, for one individual */
@@ -27,8 +27,8 @@ const std::vector<std::string> each_processor{"rep i = 0 for nodes"};
 
 std::string use(const char* kind, const char* process) { return fmt::format("use \"{}\" for {};\n", kind, process); }
 
-/// The split of a population of 120, of which an island needs as many as can come at once from four neighbours, and
-/// more than it has slaves.
+/// Returns the vals that divide a population of 120 among islands. An island has at least `least` individuals: as many
+/// as can arrive at once from four neighbours, and more than it has slaves.
 std::string population_of(const char* islands, const char* least) {
     return fmt::format("val population 120 / {0} > {1} ? 120 / {0} : {1}; /* of each island */\n"
                        "val exchange_every 3;           /* generations between exchanges */\n",

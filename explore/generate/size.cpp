@@ -9,7 +9,7 @@ namespace placedpar::generate {
 
 namespace {
 
-/// 0 where the text is not a whole number that could be a size.
+/// Returns the number; 0 if the text is not a whole number that could be a size.
 std::size_t number_of(const std::string& text) { return parse_number<std::size_t>(text).value_or(0); }
 
 void require_not_huge(const TopologyRequest& request, std::size_t processors) {

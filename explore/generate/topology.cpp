@@ -16,7 +16,7 @@ namespace {
 
 std::string val(const char* name, std::size_t value) { return fmt::format("val {} {};", name, value); }
 
-/// Throws UserError when a processor has more neighbours than links.
+/// Throws UserError if a processor has more neighbours than links.
 void require_links(const TopologyRequest& request, std::size_t needed, const char* who, const char* instead) {
     if (needed > links_of_a_node)
         refuse_size(request, fmt::format("{} needs {} links, and a transputer has {}; {}", who, needed, links_of_a_node,
@@ -82,7 +82,7 @@ Topology mesh(const TopologyRequest& request) {
             .host = {"", "0", "[0][0]", "1"}};
 }
 
-/// Two processors side by side are joined by one wire, not by two.
+/// Makes a torus. In a row or column of two, the processors are joined by one wire, not by two.
 Topology torus(const TopologyRequest& request) {
     Grid grid = grid_of(request, 2, 2);
     bool full = grid.rows > 2 && grid.columns > 2;
@@ -120,8 +120,8 @@ Topology hypercube(const TopologyRequest& request) {
             .no_host = dimensions == links_of_a_node ? all_links_taken : ""};
 }
 
-/// F. P. Preparata, J. Vuillemin: The cube-connected cycles, Communications of the ACM 24 (1981): a corner of the cube
-/// is a cycle of as many processors as the cube has dimensions, and each of them has the wire of one dimension.
+/// Makes cube-connected cycles (F. P. Preparata, J. Vuillemin, Communications of the ACM 24, 1981). Each corner of the
+/// cube is a cycle of processors, one for each dimension of the cube, which has the wire of this dimension.
 Topology cube_connected_cycles(const TopologyRequest& request) {
     std::size_t nodes = count_of(request, 1), dimensions = 3;
     while (dimensions << dimensions < nodes)
@@ -162,13 +162,13 @@ std::size_t usual_chord(std::size_t nodes) {
     return chord;
 }
 
-/// B. W. Arden, H. Lee: Analysis of chordal ring network, IEEE Transactions on Computers C-30 (1981): from each even
-/// processor one to an odd one.
+/// Makes a chordal ring of degree 3 (B. W. Arden, H. Lee: Analysis of chordal ring network, IEEE Transactions on
+/// Computers C-30, 1981): a chord leads from each even processor to an odd one.
 Topology chordal_ring_of_three(const TopologyRequest& request, std::size_t nodes, std::size_t chord) {
     if (nodes % 2 == 1 || chord % 2 == 0)
         refuse_size(request,
-                    fmt::format("with three links each, chords lead from the even to the odd: size and chord {} "
-                                "are to be even and odd, or say --degree 4",
+                    fmt::format("with three links each, chords lead from even to odd processors: the size must be even "
+                                "and chord {} odd; or say --degree 4",
                                 chord));
     return {.about = fmt::format("A chordal ring of {}, with chords of {} from the even to the odd", nodes, chord),
             .vals = {val("nodes", nodes), val("chord", chord)},
@@ -182,7 +182,7 @@ Topology chordal_ring_of_three(const TopologyRequest& request, std::size_t nodes
 
 Topology chordal_ring_of_four(const TopologyRequest& request, std::size_t nodes, std::size_t chord) {
     if (2 * chord >= nodes)
-        refuse_size(request, fmt::format("with four links each, chord {} is to be less than half of the ring", chord));
+        refuse_size(request, fmt::format("with four links each, chord {} must be less than half of the ring", chord));
     return {
         .about = fmt::format("A chordal ring of {}, with chords of {} from each", nodes, chord),
         .vals = {val("nodes", nodes), val("chord", chord)},
@@ -198,14 +198,14 @@ Topology chordal_ring(const TopologyRequest& request) {
     std::size_t nodes = count_of(request, 6), chord = request.chord.value_or(usual_chord(nodes));
     std::size_t degree = request.degree.value_or(3);
     if (degree != 3 && degree != 4)
-        refuse_size(request, fmt::format("--degree {}: a processor has 3 links to others, or 4; of more there are none",
-                                         degree));
+        refuse_size(request,
+                    fmt::format("--degree {}: a processor of a chordal ring has 3 or 4 links to others", degree));
     if (chord < 2 || chord + 1 >= nodes)
         refuse_size(request, fmt::format("chord {} leads to a neighbour, or beyond the ring", chord));
     return degree == 3 ? chordal_ring_of_three(request, nodes, chord) : chordal_ring_of_four(request, nodes, chord);
 }
 
-/// The machine of Figure E.2. Each master has a link of its own to the host.
+/// Makes the machine of Figure E.2. Each master has a link of its own to the host.
 Topology figure_e2(const TopologyRequest& request) {
     Grid grid = grid_of(request, 1, 1);
     return {.about = fmt::format("Figure E.2 of the thesis: a ring of {}, each the head of a chain of {}", grid.rows,

@@ -17,7 +17,7 @@ constexpr int most_draws = 20'000; ///< failed draws in a row after which no fur
 
 constexpr std::size_t at_once = 1000; ///< machines given to MachineTrials at once
 
-[[noreturn]] void refuse_empty() { throw UserError("the study's condition leaves nothing to be run"); }
+[[noreturn]] void refuse_empty() { throw UserError("no combination satisfies the study's condition"); }
 
 /// Draws a number below `count`, uniform up to the resolution of 64 bits.
 std::uint64_t draw_below(std::uint64_t count, RandomStream& random) {

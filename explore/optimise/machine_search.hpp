@@ -13,7 +13,7 @@
 
 namespace placedpar {
 
-/// Why machines are infeasible.
+/// A reason why machines are infeasible.
 struct Infeasible {
     std::size_t machines = 0;
     std::string said = {}; ///< full text of the first refusal
@@ -23,15 +23,15 @@ struct Infeasible {
 struct SearchCourse {
     std::string way;                            ///< "genetic", "random", "exhaustive"
     std::vector<std::uint64_t> machines = {};   ///< simulated, each once, in the order in which they were tried
-    std::vector<Merit> merits = {};             ///< of `machines`, in the same order
+    std::vector<Merit> merits = {};             ///< merits of `machines`, in the same order
     std::set<std::uint64_t> tried = {};         ///< `machines`, and those that cannot be built
-    std::map<std::string, Infeasible> why = {}; ///< by the first line of the refusal
+    std::map<std::string, Infeasible> why = {}; ///< infeasible machines by the first line of the refusal
 
     /// Returns the indices of the machines that no other dominates; with one cost, all machines of least cost.
     std::vector<std::size_t> front() const { return front_of(merits); }
 };
 
-/// The progress of a search, as told to its listener.
+/// The progress of a search, for its listener.
 struct CourseProgress {
     const SearchCourse& course;
     std::string step;   ///< "generation 3 of 20"
@@ -47,11 +47,11 @@ public:
     /// REQUIRES: the arguments outlive it; the study has a search.
     MachineSearch(const Study&, const MachineSpace&, MachineTrials&, Listener);
 
-    /// Searches by the genetic algorithm of this project. A generation is a population of genomes in order_of() their
-    /// merits: the better half goes over unchanged as the elite, and is bred, by stochastic universal sampling over
-    /// linear ranks and uniform crossover, for the other half: NSGA-II's scheme. A genome that stands for the machine
-    /// of another one counts as infeasible, so that each machine is in the elite once. Throws UserError when the
-    /// condition holds for no machine that is drawn.
+    /// Searches by the genetic algorithm of this project, with NSGA-II's scheme. Each generation is sorted by
+    /// order_of(). The better half survives unchanged as the elite, and breeds the other half by stochastic universal
+    /// sampling over linear ranks and uniform crossover. A genome whose machine another genome has already counts as
+    /// infeasible, so that each machine is in the elite once. Throws UserError if the condition holds for none of the
+    /// machines drawn.
     std::optional<SearchCourse> genetic();
     /// Draws machines for which the condition holds, none twice, until `simulated` of them have been simulated, or
     /// nearly all.

@@ -16,7 +16,7 @@ const StudyProduct& only_product(const Study& study) {
 
 bool is_fixed(const StudyAxis& axis) { return axis.count() == 1; }
 
-/// The number of a value is floor(values * code / 2^bits).
+/// Returns the coding of the settings with several values. Code c means value number floor(values * c / 2^bits).
 ParameterCoding coding_of(const StudyProduct& product) {
     std::vector<ParameterField> fields;
     for (const StudyAxis& axis : product.axes)

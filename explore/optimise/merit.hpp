@@ -6,7 +6,7 @@
 
 namespace placedpar {
 
-/// What a machine is worth to a search.
+/// The merit of a machine in a search.
 struct Merit {
     bool feasible = false;
     std::vector<double> costs; ///< to be minimised; as many for each feasible machine

@@ -14,7 +14,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr double most_values = 1e15; ///< of a range: beyond it doubles do not count in ones any more
+constexpr double most_values = 1e15; ///< limit for a range; larger doubles do not represent all integers
 
 [[noreturn]] void refuse_range(std::string_view text, const std::string& why) {
     throw UserError(fmt::format("{}: {}", text, why));
@@ -23,7 +23,7 @@ constexpr double most_values = 1e15; ///< of a range: beyond it doubles do not c
 constexpr const char* forms_of_range = "a range is FROM..TO, FROM..TO..STEP or FROM..TO..xFACTOR, such as 0..7, "
                                        "0..100..10 or 1..64..x2";
 
-/// An end of a range. A suffix means what it means for a clock or a link: 5M are 5 million.
+/// Returns an end of a range. A suffix has its meaning for a clock or a link: 5M is 5 million.
 double end_of_range(std::string_view range, std::string_view text) {
     std::optional<double> number = number_of_setting(std::string(text));
     if (!number)
@@ -102,7 +102,7 @@ void StudyValues::count_steps(std::string_view text, double from, double to) {
     if (multiplies_ ? step_ <= 1 || from <= 0 : step_ <= 0)
         refuse_range(text, multiplies_ ? "a range is multiplied by more than 1, and begins above 0"
                                        : "the step of a range is more than 0");
-    constexpr double rounding = 1e-9; // so that 0.1..0.9..0.1 has its last value
+    constexpr double rounding = 1e-9; // otherwise 0.1..0.9..0.1 could lack its last value
     double steps = steps_to(to);
     if (!(steps < most_values))
         refuse_range(text, "the range has too many values");
@@ -120,7 +120,7 @@ std::string StudyValues::at(std::uint64_t index) const {
 std::optional<SettingValue> StudyValues::find(const SettingValue& value) const {
     std::optional<double> number = is_range_ ? value.number() : std::nullopt;
     double steps = number ? steps_to(*number) : 0;
-    if (is_range_ && (!number || std::isnan(steps))) // of a multiplied range, below 0
+    if (is_range_ && (!number || std::isnan(steps))) // for a multiplied range, a number that is not above 0
         return std::nullopt;
     double nearest = std::clamp(std::round(steps), 0.0, static_cast<double>(count_ - 1)); // at() rounds
     SettingValue found = is_range_ ? SettingValue(name_, at(static_cast<std::uint64_t>(nearest))) : only_;

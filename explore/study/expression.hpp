@@ -17,16 +17,17 @@ public:
     /// Numbers by name; a setting of the same name takes precedence.
     using Figures = std::map<std::string, double>;
 
-    /// "" makes an empty expression. Throws RefusedInput.
+    /// Parses the expression; "" gives an empty one. Throws RefusedInput.
     explicit StudyExpression(const std::string& text);
 
     explicit operator bool() const { return parsed_ != nullptr; }
     /// Returns the names in the expression, known or not.
     std::set<std::string> names() const;
-    /// An empty expression always holds. Throws RefusedInput if a name is not a setting, or the value cannot be
-    /// computed.
+    /// Returns whether the expression holds with these settings; an empty expression always does. Throws RefusedInput
+    /// if a name is not a setting, or the value cannot be computed.
     bool holds(const Overrides& set) const;
-    /// Throws RefusedInput as holds(), and if the value is not a number. REQUIRES: the expression is not empty.
+    /// Returns the value. Throws RefusedInput as holds(), and if the value is not a number. REQUIRES: the expression is
+    /// not empty.
     double value(const Overrides& set, const Figures&) const;
 
 private:
@@ -34,7 +35,7 @@ private:
     template <class Read>
     void evaluate(const Overrides&, const Figures&, Read) const;
 
-    std::shared_ptr<Parsed> parsed_; ///< none: ""
+    std::shared_ptr<Parsed> parsed_; ///< null for an empty expression
 };
 
 } // namespace placedpar

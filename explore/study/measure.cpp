@@ -33,7 +33,7 @@ void add_figure(StudyFigures& figures, const std::string& name, double value, co
         figures[name] = {value, unit};
 }
 
-/// "t[0][1].busy" of an array is also "t.busy".
+/// Returns "t.busy" for "t[0][1].busy", the name of a figure of the whole array.
 std::string name_of_array(const std::string& figure) {
     std::size_t bracket = figure.find('['), dot = figure.rfind('.');
     return bracket == figure.npos || dot == figure.npos || dot < bracket
@@ -74,7 +74,7 @@ std::string not_come_to(const StudyMeasure& measure, const StudyFigures& figures
     for (const auto& each : figures)
         if (std::string figure = name_of_array(each.first); !process.empty() && figure.starts_with(process))
             measured.insert(figure.substr(process.size()));
-    const ProblemRegistry problems = known_problems(0); // which the kinds know
+    const ProblemRegistry problems = known_problems(0); // the kinds refer to it
     return measured.empty() || measured.contains(name) ? "" : description_of(name, measured, known_kinds(problems));
 }
 
@@ -189,7 +189,7 @@ std::string StudyMeasure::name_without_subscripts() const { return name_of_array
 
 std::string StudyMeasure::last_name() const {
     const std::string name = name_without_subscripts();
-    return name.substr(name.rfind('.') + 1); // from 0 without a dot
+    return name.substr(name.rfind('.') + 1); // the whole name if there is no dot
 }
 
 std::string there_is_no_measure(const StudyMeasure& measure, const StudyFigures& figures) {
@@ -215,7 +215,8 @@ void PossibleMeasures::add(const Network& network, const Catalogue& kinds, const
     }
 }
 
-/// A kind describes names that depend on the process in words: "the problem's parameters".
+/// Adds the measures of a process. A kind describes measures whose names depend on the process in words, such as "the
+/// problem's parameters".
 void PossibleMeasures::add(const ProcessInstance& process, const std::string& described,
                            const ProblemRegistry& problems) {
     auto problem = process.parameters.find("problem");

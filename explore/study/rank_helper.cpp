@@ -12,7 +12,8 @@ namespace placedpar {
 
 namespace {
 
-/// Another netlist, or another PlacedPar, would mix results that do not belong together.
+/// Throws UserError if this rank has another netlist, other options or another PlacedPar than rank 0, since their
+/// results must not be mixed.
 void require_same(const Study& study, const std::string& digest) {
     if (digest_of(source_of(study, readable_network(study))) != digest)
         throw UserError("its netlist, its options or its PlacedPar are not those of rank 0; every machine has to have "

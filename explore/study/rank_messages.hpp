@@ -10,12 +10,12 @@ namespace placedpar {
 /// The messages between the ranks of a sweep: rank 0, which has the results, and the others, its helpers.
 ///
 ///     rank 0                      helper
-///     begin                  ->                        or, where it comes to nothing, stop
-///                            <-   ask, ask ...         one more than it makes runs at once
-///     run                    ->                        for each that asked; none when there are no more
-///                            <-   ended, asks again
-///     stop                   ->                        only where rank 0 is interrupted, or fails
-///                            <-   gone                 its last word; failed, where it cannot go on
+///     begin                  ->                        or stop, if there is nothing to do
+///                            <-   ask, ask ...         one more than the runs that it makes at once
+///     run                    ->                        one for each ask; none if no runs are left
+///                            <-   ended                which also asks for another run
+///     stop                   ->                        only if rank 0 is interrupted or fails
+///                            <-   gone                 its last message; or failed, if it cannot go on
 struct RankMessage {
     enum class Kind { begin, run, none, stop, ask, ended, failed, gone } kind;
     std::string text = "";                    ///< begin: digest_of() the source; failed: the reason

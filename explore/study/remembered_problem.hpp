@@ -21,7 +21,7 @@ public:
     using Room = std::shared_ptr<std::size_t>;
     static Room usual_room() { return std::make_shared<std::size_t>(32 << 20); }
 
-    /// When no room is left, the problem forgets all its strings and begins again. REQUIRES: the problem has an
+    /// Makes the problem. If no room is left, it forgets all its strings and begins again. REQUIRES: the problem has an
     /// objective().
     explicit RememberedProblem(std::shared_ptr<const SearchProblem> problem, Room room = usual_room());
     ~RememberedProblem() override { forget(); }

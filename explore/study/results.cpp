@@ -76,7 +76,7 @@ void make_file(const std::filesystem::path& path) {
 
 std::uint64_t fingerprint_from(const std::string& text) { return parse_number<std::uint64_t>(text, 16).value(); }
 
-/// Whatever else is there would be done, or shown, with what is ours.
+/// Returns all objects of the database as text. Foreign ones, such as triggers or views, would act on our tables.
 std::string schema_of(store::Database& database) {
     return database.text("SELECT group_concat(type || ' ' || name || ' ' || tbl_name || ' ' || ifnull(sql, ''), '; ') "
                          "FROM (SELECT * FROM sqlite_schema ORDER BY type, name)");
@@ -93,7 +93,7 @@ std::int64_t checksum_of_run(const Columns&... columns) {
     return checksum_of("run", fmt::format("{}", columns)...);
 }
 
-/// As it would have been, had its row been written so.
+/// Returns the checksum that a run with the row's contents would have.
 std::int64_t checksum_in(const store::Statement& row) {
     auto of = [&]<int... column>(std::integer_sequence<int, column...>) {
         return checksum_of_run(row.text(column)...);
@@ -136,7 +136,7 @@ std::int64_t StudyResults::Head::checksum() const {
                        texts_checksums);
 }
 
-/// What SQLite says is said of the file.
+/// Calls `work`; reports an error of SQLite with the file's name.
 template <class Work>
 auto StudyResults::guarded(Work work) {
     try {
@@ -148,7 +148,8 @@ auto StudyResults::guarded(Work work) {
     }
 }
 
-/// A row may have its checksum and be made by another program.
+/// Calls `read`; reports a row that cannot be parsed. Such a row may have a correct checksum if another program wrote
+/// it.
 template <class Read>
 auto StudyResults::parsed(Read read) {
     try {
@@ -181,7 +182,7 @@ void StudyResults::open(const StudySource& source, bool of_any_version) {
         if (!is_ours())
             make(source);
         if (std::string fault = database_->text("PRAGMA integrity_check(1)"); fault != "ok")
-            refuse_damaged(fault); // SQLite would write where it must not
+            refuse_damaged(fault); // in a damaged file SQLite could overwrite valid data
         check();
         require_same(source);
         require_version(of_any_version);
@@ -216,7 +217,7 @@ StudyResults::~StudyResults() {
         update_.reset();
         if (lock_ && database_)
             database_->run("PRAGMA journal_mode = DELETE");
-    } catch (const store::DatabaseError&) { // then it is left as it is, and is whole
+    } catch (const store::DatabaseError&) { // the file is then left as it is; it is complete
     }
 }
 
@@ -311,7 +312,7 @@ void StudyResults::require_same(const StudySource& wanted) {
     std::string why =
         kept.options != wanted.options
             ? fmt::format("its runs were made with other options ({}, not {})", kept.options, wanted.options)
-            : fmt::format("its runs are of {}, as that was then", kept.netlist);
+            : fmt::format("its runs are those of {}, whose text differs from this netlist's", kept.netlist);
     throw UserError(
         fmt::format("{}: {}; name another file{}, or move this one away", path_.string(), why, wanted.named_by));
 }

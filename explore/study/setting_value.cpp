@@ -19,7 +19,7 @@ const Scopes& no_names() {
     return scopes;
 }
 
-/// With both readings of its suffix where either may be meant.
+/// Returns the number. If its suffix can be read in two ways, and the setting is not a frequency, returns both numbers.
 std::string meaning_of(const Integer& integer, bool of_frequency) {
     if (of_frequency || integer.value == integer.decimal)
         return fmt::format("{}", integer.decimal);
@@ -27,7 +27,7 @@ std::string meaning_of(const Integer& integer, bool of_frequency) {
 }
 
 std::string meaning_of(double real) {
-    constexpr double exact = 9007199254740992; // beyond it doubles do not count in ones any more
+    constexpr double exact = 9007199254740992; // 2^53: larger doubles do not represent all integers
     return real == std::floor(real) && std::abs(real) < exact ? fmt::format("{}", static_cast<std::int64_t>(real))
                                                               : fmt::format("{}", real);
 }
@@ -40,7 +40,7 @@ std::string meaning_of(const std::optional<Constant>& constant, const std::strin
     if (const double* real = constant->real())
         return meaning_of(*real);
     const std::string* text = constant->text();
-    return text ? '"' + *text + '"' : spelling; // of an array
+    return text ? '"' + *text + '"' : spelling; // an array keeps its spelling
 }
 
 } // namespace

@@ -21,7 +21,7 @@ constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
     throw UserError(fmt::format("the study has more runs than can be counted: {} are more than {}", why, most));
 }
 
-/// Throws UserError, which names the cause of the size.
+/// Throws UserError for a product with too many runs; the message names the settings that cause it.
 [[noreturn]] void refuse_endless(const StudyProduct& product, std::uint64_t seeds) {
     std::size_t several = 0;
     std::string values;

@@ -37,7 +37,7 @@ struct StudyRun {
     auto operator<=>(const StudyRun&) const = default;
 };
 
-/// How the best of a study's combinations are to be searched for.
+/// The settings of a search for the best of a study's combinations.
 struct StudySearch {
     static constexpr std::uint64_t most_population = 10'000, most_generations = 1'000'000;
 

@@ -62,7 +62,7 @@ private:
         read_table(top, handlers);
         if (top.contains("table"))
             require_simple(top);
-        study_.figures = study_.measures; // which --measure does not change
+        study_.figures = study_.measures; // --measure does not change these
         if (study_.figures.empty())
             study_.figures = {"time"};
         if (study_.netlist.empty())
@@ -87,7 +87,7 @@ private:
                    "leave out [search], or [[table]]: a study of its own");
     }
 
-    /// The product's members.
+    /// Returns the handlers for a product's members.
     Handlers of_product(StudyProduct& product) {
         return {{"set", [&](const toml::node& node) { read_axes(node, "", product.axes); }},
                 {"where", [&](const toml::node& node) { read_condition(node, product); }}};
@@ -116,10 +116,10 @@ private:
 
     using Members = std::map<std::string, const toml::node*>;
 
-    /// A table while it is read, for others to be like it.
+    /// A table that has been read, with what later tables can take over by "like".
     struct TableRead {
         StudyTable table;
-        Members of_rows; ///< what all its rows say
+        Members of_rows; ///< members that hold for all its rows
         const toml::node *columns = nullptr, *rows = nullptr;
     };
 
@@ -135,7 +135,7 @@ private:
             read_columns(*read.columns, read.table);
         if (!read.columns || !read.rows)
             return report(source.source().begin, "a table has columns and rows", form_of_variants);
-        if (read.table.columns.empty()) // which has been reported; the rows would be measured against none
+        if (read.table.columns.empty()) // reported already; without columns the rows cannot be checked
             return;
         read_rows(read);
         add_runs_of(read.table);
@@ -179,7 +179,7 @@ private:
         return word;
     }
 
-    /// Reads what a row says when it is a row, whose columns are known.
+    /// Returns handlers that only store a row's members, which are read later, when the columns are known.
     static Handlers noted(Members& members) {
         Handlers handlers;
         for (const char* name : {"figure", "unit", "decimals", "relative_to", "known", "tolerance", "origin"})
@@ -287,7 +287,7 @@ private:
             row.figure = expression(node, figure);
     }
 
-    /// A value that is not a list holds for all columns.
+    /// Reads a value for each column. A value that is not a list holds for all columns.
     template <class Read>
     std::vector<Read> by_column(const toml::node& node, const std::vector<StudyVariant>& columns,
                                 Read (StudyReader::*read)(const toml::node&, std::string)) {
@@ -317,7 +317,8 @@ private:
         return text == "nan" ? StudyExpression("") : expression(node, text);
     }
 
-    /// "3 %" is of what is known, ".05" or ".01 * known" in the figure's unit; nan: it is not judged.
+    /// Reads a tolerance: "3 %" is a share of the known figure; ".05" or ".01 * known" is in the figure's unit; nan
+    /// means that the cell is not judged.
     StudyTolerance tolerance(const toml::node& node, std::string text) {
         const bool in_percent = text.ends_with('%');
         if (in_percent)
@@ -383,7 +384,7 @@ private:
         study_.relative_to = settings(node);
     }
 
-    /// Returns settings, each of one value, which are read as those of axes are.
+    /// Reads settings with one value each, as axes are read.
     Overrides settings(const toml::node& node) {
         std::vector<StudyAxis> axes;
         read_axes(node, "", axes);
@@ -397,10 +398,10 @@ private:
         return set;
     }
 
-    /// Reports a key that stands below a line in brackets and so belongs to that table.
+    /// Reports a key of the whole study that stands below a line in brackets, and so belongs to that table.
     void report_misplaced(const std::string& name, const toml::node& node) {
-        report(node.source().begin, fmt::format("\"{}\" is of the whole study, not of this part of it", name),
-               "it stands above [set] and [[also]]");
+        report(node.source().begin, fmt::format("\"{}\" belongs to the whole study, not to this part of it", name),
+               "move it above [set] and [[also]]");
     }
 
     /// Reads the axes in the order of the text, which the parser's tables do not keep. The parser makes nested tables
@@ -417,7 +418,7 @@ private:
             return std::pair(one.line, one.column) < std::pair(other.line, other.column);
         });
         for (const auto& [key, value] : members)
-            if (value->is_table() && prefix.empty() && key->str() == "relative_to") // which no process will be called
+            if (value->is_table() && prefix.empty() && key->str() == "relative_to") // no process will have this name
                 report_misplaced("relative_to", *value);
             else if (value->is_table())
                 read_axes(*value, prefix + std::string(key->str()) + ".", axes);
@@ -470,9 +471,9 @@ private:
 
     std::filesystem::path folder_;
     Study study_;
-    StudySettings settings_; ///< of the study's products
+    StudySettings settings_; ///< settings of the study's products
     std::vector<std::string> of_whole_study_;
-    /// What [[also]] and [[table]] say, by line, so that runs come in the order of the file.
+    /// The readers of [[also]] and [[table]] by line, so that runs come in the order of the file.
     std::multimap<toml::source_index, std::function<void()>> parts_;
     std::map<std::string, TableRead> tables_read_; ///< by name
 };

@@ -29,14 +29,14 @@ svg {{ max-width: 100%; height: auto }}
 <h1>{0}</h1>
 )";
 
-/// Without what stands before it in a file of its own.
+/// Returns the <svg> element of an SVG file, without the lines before it.
 std::string inline_svg(const std::string& file) { return file.substr(file.find("<svg")); }
 
-/// The plot, or why there is none.
+/// Returns the plot, or a paragraph that says why there is none.
 std::string figure_of(const StudySummary& summary, const std::string& over) {
     try {
         Plot plot = summary_plot(summary, over);
-        plot.title.clear(); // the page's
+        plot.title.clear(); // the page has a title of its own
         return "<figure>" + inline_svg(draw_svg(plot)) + "</figure>\n";
     } catch (const UserError& none) {
         if (!over.empty())

@@ -56,7 +56,7 @@ std::size_t axis_to_draw_over(const StudySummary& summary, const std::string& na
     return *best;
 }
 
-/// What differs between curves of the other axes, on a line: the name of its curve.
+/// Returns the name of the line's curve: its values of the other axes that differ between lines.
 std::string curve_of(const StudySummary& summary, const StudyLine& line, std::size_t over) {
     std::string name;
     for (std::size_t i = 0; i < summary.axes.size(); ++i)
@@ -66,8 +66,8 @@ std::string curve_of(const StudySummary& summary, const StudyLine& line, std::si
     return name;
 }
 
-/// Over more than a decade or two what is multiplied, not added, is compared: where half of the values crowd in a
-/// quarter of the axis.
+/// Returns whether the axis is logarithmic: the values are positive, span a factor of more than 30, and half of them
+/// would crowd in the first quarter of a linear axis.
 bool is_drawn_by_decades(const StudySummary& summary, std::size_t over) {
     constexpr double wide = 30, crowded = .25;
     std::set<double> values;

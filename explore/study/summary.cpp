@@ -20,7 +20,7 @@ using Measured = std::vector<std::optional<StudyFigure>>;
 
 Measured measured(const StudyOutcome& outcome, const std::vector<StudyMeasure>& measures) {
     Measured figures(measures.size());
-    if (outcome.ended != name_of(Ending::stuck)) // what it measured until then is of no whole
+    if (outcome.ended != name_of(Ending::stuck)) // measurements before a deadlock belong to an incomplete run
         std::ranges::transform(measures, figures.begin(),
                                [&](const StudyMeasure& each) { return each.of(outcome.figures); });
     return figures;
@@ -188,7 +188,8 @@ bool StudySummary::has_some(const Overrides& set) const {
 
 StudySummary summary_of(StudyResults& results, std::vector<std::string> measures, const Study* study,
                         const Overrides& relative_to) {
-    const bool of_study = study && !study->search; // a search asks for what it has tried, of a space that may be vast
+    const bool of_study =
+        study && !study->search; // a search summarises only the machines that it has tried; its space may be vast
     CanonicalSettings spellings(results, study);
     StudySummary summary{
         .netlist = results.netlist(), .version = results.version(), .relative_to = spellings.of(relative_to)};

@@ -54,10 +54,10 @@ std::vector<std::string> said_of_all(const StudySummary& summary) {
     if (!summary.relative_to.empty())
         said.push_back("relative to " + shown_settings(summary.relative_to));
     if (summary.unrelated > 0)
-        said.push_back(
-            fmt::format("without figures, since none with these settings is otherwise the same and ended so: "
-                        "{}",
-                        counted(summary.unrelated, "run")));
+        said.push_back(fmt::format(
+            "without figures, since no run with these settings is otherwise the same and ended in the same way: "
+            "{}",
+            counted(summary.unrelated, "run")));
     return said;
 }
 

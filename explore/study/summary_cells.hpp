@@ -21,7 +21,7 @@ std::string ended_of(const StudyLine&);
 std::string measure_with_unit(const StudySummary&, std::size_t measure);
 /// Returns whether some combination was run with several seeds.
 bool has_intervals(const StudySummary&);
-/// "slaves = 2, clock = 5M".
+/// Returns the settings as "slaves = 2, clock = 5M".
 std::string shown_settings(const Overrides&);
 /// Returns a sentence that says what is wrong with reference settings that no run has, with the names of the runs'
 /// settings.

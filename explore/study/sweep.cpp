@@ -76,8 +76,8 @@ private:
     const Catalogue kinds_ = known_kinds(problems_);
 };
 
-/// All combinations of a study: the first, the last, and then so that however few are taken they are spread evenly. A
-/// step in the golden ratio keeps time with no axis, as one of a round number would.
+/// Yields all combinations of a study, beginning with the first and the last. Any number of them is spread evenly over
+/// the study: the step is the golden ratio of the count, which, unlike a round number, is in phase with no axis.
 class SpreadCombinations {
 public:
     explicit SpreadCombinations(const Study& study) : count_(study.count() / study.seeds) {
@@ -92,7 +92,7 @@ public:
             return std::nullopt;
         if (given_++ == 1)
             return count_ - 1;
-        std::uint64_t left = count_ - at_; // so that no sum passes the greatest number
+        std::uint64_t left = count_ - at_; // avoids overflow of the sum
         return std::exchange(at_, step_ < left ? at_ + step_ : step_ - left);
     }
 
@@ -100,11 +100,12 @@ private:
     std::uint64_t count_, step_ = 1, at_ = 0, given_ = 0;
 };
 
-/// Calls `look` with networks of the study until it has seen enough: all that there are, or some of very many.
+/// Calls `look` with networks of the study until it returns true: with all of them, or, if there are very many, with
+/// some that are spread over the study.
 void look_at_networks(const Study& study, const std::function<bool(const Network&)>& look) {
     const NetworkReader reader(study);
     SpreadCombinations combinations(study);
-    Refusals refusals; // there is no such machine
+    Refusals refusals; // ignored: refused combinations have no network
     for (std::uint64_t looked_at = 0; looked_at <= most_read; ++looked_at) {
         std::optional<std::uint64_t> combination = combinations.next();
         std::optional<Network> network = combination ? reader.at(*combination, refusals) : std::nullopt;
@@ -158,7 +159,7 @@ void StudyWorker::go_to_network(const Overrides& set) {
     if (set_ && *set_ == set)
         return;
     set_.reset();
-    go_to_seed(0); // of all netlists
+    go_to_seed(0); // networks are read with seed 0
     network_ = load_network(netlist_, set, kinds_, [](const std::string&) {});
     set_ = set;
     record_.reset();
@@ -181,7 +182,8 @@ std::optional<RunReport> StudyWorker::repeat(const RunSettings& settings) {
     return report;
 }
 
-/// A run that differs from the record is recorded in its place: later runs may be like it.
+/// Makes a run, if possible by repeating the record. A run that differs from the record is recorded instead, since
+/// later runs may be like it.
 RunReport StudyWorker::report_of(const StudyRun& run, Interruption& interruption) {
     RunSettings settings{.seed = run.seed, .until = study_.until, .interruption = &interruption};
     if (record_ && record_->can_be_repeated())
@@ -214,7 +216,7 @@ std::optional<StudyOutcome> StudyWorker::outcome_of(const StudyRun& run, Interru
 }
 
 Network readable_network(const Study& study) {
-    const std::uint64_t count = study.count() / study.seeds; // a network is that of all seeds
+    const std::uint64_t count = study.count() / study.seeds; // all seeds of a combination have one network
     const NetworkReader reader(study);
     Refusals refusals;
     SpreadCombinations combinations(study);
@@ -225,15 +227,15 @@ Network readable_network(const Study& study) {
         if (auto network = reader.at(*combination, refusals))
             return *network;
     }
-    const bool none_held = refusals.count() == 0; // what the condition leaves may lie between those
+    const bool none_held = refusals.count() == 0; // the condition may hold for combinations in between
     for (std::uint64_t i = 0; none_held && i < std::min(count, most_counted) && refusals.leave_hope(); ++i)
         if (auto network = reader.at(i, refusals))
             return *network;
     if (refusals.count() > 0)
         refusals.rethrow_first();
     throw UserError(count > most_counted
-                        ? fmt::format("the study's condition leaves none of the first {} combinations", most_counted)
-                        : "the study's condition leaves nothing to be run");
+                        ? fmt::format("none of the first {} combinations satisfies the study's condition", most_counted)
+                        : "no combination satisfies the study's condition");
 }
 
 void require_possible(const std::vector<std::string>& measures, const Study& study, const Network& network) {
@@ -310,7 +312,7 @@ StudySweep::Missing StudySweep::missing() {
     return {found, true};
 }
 
-/// A refused run takes no time, so others are tried, up to a limit.
+/// Measures the time of a run. A refused run takes no time, so others are tried, up to a limit.
 std::optional<double> StudySweep::seconds_a_run(Interruption& interruption) {
     bool was_run = false;
     std::uint64_t refused = 0;
@@ -365,7 +367,7 @@ void StudySweep::run(std::size_t workers, Interruption& interruption,
                      const std::function<void(std::uint64_t ended)>& show,
                      const std::function<bool(bool stopped)>& others) {
     trier_.reset();
-    std::vector<Interruption> each(workers); // of one run at a time
+    std::vector<Interruption> each(workers); // each for one run at a time
     auto stop = [&] {
         stop_ = true;
         std::ranges::for_each(each, &Interruption::request);

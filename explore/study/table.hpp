@@ -14,7 +14,7 @@ struct StudyVariant {
     Overrides set = {};
 };
 
-/// How far a figure may be from the known one.
+/// The allowed distance of a figure from the known one.
 struct StudyTolerance {
     StudyExpression amount{""}; ///< expression of the settings and `known`; none: no tolerance
     bool in_percent = false;    ///< percent of the known figure; otherwise in the unit of the figure
@@ -37,13 +37,13 @@ struct StudyRow {
 /// A table of figures of a study beside known ones, with a cell for each row and column.
 struct StudyTable {
     std::string name, against = "known", notes = "";
-    bool judged = false;   ///< even where it is not the first
+    bool judged = false;   ///< judged even if it is not the first table
     bool fit = false;      ///< whether a line below the table gives the deviation of its figures from the known ones
     Overrides shared = {}; ///< settings of all its runs, unless a row or column sets them
     std::vector<StudyVariant> columns = {};
     std::vector<StudyRow> rows = {};
 
-    /// Returns the settings of a cell.
+    /// Returns the settings of the cell in this row and column.
     Overrides set(const StudyRow&, const StudyVariant& column) const;
 };
 

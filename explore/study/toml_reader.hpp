@@ -56,7 +56,7 @@ protected:
         return {};
     }
 
-    /// The parser garbles the names of keys that are given twice.
+    /// Returns the error's text. Names a key that is given twice, since the parser garbles such names.
     std::string described(const toml::parse_error& error) const {
         const std::string description(error.description());
         if (description.find("redefine existing") == std::string::npos ||
@@ -194,7 +194,8 @@ protected:
 private:
     std::shared_ptr<const SourceFile> source_;
     Reporter reporter_;
-    std::set<std::tuple<toml::source_index, toml::source_index, std::string>> reported_; ///< each once
+    std::set<std::tuple<toml::source_index, toml::source_index, std::string>>
+        reported_; ///< reports made so far; each is made once
 };
 
 } // namespace placedpar

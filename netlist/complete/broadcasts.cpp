@@ -46,13 +46,13 @@ RouteHop Broadcasts::way_of(const NetworkChannel& channel, const Placed& placed)
     if (channel.from.node == nowhere || channel.to.node == nowhere)
         throw StatementRefused{}; // reported
     require_master(channel, placed);
-    const DraftPlacement* told = placement_of(channel.to);
+    const DraftPlacement* stated = placement_of(channel.to);
     std::optional<std::size_t> best;
     auto cost = [&](std::size_t way) { return std::pair(load_[2 * way + 1], connection(way).b.link); };
     for (std::size_t way : adapter_ways(placed.bus()))
         if (const LinkConnection& each = connection(way);
             each.a.node == channel.from.node && each.b.node == channel.to.node &&
-            (told == nullptr || told->where == each.b) && (!best || cost(way) < cost(*best)))
+            (stated == nullptr || stated->where == each.b) && (!best || cost(way) < cost(*best)))
             best = way;
     if (!best)
         refuse_receiver(channel, placed);
@@ -63,8 +63,8 @@ void Broadcasts::require_output(const NetworkChannel& channel, const Placed& pla
     std::string what =
         fmt::format("the channel \"{}\" is placed on the bus \"{}\"", channel.name, node_name(placed.bus()));
     const char* leads =
-        "what is placed on a bus leads from a process on one of its masters to processes at the links of "
-        "its link adapters";
+        "a channel that is placed on a bus leads from a process on one of its masters to processes at the "
+        "links of its link adapters";
     if (channel.from.at_edge() || channel.to.at_edge())
         refuse(placed.by.at, what + ", and an end of it is at an edge", leads);
     if (&placed.end == &channel.from)
@@ -89,7 +89,7 @@ void Broadcasts::require_master(const NetworkChannel& channel, const Placed& pla
            fmt::format(
                "the channel \"{}\" is placed on the bus \"{}\", but \"{}\" is on \"{}\", which is not a master of it",
                channel.name, node_name(placed.bus()), sender.name, node_name(channel.from.node)),
-           masters.empty() ? "nobody asks for this bus: workstations and bus masters do"
+           masters.empty() ? "the bus has no master; workstations and bus masters are masters"
                            : fmt::format("its masters are {}", fmt::join(masters, ", ")),
            {{"the process is placed here", sender.placed}});
 }
@@ -98,10 +98,11 @@ void Broadcasts::refuse_receiver(const NetworkChannel& channel, const Placed& pl
     if (c_.buses_refused)
         throw StatementRefused{}; // reported
     const DraftProcess& receiver = c_.draft.processes[channel.to.process];
-    const DraftPlacement* told = placement_of(channel.to);
+    const DraftPlacement* stated = placement_of(channel.to);
     std::vector<SecondPlace> others{{"the receiver is placed here", receiver.placed}};
-    if (told != nullptr)
-        others.push_back({fmt::format("it is to come in by {}", link_name(c_.network.nodes, told->where)), told->at});
+    if (stated != nullptr)
+        others.push_back(
+            {fmt::format("its input is placed on {}", link_name(c_.network.nodes, stated->where)), stated->at});
     refuse(placed.by.at,
            fmt::format("the channel \"{}\" cannot be broadcast on the bus \"{}\": {}", channel.name,
                        node_name(placed.bus()), why_not(channel, placed.bus())),
@@ -137,7 +138,7 @@ std::string Broadcasts::hint_at_adapters(const NetworkChannel& channel, std::siz
         return fmt::format("no link adapter of \"{}\" on \"{}\" leads to a processor", master, node_name(bus));
     bool more = ends.size() > most;
     ends.resize(std::min(ends.size(), most));
-    return fmt::format("those of \"{}\" lead to {}{}", master, fmt::join(ends, ", "), more ? ", ..." : "");
+    return fmt::format("the link adapters of \"{}\" lead to {}{}", master, fmt::join(ends, ", "), more ? ", ..." : "");
 }
 
 void Broadcasts::check() const {
@@ -151,7 +152,8 @@ void Broadcasts::check() const {
             check(channel, out[channel.placement.route.front().connection]);
 }
 
-/// If two channels of one broadcast conflict, reports the second.
+/// Reports a channel that is not alone on the way of a broadcast. If two channels of one broadcast conflict, only the
+/// second is reported.
 void Broadcasts::check(const NetworkChannel& broadcast, const std::vector<const NetworkChannel*>& on_way) const {
     const NetworkChannel& other = *(on_way.front() == &broadcast ? on_way.back() : on_way.front());
     bool both = &other != &broadcast && other.placement.broadcast_on != nowhere;
@@ -161,10 +163,11 @@ void Broadcasts::check(const NetworkChannel& broadcast, const std::vector<const 
     bool same = both && are_one_broadcast(broadcast, other);
     c_.reporter.error(
         placed(broadcast)->by.at,
-        fmt::format("the channel \"{}\" is broadcast over the link adapter \"{}\", over which \"{}\" leads, too",
+        fmt::format("the channel \"{}\" is broadcast over the link adapter \"{}\", which also carries \"{}\"",
                     broadcast.name, node_name(slave_of(way).node), other.name),
-        same ? "a broadcast reaches each of its adapters once: one process there takes the message, and passes it on"
-             : "a broadcast has its ways out to its adapters for itself; place the other channel on another link",
+        same ? "a broadcast reaches each of its adapters once: let one process there input the message and pass it on"
+             : "an adapter that takes part in a broadcast carries no other outputs; place the other channel on another "
+               "link",
         {{"the other is connected here", other.connected}});
 }
 

@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-/// Finds the ways over buses from their attachments; the bus kinds know the ways.
+/// Adds the ways over buses to the network's connections. Each bus kind computes the ways from what is attached to it.
 class Buses {
 public:
     explicit Buses(Completion& c) : c_(c) {}
@@ -22,7 +22,7 @@ public:
         check_adapters_without_bus();
         if (c_.buses_refused = c_.reporter.failed(); c_.buses_refused)
             return;
-        for (const BusWay& way : all_hypotheses())
+        for (const BusWay& way : all_ways())
             add_way(way);
     }
 
@@ -74,9 +74,8 @@ private:
                                   fmt::format("connect {}.bus[0] to vme.slot[...];", adapter.name));
     }
 
-    /// Returns the ways to link adapters first, so that a channel which may take either is led as the netlist attaches
-    /// them.
-    std::vector<BusWay> all_hypotheses() const {
+    /// Returns the ways over all buses: ways to link adapters first, in the order of attachment, then ways to memory.
+    std::vector<BusWay> all_ways() const {
         std::vector<BusWay> all;
         for (std::size_t i = 0; i < nodes().size(); ++i)
             if (const auto& medium = nodes()[i].kind->medium; medium && medium->ways)

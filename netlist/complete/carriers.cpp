@@ -13,14 +13,15 @@ namespace placedpar {
 
 namespace {
 
-/// Gives every channel what carries it. First those that the netlist places, in its order; then each of the
-/// rest, in its order, takes the best route (RouteCost): between neighbours the wire that the fewest channels use in
-/// its direction, and of several the one with the lowest link at the sender. A channel to an edge takes one wire.
+/// Chooses what carries each channel. Channels that the netlist places come first; then each other channel takes the
+/// best route (RouteCost). Both groups keep the netlist's order. Between neighbours the best route is the wire that the
+/// fewest channels use in that direction; if several are equal, the one with the lowest link number at the sender. A
+/// channel to an edge takes one wire.
 class Carriers {
 public:
     explicit Carriers(Completion& c)
         : c_(c), wires_(c.network.connections), load_(wires_.size() * 2, 0), search_(c.network.nodes, wires_, load_),
-          told_(c, load_), broadcasts_(c, load_) {
+          stated_(c, load_), broadcasts_(c, load_) {
         for (std::size_t i = 0; i < c_.network.connections.size(); ++i) {
             const auto& connection = c_.network.connections[i];
             between_[{connection.a.node, connection.b.node}].push_back(i);
@@ -35,7 +36,7 @@ public:
         std::vector<std::size_t> left;
         for (std::size_t i = 0; i < c_.network.channels.size(); ++i)
             attempt([&] {
-                if (!place_as_told(i))
+                if (!place_as_stated(i))
                     left.push_back(i);
             });
         for (auto i : left)
@@ -47,35 +48,35 @@ public:
     }
 
 private:
-    /// A step that refuses what it finds has reported why.
+    /// Runs one step for one channel. A step that throws StatementRefused has already reported the error.
     template <class Step>
     static void attempt(Step step) {
         try {
             step();
         } catch (const StatementRefused&) {
-            // the next channel is tried
+            // go on with the next channel
         }
     }
 
-    bool place_as_told(std::size_t index) {
+    bool place_as_stated(std::size_t index) {
         auto& channel = c_.network.channels[index];
         if (auto placed = broadcasts_.placed(channel)) {
             broadcast(index, *placed);
             return true;
         }
-        auto told_wires = told_.wires(index);
-        if (told_wires.empty())
+        auto stated_wires = stated_.wires(index);
+        if (stated_wires.empty())
             return false;
         if (channel.from.at_edge() || channel.to.at_edge())
-            carry_to_edge(channel, told_wires.front().connection, told_wires.front().at);
+            carry_to_edge(channel, stated_wires.front().connection, stated_wires.front().at);
         else
-            carry(channel, route_over(channel, told_wires));
+            carry(channel, route_over(channel, stated_wires));
         return true;
     }
 
     void broadcast(std::size_t index, const Broadcasts::Placed& placed) {
         auto& channel = c_.network.channels[index];
-        if (auto by_connection = told_.by_connection(index))
+        if (auto by_connection = stated_.by_connection(index))
             refuse(by_connection->at, fmt::format("the channel \"{}\" is placed twice", channel.name), "",
                    {{"first placed here", placed.by.at}});
         carry(channel, {broadcasts_.way_of(channel, placed)});
@@ -96,7 +97,7 @@ private:
         throw StatementRefused{};
     }
 
-    /// Lets a connection carry the channel, if it leads from its process to the edge.
+    /// Places an edge channel on the connection, or refuses if the connection does not join its process to the edge.
     void carry_to_edge(NetworkChannel& channel, std::size_t index, const Location& at) {
         const auto& connection = c_.network.connections[index];
         auto& outer = channel.from.at_edge() ? channel.from : channel.to;
@@ -127,7 +128,8 @@ private:
         channel.placement = {ChannelPlacement::Kind::link, std::move(route)};
     }
 
-    /// The best route over these wires, in their order. Throws StatementRefused after reporting that there is none.
+    /// Returns the best route over these wires in their order. Throws StatementRefused after reporting that there is
+    /// none.
     std::vector<RouteHop> route_over(const NetworkChannel& channel, const std::vector<StatedRoute>& wires) {
         if (channel.from.node == nowhere || channel.to.node == nowhere)
             throw StatementRefused{}; // reported
@@ -156,22 +158,25 @@ private:
         return route;
     }
 
-    /// Such a channel leads from its sender's processor to its receiver's at once.
+    /// Returns the single hop of a channel over a connection that switches make during the run. Such a channel must
+    /// lead from its sender's processor directly to its receiver's.
     std::vector<RouteHop> route_over_switch(const NetworkChannel& channel, const std::vector<StatedRoute>& wires) {
         const auto& connection = wires_[wires.front().connection];
         bool forwards = connection.a.node == channel.from.node && connection.b.node == channel.to.node;
         bool backwards = connection.b.node == channel.from.node && connection.a.node == channel.to.node;
         for (const auto& wire : wires)
             if (wire.connection != wires.front().connection || (!forwards && !backwards))
-                refuse(wire.at,
-                       fmt::format("the channel \"{}\" is told a way by what a switch connects during the run and by "
-                                   "other wires",
-                                   channel.name),
-                       "a channel over such a switch leads from its sender's processor to its receiver's at once");
+                refuse(
+                    wire.at,
+                    fmt::format(
+                        "the route of the channel \"{}\" mixes a link that is switched during the run with other wires",
+                        channel.name),
+                    "a channel over such a switch leads from its sender's processor to its receiver's at once");
         return {{wires.front().connection, forwards}};
     }
 
-    /// Returns the connection that switches make during the run, if no wires lead to the receiver.
+    /// Returns the least used connection from the sender's processor to the receiver's that switches make during the
+    /// run, if there is one.
     std::optional<std::vector<RouteHop>> way_over_switch(const NetworkChannel& channel) {
         std::optional<RouteHop> best;
         auto between = between_.find({channel.from.node, channel.to.node});
@@ -184,7 +189,8 @@ private:
         return best ? std::optional(std::vector{*best}) : std::nullopt;
     }
 
-    /// From the end of the route so far up to the wire's other end.
+    /// Returns the shortest continuation of `route` that ends by crossing `wire`. It passes neither the processors in
+    /// `passed` nor, on the way to the wire, the receiver's.
     std::optional<std::vector<RouteHop>> way_on(const NetworkChannel& channel, const std::vector<RouteHop>& route,
                                                 const StatedRoute& wire, const std::set<std::size_t>& passed) {
         auto here = route.empty() ? channel.from.node : end_of(route.back(), wires_).node;
@@ -208,7 +214,7 @@ private:
         return shortest;
     }
 
-    /// "a.link[0], b.link[2]": the links by which a channel leaves the processors on its way.
+    /// Returns the links by which a channel leaves the processors of its route: "a.link[0], b.link[2]".
     std::string text_of(const std::vector<RouteHop>& route) const {
         std::string text;
         for (const auto& hop : route)
@@ -216,7 +222,7 @@ private:
         return text;
     }
 
-    /// Says what would be right: the route without that wire.
+    /// Refuses the stated wire, and suggests the best route without it.
     [[noreturn]] void refuse_route(const NetworkChannel& channel, const std::vector<StatedRoute>& wires,
                                    const StatedRoute& wire) {
         const auto& connection = wires_[wire.connection];
@@ -346,7 +352,7 @@ private:
     const std::vector<LinkConnection>& wires_;
     std::vector<std::size_t> load_; ///< channels on each connection, b to a and a to b
     RouteSearch search_;
-    StatedRoutes told_;
+    StatedRoutes stated_;
     Broadcasts broadcasts_;
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> between_;
     std::map<std::size_t, std::vector<std::size_t>> edges_of_;

@@ -28,7 +28,7 @@ public:
 
 private:
     struct End {
-        Direction direction; ///< as the network sees it: an edge's `input` is where messages come from
+        Direction direction; ///< as the processes see it: an edge channel declared `input` counts as an output
         const PortDescription* port = nullptr;
     };
 
@@ -36,7 +36,7 @@ private:
         return end.process == nowhere ? end.port : c_.draft.processes[end.process].name + "." + end.port;
     }
 
-    /// Nothing where it cannot be known; that is reported.
+    /// Returns nothing, after reporting why, if the end's direction is unknown.
     std::optional<End> look_up(const DraftChannelEnd& end) {
         if (end.process == nowhere) {
             auto direction = c_.draft.edge_channels[end.edge_channel].direction;
@@ -131,8 +131,8 @@ private:
             bindings_[end.process].push_back({end.port, direction, c_.network.channels.size()});
     }
 
-    /// A channel of a process that is placed on a link to an edge without an edge channel: as the real tool
-    /// has it.
+    /// Adds the channel of a port that is placed on a link to an edge and connected to no edge channel. The INMOS tool
+    /// accepts this form, too.
     void add_placed(std::size_t index, const PortDeclaration& port, const std::string& name,
                     const DraftPlacement& placement) {
         const auto& process = c_.draft.processes[index];
@@ -152,7 +152,7 @@ private:
                     nowhere);
     }
 
-    /// The edge that this is, or that the link leads to; nowhere if there is none.
+    /// Returns the edge that `end` is, or that its link leads to; nowhere if there is none.
     std::size_t edge_behind(const LinkEnd& end) const {
         auto wire = c_.connection_at.find({end.node, end.link});
         if (wire == c_.connection_at.end())
@@ -181,7 +181,7 @@ private:
         c_.network.processes[index].ports = bindings;
     }
 
-    /// The port's position among the kind's ports, or in the interface of a stand-in.
+    /// Returns the port's position among the kind's ports, or in the interface of a process without a kind.
     std::size_t order(std::size_t index, std::string_view port) const {
         auto position = [&](const auto& ports) {
             return static_cast<std::size_t>(find_named(ports, base_name(port)) - ports.data());
@@ -211,7 +211,8 @@ private:
         return known != nullptr && known->optional;
     }
 
-    /// No report if a refused connect already named this channel, or one the process lacks.
+    /// Reports an unconnected channel, unless a refused `connect` has named it, or has named a channel that the process
+    /// lacks.
     void refuse_unconnected(std::size_t index, const Location& at, const std::string& port) {
         if (mentioned_.contains({index, std::string(base_name(port))}) ? refused_ : misnamed_.contains(index))
             return;
@@ -220,7 +221,7 @@ private:
                           fmt::format("connect {}.{} to ...;", process.name, port));
     }
 
-    /// Without an interface the ports are those that were connected; the kind says which must be among them.
+    /// Checks a process without an interface: each port that its kind requires must be connected.
     void check_kind(std::size_t index, const ProcessKind& kind) {
         const auto& process = c_.draft.processes[index];
         for (const auto& port : kind.ports) {
@@ -233,7 +234,7 @@ private:
         check_placed(index);
     }
 
-    /// Of the ends of one port that are connected, in order.
+    /// Returns the subscripts of the port's connected ends in ascending order.
     std::vector<std::vector<std::int64_t>> subscripts_used(std::size_t index, const std::string& port) const {
         std::vector<std::vector<std::int64_t>> used;
         for (const auto& binding : bindings_[index])
@@ -243,7 +244,8 @@ private:
         return used;
     }
 
-    /// False where the ends are neither one without a subscript nor numbered from 0 on.
+    /// Returns false, after reporting, unless the port has a single end without a subscript, or ends numbered 0, 1, 2
+    /// ...
     bool check_numbering(const DraftProcess& process, const std::string& port,
                          const std::vector<std::vector<std::int64_t>>& used) {
         for (std::size_t i = 0; i < used.size(); ++i)
@@ -263,7 +265,7 @@ private:
         return true;
     }
 
-    /// Without an interface, what is placed must be connected.
+    /// Checks a process without an interface: each placed channel must be connected.
     void check_placed(std::size_t index) {
         const auto& placements = c_.draft.placements;
         for (auto placed = placements.lower_bound({index, ""});
@@ -279,8 +281,8 @@ private:
     Completion& c_;
     std::vector<std::vector<PortBinding>> bindings_;
     std::set<std::pair<std::size_t, std::string>> mentioned_; ///< process and port, in a connect
-    std::set<std::size_t> misnamed_;                          ///< processes of which an unknown channel was named
-    bool refused_ = false;                                    ///< some connect was
+    std::set<std::size_t> misnamed_; ///< processes for which the netlist names an unknown channel
+    bool refused_ = false;           ///< at least one `connect` was refused
 };
 
 } // namespace

@@ -39,7 +39,7 @@ void check_together(Completion& c, const ProcessInstance& process, const std::ve
                                  process.name, *left_out));
 }
 
-/// Where the netlist gives the parameter, connects the port, or else declares the process.
+/// Returns the line that gives the parameter or connects the port; otherwise the process's declaration.
 Location place_of(const Completion& c, const Complaint& complaint) {
     const auto& process = c.network.processes[complaint.process];
     if (auto given = process.given.find(complaint.about); given != process.given.end())
@@ -56,7 +56,7 @@ void report(Completion& c, const Complaint& complaint) {
         c.reporter.error(place_of(c, complaint), complaint.message, complaint.hint);
 }
 
-/// An exception from a check is reported for the checked process.
+/// Returns the complaints of the process's kind. An exception from the kind's check becomes a complaint.
 std::vector<Complaint> complaints_of(const Completion& c, std::size_t process) {
     const ProcessKind& kind = *c.kinds[process];
     try {
@@ -74,7 +74,8 @@ void check_nodes(Completion& c) {
             c.reporter.error(node.declared, reason);
 }
 
-/// The real tool's routes look at it, but how is not known; ours do not, and that may lead channels elsewhere.
+/// Warns once if a node has the attribute `tolerance` and some channel is routed. The INMOS tool uses the attribute in
+/// an unpublished manner; ours ignores it, so routes may differ.
 void check_tolerance(Completion& c) {
     auto led_through = [](const NetworkChannel& channel) { return channel.placement.route.size() > 1; };
     auto channel = std::ranges::find_if(c.network.channels, led_through);
@@ -84,10 +85,10 @@ void check_tolerance(Completion& c) {
         c.reporter.warning(
             node->declared,
             fmt::format("the attribute \"tolerance\" has no effect on the route of the channel \"{}\"", channel->name),
-            "routecost and linkquota choose routes here, and place tells a channel its own");
+            "routecost and linkquota choose routes here; place gives a channel a route of its own");
 }
 
-/// How many channels travel in packets by each node, from it or to it.
+/// Returns for each node how many channels in packets begin, end or pass there.
 std::vector<std::int64_t> channels_in_packets(const Network& network) {
     std::vector<std::int64_t> counts(network.nodes.size(), 0);
     for (const NetworkChannel& channel : network.channels) {
@@ -100,8 +101,8 @@ std::vector<std::int64_t> channels_in_packets(const Network& network) {
     return counts;
 }
 
-/// Of a processor that the netlist states, by itself or by the name of a module; a bare transputer's is only that of
-/// its chip. Else 0.
+/// Returns the memory that the netlist states for the processor, directly or by the name of a module. Returns 0 if the
+/// memory is only the default of a bare chip.
 std::int64_t stated_memory_bytes(const Node& node) {
     if (!node.attributes.contains("memory"))
         return 0;
@@ -109,7 +110,8 @@ std::int64_t stated_memory_bytes(const Node& node) {
     return memory > 4 * kilobyte || node.given.contains("memory") ? memory : 0;
 }
 
-/// A warning, since nothing else that lies in the memory is known.
+/// Warns if the packets alone do not fit into a node's memory. What else occupies the memory is unknown, so this is not
+/// an error.
 void check_room_for_packets(Completion& c) {
     const std::vector<std::int64_t> channels = channels_in_packets(c.network);
     for (std::size_t i = 0; i < channels.size(); ++i) {
@@ -119,13 +121,13 @@ void check_room_for_packets(Completion& c) {
         if (memory > 0 && room > memory)
             c.reporter.warning(node.declared,
                                fmt::format("\"{}\" has {} bytes of memory; the packets of the {} channels that lead "
-                                           "there, or through it, need {}",
+                                           "there or through it need {}",
                                            node.name, memory, channels[i], room),
                                "give it more, or lead channels elsewhere: routecost, place p.out on LINK;");
     }
 }
 
-/// The parameter whose default is not what the node takes that the process is placed on, if there is one.
+/// Returns the first parameter whose default assumes a floating-point unit, if the process's node has none.
 const ParameterDescription* wants_floating_point_unit(const Completion& c, std::size_t process) {
     const ProcessInstance& instance = c.network.processes[process];
     if (c.kinds[process] == nullptr || c.network.nodes[instance.node].floating_point_unit)
@@ -136,7 +138,7 @@ const ParameterDescription* wants_floating_point_unit(const Completion& c, std::
     return nullptr;
 }
 
-/// Warns once.
+/// Warns of the first process whose default costs assume a floating-point unit that its node lacks.
 void check_floating_point(Completion& c) {
     for (std::size_t i = 0; i < c.network.processes.size(); ++i)
         if (const ParameterDescription* parameter = wants_floating_point_unit(c, i)) {

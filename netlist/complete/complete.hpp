@@ -22,39 +22,39 @@ struct Completion {
     Draft draft;
     const Catalogue& catalogue;
     Reporter& reporter;
-    Network network; ///< has the nodes of the draft from the beginning, and all that is complete so far
+    Network network; ///< starts with the draft's nodes; each part adds what it completes
     std::map<std::pair<std::size_t, int>, std::size_t> connection_at; ///< by node and link
     std::map<std::size_t, std::size_t> connection_named;              ///< by draft connection
     std::vector<const ProcessKind*> kinds;                            ///< kind of each process; null for a stand-in
-    std::vector<bool> kind_refused;         ///< of each process: its kind is unknown, which has been reported
-    std::vector<std::size_t> draft_channel; ///< of each channel of the network
-    std::vector<bool> wire_refused = {};    ///< of each node: one of its wires leads nowhere
-    bool buses_refused = false;             ///< some bus was refused: no ways lead over buses
+    std::vector<bool> kind_refused;         ///< by process: its kind is unknown, which has been reported
+    std::vector<std::size_t> draft_channel; ///< draft index of each channel of the network
+    std::vector<bool> wire_refused = {};    ///< by node: one of its wires leads nowhere
+    bool buses_refused = false;             ///< a bus was refused, so no ways lead over buses
 
     /// Returns the first link of the node without a wire, such as "a.link[2]"; "" if there is none.
     std::string free_link(std::size_t node) const;
 };
 
-/// hosts.cpp: an edge that processes are placed on becomes a workstation.
+/// hosts.cpp: turns each edge with processes into a workstation.
 void complete_hosts(Completion& completion);
-/// wires.cpp: from pieces of wire and crosspoints to connections between processors.
+/// wires.cpp: joins pieces of wire and crosspoints into connections between processors.
 void complete_wires(Completion& completion);
-/// buses.cpp: from what is attached to buses to the ways over them.
+/// buses.cpp: computes the ways over buses from what is attached to them.
 void complete_buses(Completion& completion);
-/// processes.cpp: placement, kinds, and interfaces against kinds.
+/// processes.cpp: checks placements, finds kinds, and checks interfaces against kinds.
 void complete_processes(Completion& completion);
-/// parameters.cpp: the values of all parameters of one process.
+/// parameters.cpp: evaluates all parameters of one process.
 void complete_parameters(Completion& completion, std::size_t process);
-/// channels.cpp: directions, protocols, and ports left unconnected.
+/// channels.cpp: finds directions; checks protocols and unconnected ports.
 void complete_channels(Completion& completion);
-/// carriers.cpp: what carries each channel.
+/// carriers.cpp: chooses what carries each channel.
 void complete_carriers(Completion& completion);
 /// switched.cpp: checks which channels share the links that switches connect during the run. REQUIRES: carriers are
 /// complete.
 void check_switched(Completion& completion);
-/// faults.cpp: the wires of links that fail.
+/// faults.cpp: finds the wires of links that fail.
 void complete_faults(Completion& completion);
-/// checks.cpp: the checks of the kinds themselves. REQUIRES: nothing was refused.
+/// checks.cpp: runs the checks that kinds define. REQUIRES: nothing was refused.
 void complete_checks(Completion& completion);
 
 } // namespace placedpar

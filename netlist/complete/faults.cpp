@@ -10,7 +10,8 @@ namespace placedpar {
 
 namespace {
 
-/// A piece of wire at a processor: what fails is the processor's link, whatever a switch connects it to.
+/// Finds the processor at an end of the named piece of wire. The fault affects that processor's link, whatever the
+/// switch connects it to. Returns false, after reporting, if both ends are at switches.
 bool find_named_piece(Completion& c, const DraftFault& draft, std::size_t connection, Fault& fault) {
     auto piece = std::ranges::find(c.draft.wires, draft.connection, &DraftWire::connection);
     for (const LinkEnd& end : {piece->a, piece->b})
@@ -27,7 +28,8 @@ bool find_named_piece(Completion& c, const DraftFault& draft, std::size_t connec
     return false;
 }
 
-/// The end of the wire that `connect` names first; the other where the first is an edge.
+/// Sets the fault's link to the end of the wire that `connect` names first, or to the other end if the first is an
+/// edge. Returns false, after reporting, if the connection wires no links.
 bool find_named_wire(Completion& c, const DraftFault& draft, Fault& fault) {
     auto named = c.connection_named.find(draft.connection);
     if (named == c.connection_named.end()) {

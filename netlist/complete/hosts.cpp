@@ -8,7 +8,7 @@ namespace placedpar {
 
 namespace {
 
-/// The host's link runs at the speed of the link that it is connected to.
+/// Gives the host's link the speed of the link that it is connected to.
 void take_speed(Node& host, const Node& neighbour) {
     if (auto speed = neighbour.attributes.find("linkspeed"); speed != neighbour.attributes.end())
         host.attributes.insert_or_assign("linkspeed", speed->second);
@@ -31,7 +31,7 @@ void make_workstation(Completion& c, std::size_t index) {
             }
 }
 
-/// Edge channels lead out of the network, but now a process is there, so they are refused.
+/// Refuses edge channels on an edge where a process is placed: they would lead out of the network.
 void refuse_edge_channels(Completion& c, const DraftProcess& process) {
     for (const auto& channel : c.draft.edge_channels)
         if (channel.edge == process.node)

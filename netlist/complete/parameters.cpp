@@ -16,7 +16,7 @@ namespace placedpar {
 
 namespace {
 
-/// Works out the parameters of one process.
+/// Evaluates and checks the parameters of one process.
 class Parameters {
 public:
     Parameters(Completion& c, std::size_t process)
@@ -43,7 +43,7 @@ public:
     }
 
 private:
-    /// A default may be replaced, once.
+    /// Takes a setting that may replace the default of the interface; refuses a second setting of the same name.
     void take_once(const Setting& setting) {
         auto [known, is_new] = set_.emplace(setting.name, setting.at);
         if (is_new)
@@ -153,13 +153,13 @@ private:
         return std::nullopt;
     }
 
-    /// Reports the value where the declared type cannot hold it.
+    /// Returns false, after reporting, if the declared type cannot hold the value.
     bool fits(const Setting& setting, const ParameterDeclaration& declared, const Value& value) {
         auto problem = misfit(declared, value);
         if (!problem)
             return true;
         std::vector<SecondPlace> others;
-        if (setting.at != declared.at) // else it is the default
+        if (setting.at != declared.at) // otherwise the value is the declared default
             others.push_back({"declared here", declared.at});
         c_.reporter.error(setting.at, problem->message, problem->hint, std::move(others));
         return false;
@@ -170,7 +170,7 @@ private:
         flatten(setting, declared, {});
     }
 
-    /// An array becomes one parameter for each element: "a[0]", "a[1]".
+    /// Stores an array as one parameter for each element: "a[0]", "a[1]".
     void flatten(const Setting& setting, const ParameterDeclaration& declared, std::vector<std::int64_t> subscripts) {
         bool text_in_numbers = setting.value.array() != nullptr && element_type(declared) == ParameterType::text;
         auto level = subscripts.size();
@@ -186,7 +186,7 @@ private:
         }
     }
 
-    /// The characters of a text may be given one by one.
+    /// Takes a setting of one element. A setting may also give a single character of a text.
     void take_element(const Setting& setting, const ParameterDeclaration& declared,
                       const std::vector<std::int64_t>& subscripts) {
         bool whole = subscripts.size() == element_dimensions(declared);
@@ -240,9 +240,9 @@ private:
     std::map<std::string, Value>& result_;
     std::map<std::string, Location>& given_;
     std::vector<std::string>& order_;
-    std::set<std::string> noted_;              ///< there
-    std::map<std::string_view, Location> set_; ///< by statements and options
-    std::set<std::string_view> taken_;         ///< of the kind's parameters: given, or refused
+    std::set<std::string> noted_;              ///< names in `order_`
+    std::map<std::string_view, Location> set_; ///< name to the place of the statement or option that set it
+    std::set<std::string_view> taken_;         ///< the kind's parameters that were given or refused
 };
 
 } // namespace

@@ -13,7 +13,8 @@ namespace {
 
 bool is_one_of(std::string_view set, char c) { return set.find(c) != set.npos; }
 
-/// The real toolset's linked units and other files: farm.lku, FARM.C8H, farm.lah, farm.tco, farm.c0, farm ...
+/// Returns true for names of files of the INMOS toolset, such as linked units: farm.lku, FARM.C8H, farm.lah, farm.tco,
+/// farm.c0, farm.
 bool is_program_file(std::string_view name) {
     auto dot = name.rfind('.');
     if (dot == std::string_view::npos)
@@ -89,8 +90,8 @@ void refuse_left_out(Completion& c, const DraftProcess& process, const PortDescr
                      {used_here(c, process)});
 }
 
-/// What the netlist's interface says must be in the kind, and the ports that the kind cannot do without must
-/// be in the interface.
+/// Checks the netlist's interface against the kind: the kind must have each entry, and the interface must have each
+/// port that the kind requires.
 void check_interface(Completion& c, const DraftProcess& process, const ProcessKind& kind) {
     const auto& interface = *process.interface;
     for (const auto& port : interface.ports)
@@ -103,7 +104,7 @@ void check_interface(Completion& c, const DraftProcess& process, const ProcessKi
             refuse_left_out(c, process, needed, kind);
 }
 
-/// On a switch nothing can be placed but the kind that is its logic.
+/// Reports a process on a switch, unless its kind is the switch's logic.
 void check_logic(Completion& c, const DraftProcess& process) {
     const Node& node = c.network.nodes[process.node];
     if (node.kind->is_set_by_link() && process.kind != node.kind->logic)
@@ -117,7 +118,7 @@ void take_over(ProcessInstance& process, const DraftProcess& draft) {
     process.name = draft.name;
     process.kind = draft.kind;
     process.high_priority = draft.high_priority;
-    if (draft.interface) // shares ownership of the whole
+    if (draft.interface) // the aliasing pointer shares ownership of the interface
         process.interface = {draft.interface, &draft.interface->entries};
     process.node = draft.node;
     process.other = draft.other;

@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t most_hubs = 64; ///< ours: each takes 32 bytes for each node
+constexpr std::size_t most_hubs = 64; ///< our choice; each hub takes 32 bytes per node
 
 } // namespace
 
@@ -60,7 +60,8 @@ void RouteSearch::forget_distances() {
     reached_.clear();
 }
 
-/// E. Dijkstra, over all wires. REQUIRES: no quota keeps a channel from a link.
+/// Computes the least cost from every node to the hub by Dijkstra's algorithm. REQUIRES: no quota keeps a channel from
+/// a link.
 void RouteSearch::make_hub(std::size_t hub) {
     using Reached = std::pair<RouteCost, std::size_t>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
@@ -101,7 +102,7 @@ std::vector<std::size_t> RouteSearch::nodes_between(const Least& least, std::siz
             nodes.push_back(next);
         }
     auto is_farther = [&](std::size_t x, std::size_t y) { return *least[x] > *least[y]; };
-    if (!std::ranges::is_sorted(nodes, is_farther)) // it is where all ask for the same routecost
+    if (!std::ranges::is_sorted(nodes, is_farther)) // already sorted if all nodes have the same routecost
         std::ranges::sort(nodes, is_farther);
     return nodes;
 }
@@ -110,7 +111,7 @@ template <class MayPass, class Reach>
 void RouteSearch::reach_before(std::size_t node, const Ends& ends, MayPass may_pass, Reach reach) {
     const RouteCost cost = *distances_[node];
     for (const auto& [leaving, before] : leaving_[node]) {
-        RouteHop hop{leaving.connection, !leaving.from_a_to_b}; // the same wire, towards the end
+        RouteHop hop{leaving.connection, !leaving.from_a_to_b}; // this wire, towards the route's end
         if (before != ends.from && (!leads_through(before) || !may_pass(before) || !may_leave(hop)))
             continue;
         if (node != ends.to && !may_come_in(hop))
@@ -125,14 +126,14 @@ void RouteSearch::reach_before(std::size_t node, const Ends& ends, MayPass may_p
     }
 }
 
-/// E. Dijkstra, from the end of the route.
+/// Searches by Dijkstra's algorithm, backwards from the end of the route.
 void RouteSearch::search_around(const Ends& ends, const std::set<std::size_t>& around) {
     using Reached = std::pair<RouteCost, std::size_t>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
     for (open.emplace(RouteCost{}, ends.to); !open.empty() && open.top().second != ends.from;) {
         auto [cost, node] = open.top();
         open.pop();
-        if (distances_[node] == cost) // else it was reached at less since
+        if (distances_[node] == cost) // otherwise a cheaper path to the node has been found since
             reach_before(
                 node, ends, [&](std::size_t before) { return !around.contains(before); },
                 [&](const RouteCost& better, std::size_t before) { open.emplace(better, before); });

@@ -26,8 +26,8 @@ StatedRoutes::StatedRoutes(Completion& completion, const std::vector<std::size_t
 
 std::vector<StatedRoute> StatedRoutes::wires(std::size_t channel) const {
     auto at_ends = by_ends(c_.network.channels[channel]);
-    auto told = by_connection(channel);
-    return told ? std::vector{*told} : at_ends;
+    auto stated = by_connection(channel);
+    return stated ? std::vector{*stated} : at_ends;
 }
 
 std::optional<StatedRoute> StatedRoutes::by_connection(std::size_t channel) const {
@@ -43,30 +43,30 @@ std::optional<StatedRoute> StatedRoutes::by_connection(std::size_t channel) cons
 }
 
 std::vector<StatedRoute> StatedRoutes::by_ends(const NetworkChannel& channel) const {
-    std::vector<StatedRoute> told;
+    std::vector<StatedRoute> stated;
     for (const auto* end : {&channel.from, &channel.to}) {
         auto placed = c_.draft.placements.find({end->process, end->port});
         if (end->at_edge() || placed == c_.draft.placements.end())
             continue;
         if (end == &channel.to && placed->second.size() > 1)
             refuse(placed->second[1].at,
-                   fmt::format("the route of the channel \"{}\" is told at its input", channel.name),
+                   fmt::format("the route of the channel \"{}\" is stated at its input", channel.name),
                    "place the output on the link by which the channel leaves each processor on its way");
         for (std::size_t i = 0; i < placed->second.size(); ++i) {
             StatedRoute here = wire_at({channel, *end, placed->second, i});
-            bool again = end == &channel.to && !told.empty() && told.back().connection == here.connection;
-            if (!again) // both ends may say the same
-                told.push_back(here);
+            bool again = end == &channel.to && !stated.empty() && stated.back().connection == here.connection;
+            if (!again) // both ends may name the same wire
+                stated.push_back(here);
         }
     }
-    return told;
+    return stated;
 }
 
 StatedRoute StatedRoutes::wire_at(const StatedPlacement& place) const {
-    StatedRoute told{connection_at(place), nowhere, place.at()};
+    StatedRoute stated{connection_at(place), nowhere, place.at()};
     if (std::size_t node = end_of_way(place.where()).node; !place.where().at_edge())
-        told.begin = place.inputs() ? other_end(told.connection, node) : node;
-    return told;
+        stated.begin = place.inputs() ? other_end(stated.connection, node) : node;
+    return stated;
 }
 
 std::size_t StatedRoutes::connection_at(const StatedPlacement& place) const {
@@ -82,7 +82,7 @@ std::size_t StatedRoutes::connection_at(const StatedPlacement& place) const {
     return wires_[found].at_run_time ? connection_to_partner(place) : found;
 }
 
-/// Requires that the route begins at the processor that holds the process.
+/// Refuses the route unless it begins at the processor that holds the process.
 void StatedRoutes::require_own_link(const StatedPlacement& place) const {
     const DraftProcess& process = process_of(place);
     if (end_of_way(place.where()).node != process.node)
@@ -114,12 +114,12 @@ std::size_t StatedRoutes::connection_at_link(const StatedPlacement& place) const
 /// Returns the connection that switches may make at the link and that leads to the channel's other process.
 std::size_t StatedRoutes::connection_to_partner(const StatedPlacement& place) const {
     const ChannelEnd& partner = place.inputs() ? place.channel.from : place.channel.to;
-    auto told = c_.draft.placements.find({partner.process, partner.port});
+    auto stated = c_.draft.placements.find({partner.process, partner.port});
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < wires_.size(); ++i)
         for (auto [here, there] : {std::pair(wires_[i].a, wires_[i].b), std::pair(wires_[i].b, wires_[i].a)})
             if (here == place.where() && there.node == partner.node && !partner.at_edge()) {
-                bool meant = told != c_.draft.placements.end() && told->second.front().where == there;
+                bool meant = stated != c_.draft.placements.end() && stated->second.front().where == there;
                 found = found && !meant ? found : i;
             }
     if (!found && partner.node == nowhere)
@@ -132,7 +132,8 @@ std::size_t StatedRoutes::connection_to_partner(const StatedPlacement& place) co
     return *found;
 }
 
-/// From a master's place on a bus: the next place says where the way leads, or the receiver.
+/// Returns the way that leaves a master's place on a bus. The next stated place decides where the way leads; after the
+/// last place, the receiver does.
 std::size_t StatedRoutes::way_from_bus(const StatedPlacement& place) const {
     bool last = place.number + 1 == place.all.size();
     auto other = place.inputs() ? place.channel.from.node
@@ -149,7 +150,8 @@ std::size_t StatedRoutes::way_from_bus(const StatedPlacement& place) const {
     return *found;
 }
 
-/// Returns the way to memory, if there is one; else the way by the adapter that the fewest channels use.
+/// Returns the way over a bus between the two nodes: through memory if possible, otherwise by the adapter that the
+/// fewest channels use.
 std::optional<std::size_t> StatedRoutes::way_between(std::size_t one, std::size_t other) const {
     std::optional<std::size_t> best;
     auto cost = [&](std::size_t i) {
@@ -161,13 +163,13 @@ std::optional<std::size_t> StatedRoutes::way_between(std::size_t one, std::size_
     return best;
 }
 
-/// Where the wire leads to a link adapter, the way of which it is a part; else the wire.
+/// Returns the way over a bus that includes the wire, if the wire leads to a link adapter; otherwise the wire itself.
 std::size_t StatedRoutes::way_over_bus(std::size_t wire) const {
     auto way = ways_.find(wire);
     return way == ways_.end() ? wire : way->second;
 }
 
-/// For a link adapter's link, returns the end at the master that uses the adapter.
+/// Returns the master's end of the way, if `placed` is a link adapter's link; otherwise `placed`.
 LinkEnd StatedRoutes::end_of_way(const LinkEnd& placed) const {
     auto wire = c_.connection_at.find({placed.node, placed.link});
     auto way = wire == c_.connection_at.end() ? ways_.end() : ways_.find(wire->second);

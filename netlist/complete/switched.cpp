@@ -8,9 +8,11 @@ namespace placedpar {
 
 namespace {
 
-using UsersOfLinks = std::map<std::tuple<std::size_t, int, bool>, const NetworkChannel*>; ///< outputs?
+using UsersOfLinks = std::map<std::tuple<std::size_t, int, bool>,
+                              const NetworkChannel*>; ///< by node, link, and whether the channel outputs there
 
-/// A channel of another process, which has the link already; null if there is none.
+/// Registers the channel as a user of the link. Returns the channel of another process that uses the link already; null
+/// if there is none.
 const NetworkChannel* other_user(UsersOfLinks& users, const LinkEnd& link, bool outputs,
                                  const NetworkChannel& channel) {
     const auto* first = users.try_emplace({link.node, link.link, outputs}, &channel).first->second;
@@ -29,8 +31,8 @@ void refuse_sharing(Completion& c, const NetworkChannel& first, const NetworkCha
 
 } // namespace
 
-/// A link that is connected to one partner after the other is used by one process each way, and each connection by one
-/// channel each way.
+/// Refuses a second user of a link that a switch connects to several partners in turn. One process may use such a link
+/// in each direction, and each connection carries one channel in each direction.
 void check_switched(Completion& c) {
     const auto& wires = c.network.connections;
     UsersOfLinks users;

@@ -13,7 +13,7 @@ using Socket = std::pair<std::size_t, int>; ///< node and link
 
 Socket socket(const LinkEnd& end) { return {end.node, end.link}; }
 
-/// Of each end the crosspoints, in the order of the netlist: several where a program sets the switch.
+/// Returns the crosspoints at each end in the netlist's order. An end has several only if a program sets the switch.
 std::map<Socket, std::vector<std::size_t>> all_by_end(const std::vector<DraftWire>& crosspoints) {
     std::map<Socket, std::vector<std::size_t>> places;
     for (std::size_t i = 0; i < crosspoints.size(); ++i)
@@ -22,7 +22,7 @@ std::map<Socket, std::vector<std::size_t>> all_by_end(const std::vector<DraftWir
     return places;
 }
 
-/// The wires by each of their ends.
+/// Returns the wire at each end.
 std::map<Socket, std::size_t> by_end(const std::vector<DraftWire>& wires) {
     std::map<Socket, std::size_t> places;
     for (std::size_t i = 0; i < wires.size(); ++i)
@@ -31,8 +31,8 @@ std::map<Socket, std::size_t> by_end(const std::vector<DraftWire>& wires) {
     return places;
 }
 
-/// Follows wires through switches. Of a switch that a program sets, every crosspoint leads on: the program decides
-/// during the run which are set.
+/// Follows wires through switches. At a switch that a program sets, every crosspoint is followed, since the program
+/// decides during the run which are set.
 class Wiring {
 public:
     explicit Wiring(Completion& completion)
@@ -59,7 +59,7 @@ private:
     void follow(std::size_t first) {
         const auto& wire = c_.draft.wires[first];
         if (at_switch(wire.a) && at_switch(wire.b))
-            return; // reached from the processors at the ends of the chain, or from nowhere
+            return; // followed from the processors at the ends of its chain, if there are any
         LinkConnection connection;
         connection.a = at_switch(wire.a) ? wire.b : wire.a;
         connection.b = other_end(wire, connection.a);
@@ -67,7 +67,7 @@ private:
         extend(std::move(connection), {first});
     }
 
-    /// Through switches up to a processor.
+    /// Extends the connection through switches up to a processor, and adds it.
     void extend(LinkConnection connection, std::vector<std::size_t> pieces) {
         while (at_switch(connection.b)) {
             auto crosspoints = crosspoints_at_.find(socket(connection.b));
@@ -78,7 +78,7 @@ private:
             if (!cross(connection, pieces, crosspoints->second.front()))
                 return;
         }
-        if (pieces.front() <= pieces.back()) // else it was found from its other end
+        if (pieces.front() <= pieces.back()) // otherwise it was added from its other end
             add(std::move(connection), pieces);
     }
 
@@ -102,8 +102,8 @@ private:
                           "state only the crosspoints that a program will set");
     }
 
-    /// Through the switch at the far end and along the wire beyond it. False where the way ends there, or comes back to
-    /// itself.
+    /// Extends the connection through the switch at its far end and along the wire beyond. Returns false if there is no
+    /// such wire (reported), or if the connection has it already.
     bool cross(LinkConnection& connection, std::vector<std::size_t>& pieces, std::size_t crosspoint) {
         auto reached = connection.b;
         auto leaves = other_end(c_.draft.crosspoints[crosspoint], reached);
@@ -186,7 +186,8 @@ private:
         c_.network.pieces.push_back(std::move(piece));
     }
 
-    /// Adds the attributes of one piece of the wire. False if its speed differs from the speed of the preceding pieces.
+    /// Adds the attributes of one piece of the wire. Returns false, after reporting, if its speed differs from the
+    /// preceding pieces' speed.
     bool add_attributes(LinkConnection& connection, std::optional<std::int64_t>& speed, std::size_t named) {
         const auto& attributes = c_.draft.connections[named];
         if (attributes.level || attributes.release) {
@@ -222,7 +223,7 @@ private:
         return speed;
     }
 
-    /// An edge and a switch's configuration link run at the speed of what they are connected to.
+    /// Returns false for an edge and for a switch's configuration link, which adopt the speed of the other end.
     static bool has_speed(const LinkEnd& end) { return !end.at_edge() && end.link != configuration_link; }
     std::int64_t link_speed(const LinkEnd& end) const { return c_.network.nodes[end.node].integer("linkspeed"); }
 
@@ -238,8 +239,8 @@ private:
     Completion& c_;
     std::map<Socket, std::size_t> wire_at_;
     std::map<Socket, std::vector<std::size_t>> crosspoints_at_;
-    std::set<std::size_t> noted_; ///< pieces of the network
-    std::size_t ways_ = 0;        ///< tried by crosspoints that a program sets
+    std::set<std::size_t> noted_; ///< pieces that are already in the network
+    std::size_t ways_ = 0;        ///< paths tried through crosspoints that a program sets; at most most_ways
 };
 
 bool is_computer(const Node& node) { return node.kind->executes != Execution::none; }

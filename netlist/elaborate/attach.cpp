@@ -21,7 +21,7 @@ bool Elaborator::leads_to_bus(const Reference& reference, const Found& found) co
 
 void Elaborator::connect_to_bus(const ConnectStatement& form, const Found& a, const Found& b, const Location& at) {
     if (!leads_to_bus(form.a, a) || !leads_to_bus(form.b, b))
-        refuse(form.b.at, "a bus is connected to something else than a device's place on it",
+        refuse(form.b.at, "a bus can be connected only to a device's place on it",
                "a link adapter (C011, C012) stands between a bus and a link; processes are placed on workstations and "
                "bus masters");
     if (form.a.field == form.b.field)
@@ -49,7 +49,7 @@ std::size_t Elaborator::bus_end(const Reference& reference, const Found& found) 
     auto node = element(reference, found);
     if (!draft_.nodes[node].kind->medium)
         refuse(reference.field_at, fmt::format("{} has no slots", with_article(draft_.nodes[node].type)),
-               "slots are a bus's: VME vme;");
+               "a bus has slots: VME vme;");
     return node;
 }
 

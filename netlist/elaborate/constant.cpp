@@ -15,12 +15,12 @@ double as_real(const Constant& constant) {
 
 namespace {
 
-/// By -1 or by 64 bits there is nothing to shift; a bit that is shifted out to the left is an overflow.
+/// Shifts to the left. Returns false if a bit is lost, or if `b` is not a number of bits to shift by.
 bool shift_left(std::int64_t a, std::int64_t b, std::int64_t& result) {
     return b >= 0 && b < 63 && !__builtin_mul_overflow(a, std::int64_t{1} << b, &result);
 }
 
-/// As on every machine of today, the sign is kept.
+/// Shifts to the right and keeps the sign. Returns false if `b` is not 0 to 63.
 bool shift_right(std::int64_t a, std::int64_t b, std::int64_t& result) {
     if (b < 0 || b > 63)
         return false;
@@ -28,7 +28,7 @@ bool shift_right(std::int64_t a, std::int64_t b, std::int64_t& result) {
     return true;
 }
 
-/// One reading of an integer operation; false where 64 bits do not hold the result.
+/// Computes an integer operation for one reading of the operands. Returns false if the result needs more than 64 bits.
 bool integer_operation(char symbol, std::int64_t a, std::int64_t b, std::int64_t& result) {
     switch (symbol) {
     case '+': return !__builtin_add_overflow(a, b, &result);

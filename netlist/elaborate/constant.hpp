@@ -30,7 +30,7 @@ Constant integer_constant(std::int64_t value);
 /// Returns the number as a real. REQUIRES: the constant is a number.
 double as_real(const Constant& constant);
 
-/// "an integer", "a real number", "a string", "an array".
+/// Returns "an integer", "a real number", "a string" or "an array".
 std::string type_name(const Constant& constant);
 /// Returns the constant as a netlist would write it, cut short when it is long.
 std::string shown(const Constant& constant);

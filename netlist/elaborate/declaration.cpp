@@ -16,7 +16,7 @@ void Elaborator::check_free(const std::string& name, const Location& at) {
                {{fmt::format("first declared here, as {}", describe(*known)), known->declared}});
 }
 
-/// Blocks that are replicated declare a name several times; in the network each has its own.
+/// Makes the name unique within the network: a replicated block declares the same name several times.
 std::string Elaborator::claim_name(const std::string& name) {
     auto claimed = name;
     auto& number = copies_[name];
@@ -74,7 +74,7 @@ Type Elaborator::base_type(const std::string& name, const Location& at, std::vec
     if (symbol == nullptr)
         refuse_undefined(reporter_, scopes_, name, at, [&] {
             auto known = scopes_.type_names();
-            known.insert(known.begin(), word_meant(name)); // of two that are as near, the first is suggested
+            known.insert(known.begin(), word_meant(name)); // if two names are equally near, the first is suggested
             return known;
         });
     if (std::holds_alternative<AnyElement>(symbol->meaning))

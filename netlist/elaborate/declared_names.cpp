@@ -23,7 +23,7 @@ std::vector<DeclaredName> names_of(const Form& form, const Location&) {
     return names;
 }
 
-/// A statement of `if` that is no block belongs to the block around the `if`.
+/// Returns the names that an `if` declares in the block around it: those of branches that are single statements.
 std::vector<DeclaredName> names_of(const IfStatement& form, const Location&) {
     auto names = declared_names(*form.then);
     if (form.otherwise)

@@ -10,7 +10,7 @@
 namespace placedpar {
 
 struct DeclaredName {
-    std::string_view name; ///< the statement's
+    std::string_view name; ///< refers to the statement's text
     Location at;
 };
 

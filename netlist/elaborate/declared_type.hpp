@@ -15,7 +15,7 @@ struct Misfit {
     std::string message, hint;
 };
 
-/// The type of the parameter's elements: a row of `char` is one text.
+/// Returns the type of the parameter's elements; a row of `char` is one text.
 ParameterType element_type(const ParameterDeclaration& parameter);
 /// Returns the number of subscripts of an element: one less than the dimensions where rows of `char` are texts.
 std::size_t element_dimensions(const ParameterDeclaration& parameter);

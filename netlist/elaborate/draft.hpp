@@ -17,8 +17,8 @@ namespace placedpar {
 /// tool.
 inline constexpr std::size_t most_things = 250'000;
 
-/// What the statements of a netlist say, unrolled but not yet checked as a whole. The elaborator fills it;
-/// complete() turns it into a Network.
+/// The structures below describe a netlist whose statements were executed, but which was not checked as a whole. The
+/// elaborator fills a Draft; complete() makes a Network of it.
 
 struct DraftConnection {
     std::string name;
@@ -78,7 +78,7 @@ struct DraftProcess {
     std::map<std::string, Value> other;
     std::shared_ptr<const Interface> interface; ///< null where the netlist gives none
     std::vector<SharedSettings> settings;       ///< statement by statement
-    std::vector<Setting> overrides;             ///< by options, in place of what the netlist says
+    std::vector<Setting> overrides;             ///< settings by options, which replace the netlist's
     std::string kind;
     std::optional<Location> used; ///< by this `use`
     std::size_t node = nowhere;
@@ -143,7 +143,7 @@ struct Draft {
     std::vector<DraftAttachment> attachments;
     std::vector<DraftChannel> channels;
     std::map<std::pair<std::size_t, std::string>, std::vector<DraftPlacement>>
-        placements; ///< by process and port; several, on links of several nodes, tell a route
+        placements; ///< by process and port; several, on links of several nodes, state a route
     std::map<std::size_t, DraftConnectionPlacement> connection_placements; ///< by the channel's connection
     std::vector<DraftFault> faults;
     std::string default_kind; ///< `use ... for process;`

@@ -17,8 +17,8 @@ namespace placedpar {
 inline constexpr std::size_t most_dimensions = 8;
 inline constexpr std::size_t most_interface_entries = 1000;
 
-/// Executes the statements of a netlist: replicates, decides, and writes down in a draft what is declared,
-/// connected and placed. A statement that is refused is reported and left out; the next one is tried.
+/// Executes the statements of a netlist, `rep` and `if` included, and collects in a draft what is declared, connected
+/// and placed. A statement that is refused is reported and left out; execution continues with the next.
 class Elaborator {
 public:
     /// Takes overrides, which are set statements. Overrides of vals are applied where the vals are declared. For all
@@ -26,7 +26,7 @@ public:
     Elaborator(const Catalogue& catalogue, const Statements& overrides, Reporter& reporter);
 
     void run(const Statements& statements);
-    /// Puts these kinds in the place of programs.
+    /// Replaces programs by these kinds.
     void use(const ProgramKinds& kinds);
     const Draft& draft() const { return draft_; }
     Draft take();
@@ -98,7 +98,7 @@ private:
     void perform(const UseStatement& form, const Location& at);
     void use_for_all(const std::string& program, const Location& at);
     void extend(ProcessType& type, const std::vector<Setting>& settings, const DeclarationAttributes& attributes);
-    /// `name (stacksize = 4k);` for a type of processes.
+    /// Executes `name (stacksize = 4k);` for a type of processes.
     void set_type(const ProcessType& type, const ParameterSetting& form);
     void set_connections(const Elements& range, const std::vector<Setting>& settings);
     void set_processes(const Elements& range, const std::vector<Setting>& settings, const Location& at);
@@ -181,8 +181,8 @@ private:
     std::map<std::string, Location> overridden_vals_; ///< place of the option that overrides each
     std::map<std::pair<std::string, std::string>, const SetStatement*> set_; ///< by element and member
     std::map<std::size_t, SetByOption> reached_;                             ///< by the option's place
-    // These are noted only where there are overrides: what the netlist gives the vals outside of blocks, and the names
-    // of those in blocks.
+    // These are filled only if there are overrides: the netlist's values of vals outside of blocks, and the names of
+    // vals in blocks.
     std::vector<std::pair<std::string, Constant>> vals_;
     std::set<std::string> vals_in_blocks_;
     std::size_t host_ = nowhere; ///< the predefined edge, once it is used

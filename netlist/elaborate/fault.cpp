@@ -42,7 +42,7 @@ Value checked_value(const FaultKind& kind, const Setting& setting, Reporter& rep
 
 } // namespace
 
-/// What fails, without what is said of the fault.
+/// Returns the fault with the link, connection or device that fails, but without its kind and attributes.
 DraftFault Elaborator::failing(const FaultStatement& form) {
     auto found = find(form.what);
     DraftFault draft;

@@ -17,7 +17,7 @@ std::string in_upper_case(std::string text) {
     return text;
 }
 
-/// The type of that name; in either case for one that is predefined. Null where there is none.
+/// Returns the node type of that name; null if there is none. A predefined type is found in lower case, too.
 const NodeType* find_type(const Scopes& scopes, const std::string& name) {
     for (const auto& each : {name, in_upper_case(name)})
         if (const auto* symbol = scopes.find(each))
@@ -26,7 +26,7 @@ const NodeType* find_type(const Scopes& scopes, const std::string& name) {
     return nullptr;
 }
 
-/// What the attributes of a processor without a type have said so far goes before what the type says.
+/// Returns the type with the attributes that were given before the type was known; these replace the type's own.
 NodeType with_attributes_of(NodeType type, const Node& untyped) {
     for (const auto& name : untyped.given)
         type.preset.attributes[name] = untyped.attributes.at(name);
@@ -36,7 +36,7 @@ NodeType with_attributes_of(NodeType type, const Node& untyped) {
     return type;
 }
 
-/// `processor (type = "T800")`: another model of the same kind takes its place.
+/// Applies `processor (type = "T800")`: replaces the type by another model of the same kind.
 void apply_type(NodeType& type, const Setting& setting, const Scopes& scopes, Reporter& reporter) {
     AttributeValue value(setting, reporter);
     auto name = value.text();
@@ -49,7 +49,7 @@ void apply_type(NodeType& type, const Setting& setting, const Scopes& scopes, Re
     type = with_attributes_of(*known, type.preset);
 }
 
-/// Elsewhere it may only repeat what the declaration's first word says.
+/// Refuses an attribute `type` that differs from the type in the declaration's first word.
 void check_type(const NodeType& type, const AttributeValue& value) {
     if (auto name = value.text(); in_upper_case(name) != in_upper_case(type.preset.type))
         value.illegal(fmt::format("\"{}\"", name), fmt::format("the type is {} already", type.preset.type));

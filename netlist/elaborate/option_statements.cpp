@@ -20,7 +20,8 @@ std::shared_ptr<const SourceFile> source_of(const char* option, const std::strin
     throw StatementRefused{};
 }
 
-/// What is wrong with the value is not reported before it is known what takes it.
+/// Reads `--set NAME=VALUE`. Errors in the value are kept in `problems`: whether they matter depends on what is set,
+/// since an unquoted text is allowed for a string.
 SetStatement read_override(const std::string& name, const std::string& value, Reporter& reporter) {
     static constexpr const char* blanks = " \t";
     std::shared_ptr<const SourceFile> source = source_of("--set", name + "=" + value, reporter);

@@ -9,7 +9,7 @@
 
 namespace placedpar {
 
-/// Does work that may refuse a text, and reports the refusal.
+/// Calls `work`, and swallows exceptions by which it ends after having reported an error.
 template <class Work>
 void attempt(Work work) {
     try {
@@ -19,10 +19,10 @@ void attempt(Work work) {
     }
 }
 
-/// Reads overrides as statements that come behind those of the netlist, the most precise first. Each is a source of its
-/// own that messages can show.
+/// Reads overrides as statements that follow the netlist's, the most precise first. Each is a source of its own, which
+/// messages can show.
 Statements read_overrides(const Overrides&, Reporter&);
-/// Reads what `--fault` says likewise.
+/// Reads the values of `--fault` as statements, in the same manner.
 Statements read_faults(const std::vector<std::string>&, Reporter&);
 
 } // namespace placedpar

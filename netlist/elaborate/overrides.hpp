@@ -9,7 +9,7 @@ namespace placedpar {
 /// or a parameter of every element that has it. The value is an expression.
 using Overrides = std::map<std::string, std::string>;
 
-/// `--use PROGRAM=KIND`: the kinds that take the place of programs, by what `use` calls these.
+/// `--use PROGRAM=KIND`: kinds that replace programs, by the program's name in `use`.
 using ProgramKinds = std::map<std::string, std::string>;
 
 } // namespace placedpar

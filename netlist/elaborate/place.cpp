@@ -28,7 +28,7 @@ void Elaborator::place_process(const PlaceStatement& form) {
     if (!form.where.field.empty())
         refuse(form.where.field_at, "a process is placed on a processor, not on a link");
     bool takes = node.kind->executes != Execution::none || node.kind->is_set_by_link();
-    if (!takes && node.kind->links != LinkRole::edge) // there it makes the edge a workstation
+    if (!takes && node.kind->links != LinkRole::edge) // a process on an edge turns the edge into a workstation
         refuse(form.where.at, fmt::format("\"{}\" is {}: no process can be placed on it", node.name, node.kind->noun));
     if (process.node != nowhere)
         refuse_placed_twice(form, "process", process.name, process.placed);
@@ -56,12 +56,13 @@ void Elaborator::place_port(const PlaceStatement& form) {
     known.push_back({link, form.what.at});
 }
 
-/// A link, an edge, a bus as a whole, or a device's place on it.
+/// Returns where the channel is placed: a link, an edge, a bus as a whole, or a device's place on a bus.
 LinkEnd Elaborator::place_of_channel(const PlaceStatement& form, const Found& found) {
     const Reference& where = form.where;
     const DeviceKind& kind = *draft_.nodes[found.first].kind;
     if (kind.medium && !kind.medium->broadcasts)
-        refuse(where.at, fmt::format("\"{}\" is {}, on which no channel is placed as a whole", where.name, kind.noun),
+        refuse(where.at,
+               fmt::format("\"{}\" is {}, on which a channel cannot be placed as a whole", where.name, kind.noun),
                fmt::format("place {}.{} on the sender's place there, bus[0]", form.what.name, form.what.field));
     if (kind.medium && !where.field.empty())
         refuse(where.field_at, "a channel is placed on a bus as a whole",

@@ -14,18 +14,18 @@ void check_unique(const Entries& entries, const Declarator& declarator, Reporter
     const auto* known = find_named(entries, declarator.name);
     if (known == nullptr)
         return;
-    reporter.error(declarator.at, fmt::format("\"{}\" is twice in the interface", declarator.name), "",
+    reporter.error(declarator.at, fmt::format("the interface has \"{}\" twice", declarator.name), "",
                    {{"first declared here", known->at}});
     throw StatementRefused{};
 }
 
-/// "input", "output", "int" ...
+/// Returns the entry's first word: "input", "output", "int" ...
 std::string word_for(const EntryType& type) {
     const auto* direction = std::get_if<Direction>(&type);
     return direction != nullptr ? word(*direction) : std::get<std::string>(type);
 }
 
-/// Channel ends and parameters, elements of arrays one by one.
+/// Counts the interface's channel ends and parameters; each element of an array counts.
 std::size_t entry_count(const Interface* interface) {
     std::size_t count = 0;
     if (interface == nullptr)
@@ -62,7 +62,7 @@ std::shared_ptr<const Interface> Elaborator::interface(const std::vector<Interfa
     return result;
 }
 
-/// Checks what is added, so that a type is refused where it is defined.
+/// Adds an interface and settings to a type, and checks them, so that errors are reported where the type is defined.
 void Elaborator::extend(ProcessType& type, const std::vector<Setting>& settings,
                         const DeclarationAttributes& attributes) {
     DraftProcess scratch;
@@ -117,7 +117,8 @@ void Elaborator::set_connections(const Elements& range, const std::vector<Settin
     }
 }
 
-/// The settings themselves are kept once; whether one is given twice is seen when all are known.
+/// Adds the settings to each process of the range, which share one copy. Parameters::take_once() finds duplicates
+/// later.
 void Elaborator::set_processes(const Elements& range, const std::vector<Setting>& settings, const Location& at) {
     auto is_attribute = [](const Setting& setting) { return is_process_attribute(setting.name); };
     count_things(range.count * static_cast<std::size_t>(std::ranges::count_if(settings, is_attribute)), at);

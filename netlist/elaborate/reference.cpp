@@ -12,7 +12,7 @@ namespace placedpar {
 
 namespace {
 
-/// What may stand behind the dot, as far as it is known here.
+/// Returns a hint that lists the process's channels, if it has an interface.
 std::string channels_of(const DraftProcess& process) {
     constexpr std::size_t most = 5;
     if (!process.interface || process.interface->ports.empty())
@@ -32,13 +32,13 @@ Elaborator::Found Elaborator::find(const Reference& reference) {
     const auto* things = std::get_if<DeclaredThings>(&symbol->meaning);
     if (things == nullptr)
         refuse(reference.at,
-               fmt::format("\"{}\" is {}, nothing that can be connected or placed", reference.name, describe(*symbol)));
+               fmt::format("\"{}\" is {}, which cannot be connected or placed", reference.name, describe(*symbol)));
     if (things->first != nowhere)
         return {things->category, things->dimensions, things->first};
     return {Category::node, {}, host(reference.at)};
 }
 
-/// The predefined edge is declared when it is first used.
+/// Returns the predefined edge "host", and declares it at its first use.
 std::size_t Elaborator::host(const Location& used) {
     if (host_ != nowhere)
         return host_;
@@ -88,7 +88,7 @@ std::size_t Elaborator::element(const Reference& reference, const Found& found) 
     return range.first;
 }
 
-/// `t.link[2]`, or an edge as a whole.
+/// Returns the link end of `t.link[2]`, or of an edge as a whole.
 LinkEnd Elaborator::link_end(const Reference& reference, const Found& found) {
     auto node = element(reference, found);
     const auto& declared = draft_.nodes[node];
@@ -103,7 +103,7 @@ LinkEnd Elaborator::link_end(const Reference& reference, const Found& found) {
 int Elaborator::link_number(const Reference& reference, const Node& node, int links) {
     if (links == 0)
         refuse(reference.at, fmt::format("\"{}\" has no links: it is {}", node.name, with_article(node.type)),
-               fmt::format("devices are in its slots: connect sun.bus[0] to {}.slot[1];", node.name));
+               fmt::format("connect to one of its slots: connect sun.bus[0] to {}.slot[1];", node.name));
     if (reference.field.empty())
         refuse(reference.at, fmt::format("a link of \"{}\" is missing", node.name),
                fmt::format("{}.link[...], from 0 to {}", node.name, links - 1));
@@ -125,8 +125,8 @@ int Elaborator::link_number(const Reference& reference, const Node& node, int li
     return static_cast<int>(given[0]);
 }
 
-/// `p.out[1]`, or an edge channel. Any port of a process without an interface is accepted here: its kind is known, and
-/// checked, only when the whole netlist has been read.
+/// Returns the channel end of `p.out[1]`, or of an edge channel. Any port of a process without an interface is accepted
+/// here; it is checked when the whole netlist has been read and the kind is known.
 DraftChannelEnd Elaborator::port_end(const Reference& reference, const Found& found) {
     auto index = element(reference, found);
     if (found.category == Category::edge_channel) {

@@ -24,7 +24,7 @@ std::vector<std::string> Elaborator::names_of_vals() const {
     return names;
 }
 
-/// No element of that name has the attribute or the parameter.
+/// Refuses an option whose attribute or parameter no element of that name has.
 void Elaborator::refuse_set(const SetStatement& set, const std::string& name, const std::vector<Settable>& named) {
     name_wires();
     name_attachments();
@@ -41,7 +41,7 @@ void Elaborator::refuse_set(const SetStatement& set, const std::string& name, co
            meant.empty() ? hint_at_other(member, first, all) : meant, {{first.text_of_members(), {}}});
 }
 
-/// Returns a hint if the processor of a process is meant, or the place of a master on its bus.
+/// Returns a hint if the member belongs to the process's processor, or to the master's place on its bus; otherwise "".
 std::string Elaborator::hint_at_other(const std::string& member, const Settable& element,
                                       const std::vector<Settable>& all) const {
     std::string other;
@@ -69,7 +69,8 @@ void Elaborator::refuse_name(const SetStatement& set, const std::string& name, c
                                                           : "is not an array"),
                fmt::format("the netlist gives it {}: --set '{}=...'", shown(val->second), array));
     if (auto element = std::ranges::find(all, array, base); element != all.end())
-        refuse(set.target.at, fmt::format("\"{}\" is a {}: say what of it to set", array, element->noun()),
+        refuse(set.target.at,
+               fmt::format("\"{}\" is a {}: name the attribute or parameter to set", array, element->noun()),
                fmt::format("--set {}.NAME=VALUE", name), {{element->text_of_members(), {}}});
     if (vals_in_blocks_.contains(array))
         refuse(set.target.at, fmt::format("the val \"{}\" is declared in a block", array),

@@ -24,10 +24,10 @@ struct DeclaredThings {
     std::vector<std::int64_t> dimensions; ///< empty: a single thing
 };
 
-/// A type that processes can be declared with: `process`, or what a `define` made.
+/// A type that processes can be declared with: `process`, or a type that a `define` made.
 struct ProcessType {
     std::vector<Setting> settings;              ///< in order: a later setting overrides an earlier one
-    std::shared_ptr<const Interface> interface; ///< null where the type says none
+    std::shared_ptr<const Interface> interface; ///< null if the type has none
 };
 
 using Type = std::variant<NodeType, ProcessType>;
@@ -35,7 +35,7 @@ using Type = std::variant<NodeType, ProcessType>;
 /// The type `node`: its attribute `element` says whether it declares processors or processes.
 struct AnyElement {};
 
-/// What a name stands for.
+/// The meaning of a name.
 struct Symbol {
     std::variant<Constant, NodeType, ProcessType, AnyElement, DeclaredThings> meaning;
     Location declared; ///< no place if predefined
@@ -43,8 +43,8 @@ struct Symbol {
 
 std::string describe(const Symbol& symbol);
 
-/// The names that can be seen. A name is known from its declaration to the end of its block; an inner block may use a
-/// name again. Predefined names belong to a block around the netlist, so they may be declared again.
+/// Holds the visible names. A name is visible from its declaration to the end of its block; an inner block may declare
+/// it again. Predefined names belong to a block around the netlist, so they may be declared again.
 class Scopes {
 public:
     /// The catalogue's node types are predefined.
@@ -58,7 +58,7 @@ public:
         scopes_.pop_back();
         ahead_.pop_back();
     }
-    /// Outside of all blocks?
+    /// Returns whether no block of the netlist is open.
     bool outermost() const { return scopes_.size() == 2; }
 
     const Symbol* find(std::string_view name) const;

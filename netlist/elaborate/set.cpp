@@ -13,7 +13,7 @@ namespace {
 
 bool is_bare(const Reference& target) { return target.subscripts.empty() && target.field.empty(); }
 
-/// Or a number that is the code of one.
+/// Returns true for a character, and for an integer that is the code of a printable one.
 bool is_character(const Constant& constant) {
     const auto* code = constant.integer();
     return code != nullptr && code->value > ' ' && code->value <= '~';
@@ -28,7 +28,7 @@ Draft Elaborator::take() {
     return std::move(draft_);
 }
 
-/// Evaluates the value in the scopes as they are at the call. A text needs no quotes where one is wanted.
+/// Evaluates the value in the current scopes. If a text is wanted, a value without quotes is taken as it is typed.
 Constant Elaborator::value_of(const SetStatement& set, bool text_wanted, const std::string& what_it_takes) {
     Reporter here;
     std::optional<Constant> value;
@@ -45,7 +45,7 @@ Constant Elaborator::value_of(const SetStatement& set, bool text_wanted, const s
         refuse(set.value_at, "the value is missing", what_it_takes);
     std::vector<Diagnostic> problems = set.problems.empty() ? here.take() : set.problems;
     if (const auto* use = set.value ? std::get_if<NameUse>(&set.value->form) : nullptr)
-        problems.front().hint = did_you_mean(use->name, names_of_vals()); // not FALSE, for "fast"
+        problems.front().hint = did_you_mean(use->name, names_of_vals()); // suggest vals only, not FALSE for "fast"
     if (problems.front().hint.empty())
         problems.front().hint = what_it_takes;
     for (const Diagnostic& problem : problems)
@@ -53,8 +53,8 @@ Constant Elaborator::value_of(const SetStatement& set, bool text_wanted, const s
     throw StatementRefused{};
 }
 
-/// What an option gives to the val in place of the original; the original where none does. Only vals outside of blocks
-/// are within an option's reach.
+/// Returns the value that an option gives to the val, or the original if no option does. Options reach only vals
+/// outside of blocks.
 Constant Elaborator::overridden(const std::string& name, const Constant& original) {
     if (!scopes_.outermost()) {
         vals_in_blocks_.insert(name);
@@ -84,7 +84,7 @@ Constant Elaborator::override_val(const SetStatement& set, const Constant& origi
     return value;
 }
 
-/// Does nothing more for a val: it took the value where it was declared.
+/// Sets a member of the named elements. An option for a val has taken effect already, at the val's declaration.
 void Elaborator::perform(const SetStatement& form, const Location&) {
     const Reference& target = form.target;
     if (is_bare(target) && overridden_vals_.contains(target.name))
@@ -108,7 +108,8 @@ void Elaborator::perform(const SetStatement& form, const Location&) {
         refuse_set(form, name, named);
 }
 
-/// All of them where no name is given. Wires and places on buses have names only where these are asked for.
+/// Returns the elements of that name, or all if the name is empty. Wires and places on buses get their names only if
+/// the option can mean them.
 std::vector<Settable> Elaborator::elements_named(const std::string& name, const std::string& member) {
     auto find_them = [&] {
         std::vector<Settable> all = settable_elements(draft_, catalogue_);
@@ -127,12 +128,12 @@ std::vector<Settable> Elaborator::elements_named(const std::string& name, const 
     return find_them();
 }
 
-/// What an option can set of a wire are the attributes of a connection, and so of one that has a name.
+/// Gives each unnamed wire a connection, wire[0], wire[1] ..., whose attributes an option can set.
 void Elaborator::name_wires() {
     name_connections(draft_.wires, "wire", [](const DraftWire&) { return true; });
 }
 
-/// Names each master's place on a bus likewise.
+/// Gives each master's unnamed place on a bus a connection, attachment[0], attachment[1] ...
 void Elaborator::name_attachments() {
     name_connections(draft_.attachments, "attachment",
                      [&](const DraftAttachment& each) { return draft_.nodes[each.node].kind->is_master(); });

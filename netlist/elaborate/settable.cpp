@@ -71,7 +71,7 @@ std::vector<SharedMembers> members_of_connections(const Draft& draft) {
     return members;
 }
 
-/// The elements of an array are one group, and so are others that have the same to set.
+/// Lists the elements in groups that have the same members to set; the elements of an array form one group.
 std::string groups_of(const std::vector<Settable>& elements, std::size_t category) {
     std::vector<std::pair<std::string, std::vector<std::string>>> groups; ///< members, names
     for (const Settable& each : elements) {

@@ -23,7 +23,7 @@ public:
 
 } // namespace
 
-/// A transputer and all that is said of one, with its place on a bus.
+/// Returns the kind of a transputer with a place on a bus: the transputer's attributes, and a few more.
 DeviceKind bus_master() {
     DeviceKind kind = transputer();
     kind.name = "bus master";
@@ -33,13 +33,12 @@ DeviceKind bus_master() {
     for (const char* name : {"busmaster", "BBKV2"})
         kind.models.push_back({.name = name, .links = 4, .attributes = {{"memory", 2 * megabyte}}});
     kind.attributes.push_back(
-        {.value = description::integer(
-             "conversion",
-             {.unit = "cycles",
-              .by_default = static_cast<std::int64_t>(hardware::bus_programs::conversion),
-              .least = 0,
-              .most = 1000},
-             "of a word that comes from a workstation or goes there, whose bytes are in the other order"),
+        {.value = description::integer("conversion",
+                                       {.unit = "cycles",
+                                        .by_default = static_cast<std::int64_t>(hardware::bus_programs::conversion),
+                                        .least = 0,
+                                        .most = 1000},
+                                       "to convert the byte order of a word exchanged with a workstation"),
          .json_name = "conversion_cycles"});
     kind.faults.push_back(leaves_the_bus());
     kind.bus = BusRole::bus_master;

@@ -12,8 +12,8 @@
 
 namespace placedpar {
 
-/// The kinds of processes and devices that a program knows, by name; netlists are read against it. Every catalogue
-/// knows the devices of this room; a program adds its process kinds, and devices of its own.
+/// Holds the kinds of processes and devices by name; netlists are read with a catalogue. Every catalogue has the
+/// devices of this room; a program adds its process kinds and its own devices.
 class Catalogue {
 public:
     Catalogue();

@@ -12,7 +12,7 @@ namespace {
 constexpr double largest_address_space = 4294967296.0;
 constexpr double highest_frequency = 1e9;
 
-/// "2 MB", "4 KB"; "" for no memory.
+/// Returns the size as "2 MB" or "4 KB"; "" for no memory.
 std::string bytes(const Value& value) {
     auto size = std::get<std::int64_t>(value);
     if (size <= 0)

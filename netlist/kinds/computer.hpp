@@ -9,12 +9,13 @@ namespace placedpar {
 
 inline constexpr std::int64_t kilobyte = 1024, megabyte = 1024 * 1024;
 
-/// Attributes of devices that processes are placed on: memory, clock, speed of the links, cost of a channel operation.
+/// Returns the attributes of devices that processes are placed on: memory, clock, speed of the links, cost of a channel
+/// operation.
 std::vector<AttributeDescription> computer_attributes();
-/// Attributes of the real configuration tool that have no meaning in a simulation.
+/// Returns the attributes of the real configuration tool that have no effect on a simulation.
 std::vector<std::string> attributes_of_the_real_tool();
 
-/// "20 MHz", for the drawing. REQUIRES: an integer, in Hz.
+/// Returns a text such as "20 MHz", for drawings. REQUIRES: the value is an integer, in Hz.
 std::string megahertz(const Value& frequency);
 
 } // namespace placedpar

@@ -30,7 +30,7 @@ Packet first_packet(const ProcessEnvironment& environment) {
     return {0, static_cast<std::uint32_t>(environment.integer("bytes"))};
 }
 
-/// The computation for a packet.
+/// Computes for a packet: `cycles` of processor time and `words` of accesses outside of the chip.
 class Work {
 public:
     explicit Work(const ProcessEnvironment& environment)
@@ -47,7 +47,7 @@ private:
 // leaves the neighbour waiting: the report of the run lists it. A ring without a packet to begin with is a deadlock
 // from the start (examples/csp/deadlock).
 
-/// `count` times: take a packet, compute, hand it on.
+/// Inputs a packet, computes and hands the packet on, `count` times.
 template <class HandOn>
 void relay(ProcessEnvironment& environment, HandOn hand_on) {
     auto from = environment.input<Packet>("in");
@@ -121,7 +121,7 @@ void consume(ProcessEnvironment& environment) {
     }
 }
 
-/// What a relay says in Promela: an input, then `and_then`, `count` times.
+/// Returns a relay's statements in Promela: an input, then `and_then`, `count` times.
 PromelaStatements relayed(std::function<std::string(const PromelaProcess&)> and_then) {
     return [and_then = std::move(and_then)](const PromelaProcess& self) {
         return promela_loop(self.integer("count"), self.channel("in") + " ? m;\n" + and_then(self));
@@ -130,7 +130,7 @@ PromelaStatements relayed(std::function<std::string(const PromelaProcess&)> and_
 
 std::string nothing(const PromelaProcess&) { return ""; }
 
-/// To each of the outputs, in order.
+/// Returns the statements that output to each of the outputs, in order.
 std::string handed_on(const PromelaProcess& self) {
     std::string statements;
     for (const std::string& out : self.channels("out"))
@@ -152,7 +152,7 @@ ProcessKind producer_kind() {
             .promela = [](const PromelaProcess& self) { return promela_loop(self.integer("count"), handed_on(self)); }};
 }
 
-/// A kind that inputs packets and outputs them again, each in its manner.
+/// Returns a kind that inputs packets and outputs them again; `body` decides how.
 ProcessKind relay_kind(std::string name, std::string about, std::function<void(ProcessEnvironment&)> body) {
     return {.name = std::move(name),
             .about = std::move(about),
@@ -183,7 +183,7 @@ ProcessKind delta_kind() {
     return relay_kind("csp.delta", "Outputs what it inputs to each of its outputs, an array, in order.", delta);
 }
 
-/// Without a model in Promela: its components would be processes of their own there.
+/// Has no model in Promela, where its components would be processes of their own.
 ProcessKind par_delta_kind() {
     ProcessKind kind = relay_kind("csp.par_delta",
                                   "Outputs what it inputs to all of its outputs, an array, at once: in a PAR. On "

@@ -31,7 +31,8 @@ Time timeout_of(const ProcessEnvironment& environment) {
     return std::chrono::microseconds{environment.integer("timeout")};
 }
 
-/// A packet that has not gone in time is lost; the next one is tried, on the same channel, once it has been reset.
+/// Outputs packets with a time-out. A packet that has not gone in time is given up; the channel is reset before the
+/// next.
 void produce_or_fail(ProcessEnvironment& environment) {
     auto to = environment.output<Packet>("out");
     Packet packet{0, static_cast<std::uint32_t>(environment.integer("bytes"))};
@@ -48,7 +49,7 @@ void produce_or_fail(ProcessEnvironment& environment) {
     environment.measure("given_up", static_cast<double>(given_up), "packets");
 }
 
-/// It ends with the last packet, or when so many time-outs have passed one after the other.
+/// Inputs packets with a time-out. Ends with the last packet, or after a number of time-outs in a row.
 void consume_or_fail(ProcessEnvironment& environment) {
     auto from = environment.input<Packet>("in");
     Cycles work{environment.integer("cycles")};
@@ -91,12 +92,11 @@ std::vector<Complaint> require_can_give_up(const Network& network, std::size_t p
     for (const PortBinding& port : network.processes[process].ports) {
         const NetworkChannel& channel = network.channels[port.channel];
         if (std::string reason = why_not_given_up(network, channel.placement); !reason.empty())
-            complaints.push_back(
-                {.process = process,
-                 .about = port.port,
-                 .message =
-                     fmt::format("the channel \"{}\" {}: its process could not give up a packet", channel.name, reason),
-                 .hint = "a time-out needs a link of the channel's own, or none"});
+            complaints.push_back({.process = process,
+                                  .about = port.port,
+                                  .message = fmt::format("the channel \"{}\" {}: its process cannot give up a packet",
+                                                         channel.name, reason),
+                                  .hint = "a time-out needs a channel within a processor, or with a link of its own"});
     }
     return complaints;
 }
@@ -109,18 +109,18 @@ ParameterDescription packet_timeout(const char* about) {
 
 ProcessKind sender_or_fail_kind() {
     return {.name = "csp.sender_or_fail",
-            .about = "Outputs numbered packets, each with a time-out; what has not gone by then it gives up.",
+            .about = "Outputs numbered packets, each with a time-out; gives up a packet that has not gone by then.",
             .ports = {packets_out()},
             .parameters = {packet_count(), packet_bytes(), packet_cycles(),
                            packet_timeout("after which it gives a packet up")},
-            .measurements = {{"given_up", "packets", "of which it does not know that they have gone"}},
+            .measurements = {{"given_up", "packets", "whose transfer was not confirmed before the time-out"}},
             .body = produce_or_fail,
             .check = require_can_give_up};
 }
 
 ProcessKind receiver_or_fail_kind() {
     return {.name = "csp.receiver_or_fail",
-            .about = "Takes packets in, each with a time-out; when none has come by then it resets its channel.",
+            .about = "Inputs packets, each with a time-out; resets its channel if no packet has come by then.",
             .ports = {packets_in()},
             .parameters = {packet_count("the last of which ends it"), packet_cycles(),
                            packet_timeout("after which it resets its channel"),
@@ -129,7 +129,7 @@ ProcessKind receiver_or_fail_kind() {
             .measurements = {{"received", "packets", ""},
                              {"lost", "packets", "that did not come"},
                              {"resets", "", "of its channel"},
-                             {"bytes_of_pieces", "bytes", "of packets that did not come as a whole"}},
+                             {"bytes_of_pieces", "bytes", "of packets that arrived only in part"}},
             .body = consume_or_fail,
             .check = require_can_give_up};
 }

@@ -19,7 +19,7 @@ class MachineNode;   // netlist/kinds/machine_node.hpp: the device in a run
 struct MachineParts; // the same: what a run is made of
 class Reporter;      // text/reporter.hpp
 
-/// What a wire finds at a device.
+/// Says how wires end at a device.
 enum class LinkRole {
     ends,    ///< numbered links: a wire to one of them ends there
     crosses, ///< numbered links: crosspoints lead a wire from one of them on to another, and out again
@@ -49,7 +49,7 @@ struct AttributeDescription {
     std::function<std::string(const Value&)> drawn = {}; ///< for the drawing, "2 MB"; empty: not drawn
 };
 
-/// A way in which a device or a link can fail: the word behind its name in a `fault` statement.
+/// A kind of fault of a device or a link: the word that follows its name in a `fault` statement.
 struct FaultKind {
     std::string name;                                  ///< "halts"
     std::string about;                                 ///< one line
@@ -63,7 +63,7 @@ struct FaultKind {
     const AttributeDescription* attribute(std::string_view name) const;
 };
 
-/// A name that nodes are declared by, and what it says about them.
+/// A name by which nodes can be declared, and the properties that it gives them.
 struct DeviceModel {
     std::string name;      ///< in the netlist: "B404"
     std::string type = ""; ///< of its nodes: "T800" for the B404, which carries one; "": the name
@@ -93,24 +93,24 @@ struct Medium {
     std::function<std::vector<BusWay>(const Attached&, std::size_t node)> ways;
 };
 
-/// How a device looks in the drawing of a network.
+/// The look of a device in the drawing of a network.
 struct Drawing {
     enum class Shape { box, crossed_box, ellipse };
     Shape shape = Shape::box;
-    std::string frame = "", heading = ""; ///< colours of the border, and of what the name stands on
+    std::string frame = "", heading = ""; ///< colours of the border, and of the background of the name
     bool in_first_row = false;
-    std::string legend = ""; ///< what it stands for
+    std::string legend = ""; ///< its text in the legend
 };
 
-/// A kind of device that a netlist can declare nodes of. It says all that reading, checking and printing a netlist must
-/// know of the device, and how the device is simulated. Switches are devices, too, and so is an edge, although it is
-/// not a device in the hardware.
+/// A kind of device that nodes can be declared with. It holds all facts needed to read, check and print a netlist with
+/// the device, and makes the device of a run. Switches are devices, too; so is an edge, although no hardware
+/// corresponds to it.
 struct DeviceKind {
     std::string name;  ///< in the JSON document: "processor"
     std::string noun;  ///< in a message: "a processor"
     std::string about; ///< one line
     std::vector<DeviceModel> models = {};
-    std::string refusal = ""; ///< not empty: known, but cannot be declared yet, and why
+    std::string refusal = ""; ///< not empty: why the kind, although known, cannot be declared yet
     LinkRole links = LinkRole::ends;
     std::vector<AttributeDescription> attributes = {};
     std::vector<std::string> kept = {};   ///< attributes of the real tool: read and printed, not used by a simulation
@@ -123,8 +123,8 @@ struct DeviceKind {
     /// function: there always can.
     std::function<std::string(const Node&)> why_not = {};
     BusRole bus = BusRole::none;
-    std::optional<Medium> medium = {};  ///< of one with slots
-    std::vector<FaultKind> faults = {}; ///< that nodes of the kind can have, besides those of their links
+    std::optional<Medium> medium = {};  ///< set for a device with slots
+    std::vector<FaultKind> faults = {}; ///< faults that its nodes can have, besides the faults of their links
     /// Names its tracks in a trace, as TraceSink::occupied does, besides processes and links. Empty: it has none.
     std::function<std::vector<std::string>(const Network&, std::size_t node)> tracks = {};
     /// Makes the device of a run. Empty: it does nothing of its own there.
@@ -137,11 +137,11 @@ struct DeviceKind {
     const AttributeDescription* attribute(std::string_view name) const;
     /// Returns whether it requests a bus as a master.
     bool is_master() const { return bus == BusRole::workstation || bus == BusRole::bus_master; }
-    /// Whether a wire to its link `config` makes a program the one that sets it.
+    /// Returns whether a program sets the device if a wire leads to its link `config`.
     bool is_set_by_link() const { return !logic.empty(); }
-    /// Says whether it executes in time wherever it is: processes, or a switch's logic.
+    /// Returns whether it always executes in virtual time, either processes or a switch's logic.
     bool has_executive() const { return executes == Execution::in_time || is_set_by_link(); }
-    /// Whether attributes in parentheses may follow its name in a declaration.
+    /// Returns whether attributes in parentheses may follow its name in a declaration.
     bool has_attributes() const { return !attributes.empty() || !kept.empty(); }
 };
 
@@ -151,14 +151,14 @@ bool executes_in_time(const Network& network, std::size_t node);
 /// Returns the number of nodes that execute processes in virtual time. Processes on a workstation take no time.
 std::size_t count_processors(const Network& network);
 
-/// A type that nodes can be declared with: a model of a kind, or what a `define` made of one.
+/// A type that nodes can be declared with: a model of a kind, or a type that a `define` made.
 struct NodeType {
     Node preset; ///< name empty
     int links = 0;
     bool needs_type = false; ///< as of DeviceModel
 };
 
-/// A node of the model with nothing said about it.
+/// Returns the type of the model with the kind's and the model's attributes.
 NodeType node_type(const std::shared_ptr<const DeviceKind>& kind, const DeviceModel& model);
 
 } // namespace placedpar

@@ -19,7 +19,8 @@ ProcessEnvironment::ProcessEnvironment(const Network& network, std::size_t index
 
 namespace {
 
-/// Histories do not record the order in which components measure.
+/// Records a measurement. A replay log has no order of measurements among components, so a component's measurement
+/// makes the run unrepeatable.
 void note(const Process& self, const Measurement& measurement, ReplayLog& history) {
     if (self.parent())
         history.record_unrepeatable();

@@ -25,11 +25,11 @@ struct Measurement {
     std::string unit; ///< "" where it has none
 };
 
-/// What a running process sees of the netlist that placed it: the channels at its ports, its parameters, its
-/// random streams. It need not know where it is placed, nor whether its channels run over links.
+/// Gives a running process what the netlist defines for it: the channels at its ports, its parameters, its random
+/// streams. A process need not know where it is placed, nor whether its channels lead over links.
 ///
-/// To ask for a port or a parameter that its kind does not have, or has with another protocol or type, is a defect of
-/// the kind: std::logic_error.
+/// Throws std::logic_error for a port or a parameter that the kind does not have, or has with another protocol or type:
+/// that is a defect of the kind.
 class ProcessEnvironment {
 public:
     struct Port {
@@ -43,8 +43,8 @@ public:
 
     /// The process's name in the netlist, such as "slave[2]".
     const std::string& process() const { return process_; }
-    /// The whole netlist and the process's place in Network::processes: what a configurer could tell a program, such as
-    /// the neighbours of its neighbours. No result of a process may depend on the placement of any process.
+    /// Returns the whole network, and the process's index in Network::processes: for example, to find the neighbours of
+    /// its neighbours. No result of a process may depend on the placement of any process.
     const Network& network() const { return network_; }
     std::size_t index() const { return index_; }
 

@@ -48,7 +48,7 @@ const std::vector<FaultKind>& link_faults() {
          .about = "bytes and acknowledges that begin on it vanish",
          .attributes = {fault_begins(), fault_ends(), direction()}},
         {.name = "loses_acknowledge",
-         .about = "the first acknowledge that begins on it then, or later, vanishes",
+         .about = "the first acknowledge that begins on it at that time or later vanishes",
          .attributes = {fault_begins(), direction()}},
         {.name = "slow",
          .about = "its bits last longer, on both wires",
@@ -58,7 +58,7 @@ const std::vector<FaultKind>& link_faults() {
 
 FaultKind leaves_the_bus() {
     return {.name = "absent",
-            .about = "it answers nobody on the bus: who asks is told so by a bus error",
+            .about = "it does not respond on the bus: each access ends in a bus error",
             .attributes = {fault_begins(), fault_ends()}};
 }
 
@@ -94,7 +94,7 @@ std::string print_attribute(const AttributeDescription& attribute, const Value& 
                        attribute.value.unit == "ns" ? print_nanoseconds(number) : fmt::format("{}", number));
 }
 
-/// "20 ms"
+/// Returns the time with a blank before its unit: "20 ms".
 std::string print_moment(Time moment) {
     std::string text = print_nanoseconds(std::chrono::duration_cast<std::chrono::nanoseconds>(moment).count());
     return text.insert(text.find_first_not_of("0123456789"), " ");

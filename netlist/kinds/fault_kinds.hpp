@@ -8,24 +8,24 @@
 
 namespace placedpar {
 
-/// The faults that every link can have.
+/// Returns the faults that every link can have.
 const std::vector<FaultKind>& link_faults();
 
-/// The fault of everything that answers on a bus.
+/// Returns the fault `absent`, which every device that answers on a bus can have.
 FaultKind leaves_the_bus();
 bool leaves_the_bus(const Fault&);
 
-/// The attribute `from` of every fault, and `until` of one that passes; 0 stands for ever.
+/// Returns the attribute `from` of every fault, and the attribute `until` of a fault that may end; 0 means never.
 AttributeDescription fault_begins();
 AttributeDescription fault_ends();
-/// The attribute `until` of one that must pass.
+/// Returns the attribute `until` of a fault that must end.
 AttributeDescription fault_must_end();
 
 /// Return the times that `from` and `until` state.
 Time begin_of(const Fault&);
 Time end_of(const Fault&);
 
-/// "20ms": a number of nanoseconds as the language writes it.
+/// Returns the time in the netlist language, such as "20ms".
 std::string print_nanoseconds(std::int64_t);
 
 /// Returns the fault as its statement, without the first word: "t[0].link[1] silent (from = 20ms)". Attributes with

@@ -18,13 +18,13 @@ DeviceKind link_adapter() {
     return {
         .name = "link adapter",
         .noun = "a link adapter",
-        .about = "Between a link and a bus: a register for a byte each way. It overlaps no acknowledges.",
+        .about = "Joins a link and a bus by a register of one byte in each direction. It overlaps no acknowledges.",
         .models = {{.name = "C011", .links = 1, .overlapped_acknowledge = false},
                    {.name = "C012", .links = 1, .overlapped_acknowledge = false}},
         .attributes = {{.value = description::integer(
                             "linkspeed",
                             {.unit = "bit/s", .by_default = hardware::LinkTiming::usual_speed, .least = 1, .most = 1e9},
-                            "of its link, where its connection says nothing"),
+                            "of its link, unless the connection states it"),
                         .decimal_suffixes = true,
                         .json_name = "link_bits_per_second"},
                        {.value = description::text("master", {.by_default = ""},

@@ -95,7 +95,7 @@ private:
     std::map<std::pair<int, bool>, hardware::SharedEngine> engines_; ///< by link and whether it outputs
 };
 
-/// For DeviceKind::make.
+/// Makes a device of this class, for DeviceKind::make.
 template <class Device>
 std::unique_ptr<MachineNode> make_device(MachineParts& parts, std::size_t node) {
     return std::make_unique<Device>(parts, node);

@@ -17,7 +17,7 @@ struct OnVme {
     hardware::BusSlave* slave = nullptr;          ///< the slave that answers for the device; set by the bus
 };
 
-/// Gives the device the fault leaves_the_bus(). The fault has no effect on a device that never answers, such as an
+/// Applies the fault leaves_the_bus() to the device. The fault has no effect on a device that never answers, such as an
 /// adapter without a wire.
 inline FaultEffects leave(const OnVme& device, const Fault& fault) {
     if (!device.slave)

@@ -7,7 +7,7 @@
 
 namespace placedpar {
 
-/// A number in a message of stated length: what the processes of textbooks pass to each other.
+/// A message of the textbooks' processes: a number, with a stated length on the wire.
 struct Packet {
     std::int64_t number = 0;
     std::uint32_t bytes = 4;
@@ -40,8 +40,8 @@ inline ParameterDescription packet_cycles(std::string about = "workload: computa
 /// The parameter `words`: workload, CodeShape::words_outside.
 inline ParameterDescription packet_words() {
     return integer("words", {.unit = "words", .by_default = 0, .least = 0, .most = 1e9},
-                   "workload: of code and data outside of the chip, gone to for each packet; each takes memorycycles "
-                   "where cycles counts one");
+                   "workload: words of code and data outside of the chip that each packet accesses; each access takes "
+                   "memorycycles where cycles counts one");
 }
 
 } // namespace description

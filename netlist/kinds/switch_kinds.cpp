@@ -55,7 +55,7 @@ std::vector<Complaint> check_place_of_logic(const Network& network, std::size_t 
     return {};
 }
 
-/// Connects one link with others of the same switch, one after the other.
+/// Connects one link of a switch with other links of it, one after the other.
 class Setter {
 public:
     explicit Setter(ProcessEnvironment& environment)
@@ -72,7 +72,7 @@ public:
             enquire(partner);
     }
 
-    /// Disconnects the partner; otherwise the switch would also repeat to it the bytes for the next partner.
+    /// Disconnects the partner; otherwise the switch would also repeat the next partner's bytes to it.
     void disconnect(std::size_t partner) {
         commands_.output({SwitchCommand::Kind::disconnect_links, link_, link_of(partner)});
     }
@@ -155,8 +155,8 @@ ParameterDescription link_of_switch(const char* name, std::int64_t by_default, c
 ProcessKind switch_logic_kind() {
     return {.name = "csp.switch_logic",
             .about =
-                "What a C004 does with the bytes that come over its configuration link: it connects and disconnects "
-                "its links, and answers. Placed on the switch; a part of the machine, which never ends.",
+                "The logic of a C004: obeys the commands that come over its configuration link, connects and "
+                "disconnects links, and answers. It is placed on the switch, is a part of the machine, and never ends.",
             .ports = {input<SwitchCommand>("commands", "c004 command", "1 to 3 bytes"),
                       optional(output<SwitchAnswer>("answers", "c004 answer", "a byte, to the command 2"))},
             .body = obey_for_ever,

@@ -15,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-/// T805, T801, T800.
+/// Returns true for the T805, T801 and T800.
 bool has_floating_point_unit(const std::string& chip) { return chip.starts_with("T80"); }
 
 DeviceModel chip(std::string name, std::int64_t memory_bytes, int links, bool overlapped_acknowledge) {
@@ -27,10 +27,11 @@ DeviceModel chip(std::string name, std::int64_t memory_bytes, int links, bool ov
             .floating_point_unit = floating_point_unit};
 }
 
-/// Memory: on the chip. The M212 has two links for the network; two of its four lead to its disk ports.
+/// Returns the bare chips with their internal memory. The M212 has two links for the network; its other two lead to its
+/// disk ports.
 ///
-/// The databook names the T800, T805 and T425 as overlapping acknowledges, the T414 as not. By generation we
-/// assume the T801, T400, T222, T225 overlap, the T212 and M212 do not.
+/// The databook says that the T800, T805 and T425 overlap acknowledges, and that the T414 does not. We assume by
+/// generation that the T801, T400, T222 and T225 overlap them, and that the T212 and M212 do not.
 std::vector<DeviceModel> chips() {
     constexpr bool overlapped = true, separate = false;
     return {chip("T805", 4 * kilobyte, 4, overlapped), chip("T801", 4 * kilobyte, 4, overlapped),
@@ -40,21 +41,21 @@ std::vector<DeviceModel> chips() {
             chip("T212", 2 * kilobyte, 4, separate),   chip("M212", 2 * kilobyte, 2, separate)};
 }
 
-/// The T800 may be written t800; its type stays T800.
+/// Returns the model under its name in lower case, t800, with its type in upper case, T800.
 DeviceModel in_lower_case(DeviceModel model) {
     model.type = model.name;
     model.name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(model.name[0])));
     return model;
 }
 
-/// A TRAM, or each of the transputers on an evaluation board.
+/// A TRAM, or one of the transputers on an evaluation board.
 struct Module {
     std::string name, chip;
     std::int64_t memory_bytes;
 };
 
-/// INMOS part numbers, as the toolset's `boards.inc` and `trams.inc` name them; the memory is the module's. They ran at
-/// 20 MHz, the kind's default.
+/// Returns the modules by the INMOS part numbers in the toolset's `boards.inc` and `trams.inc`, with their memory. They
+/// ran at 20 MHz, the kind's default.
 std::vector<Module> modules() {
     return {{"B002", "T414", 2 * megabyte},    {"B003", "T414", 256 * kilobyte}, {"B004", "T414", 2 * megabyte},
             {"B006", "T212", 8 * kilobyte},    {"B010", "T414", 1 * megabyte},   {"B011", "T800", 2 * megabyte},
@@ -73,15 +74,16 @@ DeviceModel carrying(std::string name, std::int64_t memory_bytes, DeviceModel ch
     return chip;
 }
 
-/// Of 16 bits: T212, T222, T225, M212.
+/// Returns true for the chips with words of 16 bits: T212, T222, T225, M212.
 bool has_short_words(const std::string& chip) { return chip[1] == '2'; }
 
-/// Modules were sold with other transputers of the same word length: a B403_T414 is a B403 that carries a T414.
+/// Returns false if the chip can replace a module's usual one. Modules were sold with other transputers of the same
+/// word length: a B403_T414 is a B403 with a T414.
 bool has_other_word_length(const DeviceModel& chip, const std::string& usual) {
     return has_short_words(chip.name) != has_short_words(usual);
 }
 
-/// The chip, in upper and lower case, and the modules that carry it.
+/// Returns the chip, under its name in upper and in lower case, and the modules that carry it.
 std::vector<DeviceModel> models_with(const DeviceModel& chip) {
     std::vector<DeviceModel> models{chip, in_lower_case(chip)};
     for (const auto& [name, usual, memory_bytes] : modules()) {
@@ -107,12 +109,12 @@ std::vector<AttributeDescription> transputer_attributes() {
     for (auto& attribute : attributes)
         if (attribute.value.name == "clock")
             attribute.drawn = megahertz;
-    attributes.push_back({.value = description::integer(
-                              "memorycycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1000},
-                              "of an access to a word of the memory in which its messages lie, and what code "
-                              "and data a program says to lie outside of the chip; 0: 3, 2 of a T2 or T801, or 1 "
-                              "where memory is at most the 4K of a chip"),
-                          .json_name = "memory_access_cycles"});
+    attributes.push_back(
+        {.value = description::integer(
+             "memorycycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1000},
+             "of an access to a word of external memory, which holds messages, and the code and data that a program "
+             "declares outside of the chip; 0: 3, or 2 for a T2 or T801, or 1 if memory is at most the 4K of a chip"),
+         .json_name = "memory_access_cycles"});
     attributes.push_back(
         {.value = description::integer("switching",
                                        {.unit = "cycles",
@@ -122,17 +124,18 @@ std::vector<AttributeDescription> transputer_attributes() {
                                        "from one process to the next, beyond the instruction that gives the processor "
                                        "up"),
          .json_name = "switching_cycles"});
-    attributes.push_back({.value = description::integer("routecost", {.by_default = 1, .least = 0, .most = 1e9},
-                                                        "of leading a channel through it; the cheapest route is taken"),
-                          .json_name = "route_cost"});
     attributes.push_back(
-        {.value = description::integer("linkquota", {.unit = "links", .by_default = 4, .least = 0, .most = 1e6},
-                                       "of those that are wired, the lowest so many lead channels through it; 0: none"),
-         .json_name = "link_quota"});
+        {.value = description::integer("routecost", {.by_default = 1, .least = 0, .most = 1e9},
+                                       "of routing a channel through it; the cheapest route is chosen"),
+         .json_name = "route_cost"});
+    attributes.push_back({.value = description::integer(
+                              "linkquota", {.unit = "links", .by_default = 4, .least = 0, .most = 1e6},
+                              "how many of its wired links, lowest first, may carry through-routed channels; 0: none"),
+                          .json_name = "link_quota"});
     attributes.push_back(
         {.value = description::integer("router_priority", {.by_default = 0, .least = 0, .most = 1},
-                                       "of the processes that send and receive packets: HIGH pre-empts what computes, "
-                                       "LOW waits for its turn"),
+                                       "of the processes that send and receive packets: HIGH pre-empts computing "
+                                       "processes, LOW waits for its turn"),
          .json_name = "router_priority"});
     attributes.push_back(
         {.value = description::integer("router_cycles",
@@ -145,15 +148,15 @@ std::vector<AttributeDescription> transputer_attributes() {
     return attributes;
 }
 
-/// Without what is used here.
+/// Returns the real tool's attributes that have no effect here.
 std::vector<std::string> kept_attributes() {
     auto kept = attributes_of_the_real_tool();
     std::erase(kept, "linkquota");
     return kept;
 }
 
-/// Messages lie outside of the chip on a node that has more memory than fits on one, since so does what is too large
-/// for the chip.
+/// Returns the access time of the memory that holds messages. Messages are assumed to lie in external memory if the
+/// node has any.
 Cycles access_time(const Node& node) {
     using hardware::Memory;
     if (std::int64_t stated = node.integer("memorycycles"))
@@ -169,7 +172,8 @@ hardware::Memory memory_of(const Node& node) {
     return {.access = access_time(node), .bytes_in_a_word = has_short_words(node.type) ? 2 : 4};
 }
 
-/// An address has as many bits as a word (IMS T225 data sheet: 64 Kbytes).
+/// Returns an error if a transputer of 16 bits has more memory than it can address (IMS T225 data sheet: 64 Kbytes);
+/// otherwise "".
 std::string what_it_cannot_address(const Node& node) {
     constexpr std::int64_t most = 64 * kilobyte;
     if (!has_short_words(node.type) || node.integer("memory") <= most)

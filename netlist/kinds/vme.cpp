@@ -26,21 +26,22 @@ AttributeDescription nanoseconds_of(std::string name, Time by_default, double le
 
 std::vector<AttributeDescription> bus_attributes() {
     constexpr hardware::VmeTiming usual;
-    return {{.value = description::text("arbiter", {.by_default = "PRI", .choices = {"PRI", "RRS", "SGL"}},
-                                        "who gets the bus: the highest level, the levels in turn, or level 3 alone"),
+    return {{.value =
+                 description::text("arbiter", {.by_default = "PRI", .choices = {"PRI", "RRS", "SGL"}},
+                                   "which request is granted: the highest level, the levels in turn, or level 3 alone"),
              .json_name = "arbiter",
              .drawn = [](const Value& value) { return std::get<std::string>(value); }},
             nanoseconds_of("cycle", usual.word, 1, "of a word, 32 bits"),
             nanoseconds_of("bytecycle", usual.byte, 1, "of an access to a register"),
             nanoseconds_of("grant", usual.arbitration, 0, "from a request or a release to the grant"),
-            nanoseconds_of("timeout", usual.time_out, 1, "until a bus error where nobody answers")};
+            nanoseconds_of("timeout", usual.time_out, 1, "from an access without an answer to the bus error")};
 }
 
 AttributeDescription request_level() {
     return {.value = description::integer("level", {.by_default = 3, .least = 0, .most = 3}, "of its request")};
 }
 
-/// What the master that hogs the bus needs: a level that there is, and a slot.
+/// Returns why no master can hog the bus: the arbiter lacks its level, or no slot is free. Returns "" if one can.
 std::string why_not_hogged(const Network& network, const Fault& hog) {
     const Node& bus = network.nodes[hog.node];
     auto others = std::ranges::count_if(network.faults,
@@ -52,7 +53,7 @@ std::string why_not_hogged(const Network& network, const Fault& hog) {
     return "";
 }
 
-/// The bus, then its masters, then those that hog it.
+/// Returns the names of the tracks: the bus, its masters, then the masters that hog it.
 std::vector<std::string> bus_tracks(const Network& network, std::size_t node) {
     const std::string& bus = network.nodes[node].name;
     std::vector<std::string> names{bus};
@@ -77,7 +78,7 @@ DeviceKind vme() {
             .attributes = bus_attributes(),
             .medium = Medium{.slots = vme_slots, .broadcasts = true, .takes = can_be_attached, .ways = ways_over_bus},
             .faults = {{.name = "hogged",
-                        .about = "another master asks for the bus and does not let go of it",
+                        .about = "another master requests the bus and does not release it",
                         .attributes = {fault_begins(), fault_must_end(), request_level()},
                         .why_not = why_not_hogged}},
             .tracks = bus_tracks,

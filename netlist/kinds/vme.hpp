@@ -11,17 +11,17 @@ namespace placedpar {
 
 inline constexpr int vme_slots = 21;
 
-/// Checks an attachment, for Medium::takes: a slot holds one master, which requests the bus at a level that the arbiter
-/// knows.
+/// Checks an attachment, for Medium::takes: a slot holds at most one master, and the arbiter must support the master's
+/// level.
 bool can_be_attached(const Attached&, const BusAttachment&);
 /// Returns the ways over the bus, for Medium::ways: from each master to the memory of each bus master, and from the
 /// master that uses a link adapter to the processor at the other end of its link.
 std::vector<BusWay> ways_over_bus(const Attached&, std::size_t bus);
 
-/// For DeviceKind::make.
+/// Makes the bus of a run, for DeviceKind::make.
 std::unique_ptr<MachineNode> make_vme(MachineParts&, std::size_t node);
 
-/// Returns whether the arbiter of the bus knows level 3 only.
+/// Returns whether the arbiter of the bus supports level 3 only.
 bool has_single_level(const Node& bus);
 /// Returns the slot that remains when `taken` empty slots have been used from the highest downwards; less than 1 if
 /// there is none.

@@ -37,8 +37,8 @@ hardware::VmePlace place_of(const BusAttachment& attachment) {
             attachment.on_request ? hardware::Release::on_request : hardware::Release::when_done};
 }
 
-/// A VMEbus in a run, with the masters, memories and link adapters in its slots, and the ways over it. REQUIRES of the
-/// nodes in its slots: they are OnVme.
+/// A VMEbus in a run, with the masters, memories and link adapters in its slots, and the ways over it. REQUIRES: the
+/// nodes in its slots are OnVme.
 class VmeNode final : public MachineNode {
 public:
     VmeNode(MachineParts& parts, std::size_t index) : MachineNode(parts, index), bus_(make_bus(simulation(), node())) {
@@ -86,7 +86,7 @@ public:
         for (const hardware::VmeMaster* each : bus_.masters())
             row.masters.push_back({each->name(), each->place().level, each->words_moved(), each->bytes_accessed(),
                                    each->grants(), each->bus_errors(), each->time_waited(), each->longest_wait()});
-        for (const Broadcast& each : broadcasts_) { // named by the port array
+        for (const Broadcast& each : broadcasts_) { // a broadcast is named by its port array
             const ChannelEnd& from = network().channels[each.channels.front()].from;
             row.broadcasts.push_back({network().processes[from.process].name + "." + std::string(base_name(from.port)),
                                       each.writer->adapters(), each.writer->messages(), each.writer->bytes()});
@@ -94,7 +94,7 @@ public:
     }
 
 private:
-    /// One message for all of its channels.
+    /// Channels of one broadcast, which share each message.
     struct Broadcast {
         std::vector<std::size_t> channels;
         hardware::AdapterBroadcast* writer = nullptr;
@@ -113,8 +113,8 @@ private:
             device.slave = device.memory = &simulation().add<hardware::DualPortedMemory>(node.name);
     }
 
-    /// A workstation writes to the bus master's memory and reads there, and their bytes are in different orders. Of two
-    /// bus masters each writes to the other's.
+    /// Returns the two directions through memory. A workstation both writes and reads the bus master's memory, and
+    /// converts the byte order. Two bus masters each write to the other's memory.
     CarrierPair memory_lanes(const BusWay& way) {
         using From = hardware::MemoryLane::From;
         auto lane = [&](std::size_t master, std::size_t memory, From from, Cycles conversion) {
@@ -159,7 +159,7 @@ private:
 
     hardware::VmeBus& bus_;
     std::map<std::size_t, hardware::VmeMaster*> masters_;       ///< by attachment
-    std::map<std::size_t, hardware::AdapterProgram*> adapters_; ///< by connection that leads over one
+    std::map<std::size_t, hardware::AdapterProgram*> adapters_; ///< by the connection that leads over the adapter
     std::vector<Broadcast> broadcasts_;                         ///< in the order of their first channels
     std::size_t hogs_ = 0;
 };

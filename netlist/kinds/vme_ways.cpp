@@ -31,7 +31,8 @@ private:
     const DeviceKind& kind_of(std::size_t attachment) const { return *node(attachment).kind; }
     bool is_here(std::size_t attachment) const { return attachments()[attachment].bus == bus_; }
 
-    /// Two bus masters reach each other's memory: that is one way, from the one that is attached first.
+    /// Returns true if `master` reaches the memory of `slave`. Two bus masters reach each other's memory, which counts
+    /// as one way, from the one attached first.
     bool shares_memory_with(std::size_t slave, std::size_t master) const {
         return slave != master && is_here(slave) && is_here(master) && kind_of(slave).bus == BusRole::bus_master &&
                kind_of(master).is_master() && (kind_of(master).bus == BusRole::workstation || master < slave);
@@ -40,7 +41,7 @@ private:
     void lead_over_adapter(std::size_t slave) {
         auto wire = attached_.connection_at.find({attachments()[slave].node, 0});
         if (wire == attached_.connection_at.end())
-            return; // its link leads nowhere, as that of one which is not used
+            return; // an adapter without a wire at its link is not used
         if (const LinkConnection& led = attached_.network.connections[wire->second]; led.at_run_time)
             return attached_.reporter.error(
                 led.connected,
@@ -80,8 +81,8 @@ private:
         else if (candidates.empty())
             attached_.reporter.error(
                 adapter.declared,
-                fmt::format("nobody on the bus \"{}\" can use the link adapter \"{}\"", bus.name, adapter.name),
-                "a workstation or a bus master does: connect sun.bus[0] to " + bus.name + ".slot[1];");
+                fmt::format("no master on the bus \"{}\" can use the link adapter \"{}\"", bus.name, adapter.name),
+                "connect a workstation or a bus master to the bus: connect sun.bus[0] to " + bus.name + ".slot[1];");
         else
             attached_.reporter.error(adapter.declared,
                                      fmt::format("which master uses the link adapter \"{}\", \"{}\" or \"{}\"?",
@@ -96,7 +97,8 @@ private:
 
 } // namespace
 
-/// A bus grant passes a slot once, and an arbiter of one level sees no other.
+/// Reports a second master in a slot, since a bus grant passes each slot once, and a request level that the arbiter
+/// lacks.
 bool can_be_attached(const Attached& attached, const BusAttachment& attachment) {
     const Network& network = attached.network;
     if (!network.nodes[attachment.node].kind->is_master())
@@ -117,8 +119,8 @@ bool can_be_attached(const Attached& attached, const BusAttachment& attachment) 
         return true;
     attached.reporter.error(
         attachment.connected,
-        fmt::format("\"{}\" asks at level {}, but the arbiter of \"{}\" is SGL", name, attachment.level, bus.name),
-        "it knows level 3 only; \"PRI\" and \"RRS\" know all four");
+        fmt::format("\"{}\" requests at level {}, but the arbiter of \"{}\" is SGL", name, attachment.level, bus.name),
+        "SGL grants level 3 only; \"PRI\" and \"RRS\" grant all four levels");
     return false;
 }
 

@@ -8,7 +8,7 @@ namespace placedpar {
 
 namespace {
 
-/// As many links as are used, up to this.
+/// Limit of its links; a workstation has as many links as the netlist uses.
 constexpr int most_workstation_links = 1 << 20;
 
 class WorkstationNode : public MachineNode, public OnVme {
@@ -26,7 +26,7 @@ public:
     }
 
 private:
-    hardware::Workstation* computer_ = nullptr; ///< null: it is on no bus, and its processes take no time
+    hardware::Workstation* computer_ = nullptr; ///< null if it is on no bus: its processes then take no time
 };
 
 } // namespace

@@ -10,7 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The entry of the folder that has this name but for the case of its letters.
+/// Returns the folder's entry with this name, ignoring the case of letters; the first in order of names if there are
+/// several.
 std::optional<fs::path> entry_like(const fs::path& folder, const std::string& name) {
     std::optional<fs::path> first;
     std::error_code error;

@@ -40,7 +40,7 @@ Token Lexer::read_decimal(Token token) {
     return digits.size() > 1 && digits[0] == '0' ? read_octal(digits, token) : read_integer(digits, 10, token);
 }
 
-/// As in C, a leading 0 makes a number octal.
+/// Reads a number with a leading 0, which is octal as in C.
 Token Lexer::read_octal(std::string_view digits, Token token) {
     auto illegal = digits.find_first_of("89");
     if (illegal == std::string_view::npos)
@@ -75,7 +75,7 @@ bool Lexer::skip_exponent() {
 
 bool Lexer::at_float_suffix() const { return peek() == 'f' || peek() == 'F' || peek() == 'l' || peek() == 'L'; }
 
-/// `5q` is not a number, and not the number 5 before the name q either.
+/// Refuses letters directly behind a number: `5q` is neither a number nor the number 5 followed by the name q.
 void Lexer::refuse_letters_behind(const Token& token, std::size_t start) {
     if (!in_name(peek()))
         return;
@@ -97,7 +97,7 @@ Token Lexer::read_real(std::string_view digits, Token token) {
     return unit == 0 ? token : as_time(token, unit);
 }
 
-/// In nanoseconds; 0 where none stands here, and nothing is taken.
+/// Takes a unit of time, and returns it in nanoseconds. Returns 0, and takes nothing, if there is no unit here.
 std::int64_t Lexer::take_unit_of_time() {
     static constexpr std::pair<std::string_view, std::int64_t> units[] = {
         {"ns", 1}, {"us", 1000}, {"ms", 1'000'000}, {"s", 1'000'000'000}};
@@ -110,7 +110,7 @@ std::int64_t Lexer::take_unit_of_time() {
     return 0;
 }
 
-/// `1.5ms` is 1500000, the number of its nanoseconds.
+/// Returns the time as an integer, in nanoseconds: `1.5ms` is 1500000.
 Token Lexer::as_time(Token token, std::int64_t nanoseconds) {
     double exact = token.real * static_cast<double>(nanoseconds);
     token.kind = TokenKind::integer;
@@ -159,7 +159,7 @@ void Lexer::apply_suffix(Token& token) {
         reporter_.error(token.at, "the number is beyond 64 bits");
         token.integer = {};
     }
-    token.integer.decimal *= decimal; // smaller than the other, which fits
+    token.integer.decimal *= decimal; // smaller than token.integer.value, which fits
 }
 
 } // namespace placedpar

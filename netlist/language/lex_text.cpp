@@ -31,7 +31,7 @@ char Lexer::read_numeric_escape(int base, int most_digits, const Location& start
     return static_cast<char>(static_cast<unsigned char>(value));
 }
 
-/// Just behind the backslash.
+/// Reads the rest of an escape, after its backslash.
 char Lexer::read_escaped(const Location& start) {
     static constexpr std::string_view letters = "abfnrtv\\'\"?", meanings = "\a\b\f\n\r\t\v\\'\"?";
     auto c = peek();

@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-/// What a line is of, if it is occam at all; of a text the last of what its lines are.
+/// Classifies a line by the kind of occam text that it belongs to. A text is of the highest class among its lines.
 enum class Dialect { none, comment, program, toolset, development_system };
 
 constexpr const char* hint_for(Dialect dialect) {
@@ -43,14 +43,14 @@ bool is_any(std::string_view line, const std::array<std::string_view, size>& wor
     return std::ranges::find(words, line) != words.end();
 }
 
-/// `PROCESSOR 0 T8`
+/// Returns true for a line such as `PROCESSOR 0 T8`.
 bool is_processor(std::string_view line) {
     constexpr std::string_view word = "PROCESSOR ";
     auto number = line.starts_with(word) ? without_blanks(line.substr(word.size())) : "";
     return !number.empty() && is_digit(number.front());
 }
 
-/// `#INCLUDE "hostio.inc"`: a netlist may include files, too, but not these.
+/// Returns true for an include of an occam library, `#INCLUDE "hostio.inc"`. Netlists include other files.
 bool includes_library(std::string_view line) {
     static constexpr std::array<std::string_view, 7> libraries{
         "hostio.inc", "streamio.inc", "linkaddr.inc", "mathvals.inc", "ticonst.inc", "msdos.inc", "occonf.inc"};
@@ -78,7 +78,8 @@ bool is_of_toolset(std::string_view line) {
 
 bool is_statement_of_netlist(std::string_view line) { return line.ends_with(';'); }
 
-/// The folds of the development system's editor, as it lists them: open ({{{ name ... }}}) and closed (...  name).
+/// Returns true for a comment, and for a fold as the development system's editor lists it: open ({{{ name) or closed
+/// (... name).
 bool is_comment_or_fold(std::string_view line) {
     static constexpr std::array<std::string_view, 3> beginnings{"--", "{{{ ", "..."};
     return begins_with_any(line, beginnings);
@@ -96,7 +97,7 @@ Dialect dialect_of(std::string_view line) {
     return is_comment_or_fold(line) ? Dialect::comment : Dialect::none;
 }
 
-/// Whether a C comment is open behind the line.
+/// Returns whether a C comment is open after the line. `open`: one was open before it.
 bool comment_goes_on(std::string_view line, bool open) {
     auto start = line.rfind("/*"), end = line.rfind("*/");
     if (start == line.npos)
@@ -104,7 +105,7 @@ bool comment_goes_on(std::string_view line, bool open) {
     return end == line.npos || end < start;
 }
 
-/// Looks for the first line that only occam has, and the first comment.
+/// Looks for the first line that only occam can have, and for the first occam comment.
 class OccamSearch {
 public:
     void take(std::string_view words, const Location& at) {
@@ -117,7 +118,8 @@ public:
         dialect_ = std::max(dialect_, dialect);
     }
 
-    /// A netlist may have comments like that, by mistake.
+    /// Returns what was found. A comment alone counts only if no line is a netlist's, since a netlist may contain an
+    /// occam comment by mistake.
     std::optional<Occam> result() const {
         if (line_)
             return Occam{*line_, hint_for(dialect_)};

@@ -16,7 +16,7 @@ bool is_parameter_type(std::string_view word) {
 
 } // namespace
 
-/// Tells `T800 (memory = 1M) root;` from `root (n = 4);` by what stands behind the parentheses.
+/// Distinguishes `T800 (memory = 1M) root;` from `root (n = 4);` by the token after the parentheses.
 bool Parser::behind_attributes_comes_name() {
     if (tokens_.peek(1).kind == TokenKind::name)
         return true;
@@ -34,7 +34,7 @@ bool Parser::behind_attributes_comes_name() {
     }
 }
 
-/// Nothing, or a list in parentheses.
+/// Parses an optional list of attributes in parentheses.
 std::vector<Attribute> Parser::parse_attributes() {
     std::vector<Attribute> attributes;
     if (!accept("("))
@@ -80,7 +80,8 @@ DeclarationAttributes Parser::parse_declaration_attributes() {
     return result;
 }
 
-/// Channels and parameters would not be understood as attributes.
+/// Parses an attribute of a process. Refuses a misspelt `interface`, whose channels and parameters would cause
+/// misleading errors.
 Attribute Parser::parse_process_attribute() {
     const auto& name = tokens_.peek();
     bool has_parts = name.kind == TokenKind::name && tokens_.peek(1).is("(");
@@ -101,7 +102,7 @@ void Parser::parse_interface_once(DeclarationAttributes& attributes) {
     attributes.interface = parse_interface();
 }
 
-/// `(input in, out2, output out[3], int n = 3)`: an entry without a type has the type of the entry before it.
+/// Parses `(input in, out2, output out[3], int n = 3)`. An entry without a type has the type of the entry before it.
 std::vector<InterfaceEntry> Parser::parse_interface() {
     std::vector<InterfaceEntry> entries;
     expect("(", "behind \"interface\"");
@@ -123,7 +124,7 @@ void Parser::refuse_entry() {
     static const std::vector<std::string> types{"input", "output", "int",    "char",    "short",
                                                 "long",  "float",  "double", "unsigned"};
     const auto& token = tokens_.peek();
-    bool may_be_type = token.text.size() > 2 && tokens_.peek(1).kind == TokenKind::name; // not int, for "in"
+    bool may_be_type = token.text.size() > 2 && tokens_.peek(1).kind == TokenKind::name; // do not suggest int for "in"
     std::string meant = may_be_type ? word_meant(token.text, types) : "";
     refuse(token.at, fmt::format("illegal token in an interface: {}", describe(token)),
            meant.empty() ? "an interface lists channels, \"input in\", and parameters, \"int n = 3\""

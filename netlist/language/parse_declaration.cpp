@@ -81,11 +81,11 @@ Statement Parser::parse_edge_channel() {
     return {word.at, EdgeChannelDeclaration{direction_named(word.text), std::move(names)}};
 }
 
-/// `name[i] (n = 4);`
+/// Parses `name[i] (n = 4);`.
 Statement Parser::parse_setting() {
     auto process = parse_reference("a statement");
     if (!tokens_.peek().is("("))
-        refuse(process.at, fmt::format("\"{}\" begins no statement", process.name),
+        refuse(process.at, fmt::format("no statement begins with \"{}\"", process.name),
                tokens_.peek().kind == TokenKind::end
                    ? "a statement ends with \";\""
                    : "a declaration is TYPE name; parameters are set by name (parameter = value);");

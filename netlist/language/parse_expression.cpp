@@ -9,7 +9,7 @@ namespace placedpar {
 
 namespace {
 
-/// How strongly an operator binds, C's order; 0 for what is no operator of two operands.
+/// Returns the precedence of a binary operator, in C's order; 0 for any other token.
 int strength(const Token& token) {
     static constexpr std::array<std::string_view, 10> weakest_first{
         " || ", " && ", " | ", " ^ ", " & ", " == != ", " < > <= >= ", " << >> ", " + - ", " * / % "};
@@ -42,7 +42,7 @@ int Parser::height_above(const Location& at, std::initializer_list<const Express
     return height;
 }
 
-/// An operation of two operands, or a subscript.
+/// Builds a binary operation or a subscript.
 ExpressionPointer Parser::combine(const Token& symbol, ExpressionPointer left, ExpressionPointer right) {
     auto height = height_above(symbol.at, {left.get(), right.get()});
     if (symbol.text == "[")
@@ -62,7 +62,8 @@ ExpressionPointer Parser::parse_expression() {
     return tokens_.peek().is("?") ? parse_conditional(std::move(expression)) : std::move(expression);
 }
 
-/// The branches may be conditional again: `a ? b : c ? d : e` is `a ? b : (c ? d : e)`.
+/// Parses the rest of a conditional expression. The branches may be conditional, too: `a ? b : c ? d : e` is `a ? b :
+/// (c ? d : e)`.
 ExpressionPointer Parser::parse_conditional(ExpressionPointer condition) {
     Nesting nesting(*this);
     auto at = tokens_.take().at;
@@ -109,7 +110,7 @@ ExpressionPointer Parser::parse_cast() {
     return make(at, CastOperation{type, std::move(operand)}, height);
 }
 
-/// `size` is no reserved word: only with a parenthesis behind it is it the operator.
+/// Parses `size(...)`. Since `size` is not reserved, it is the operator only before a parenthesis.
 ExpressionPointer Parser::parse_size() {
     Nesting nesting(*this);
     auto at = tokens_.take().at;
@@ -145,7 +146,7 @@ ExpressionPointer Parser::parse_primary() {
     }
     if (token.is_word("size") && tokens_.peek(1).is("("))
         return parse_size();
-    const auto at = tokens_.peek().at; // taking a token ends the reference to it
+    const auto at = tokens_.peek().at; // copied, since taking a token invalidates the reference to it
     if (token.kind == TokenKind::integer)
         return make(at, IntegerLiteral{tokens_.take().integer});
     if (token.kind == TokenKind::real)

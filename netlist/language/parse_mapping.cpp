@@ -20,7 +20,7 @@ Reference Parser::parse_reference(std::string_view what, std::string_view part) 
     auto name = expect_name(what);
     Reference reference{name.at, name.text, parse_subscripts(), "", {}, {}};
     if (accept(".")) {
-        const auto& word = tokens_.peek(); // behind a dot a word of the language is no other than the rest
+        const auto& word = tokens_.peek(); // after a dot, reserved words are ordinary names
         auto field = word.kind == TokenKind::name ? tokens_.take() : expect_name(part);
         reference.field = field.text;
         reference.field_at = field.at;

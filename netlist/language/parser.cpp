@@ -27,14 +27,14 @@ bool can_be_a_name(std::string_view text) {
 
 namespace {
 
-/// Those that begin a statement.
+/// Returns the reserved words that begin a statement.
 const std::vector<std::string>& statement_words() {
     static const std::vector<std::string> words{"val",    "define", "connection", "connect", "process", "input",
                                                 "output", "use",    "place",      "rep",     "if"};
     return words;
 }
 
-/// Where a word of the language stands that begins no statement.
+/// Returns a hint for a reserved word that cannot begin a statement.
 std::string_view hint_at_statement(std::string_view word) {
     return word == "else"  ? "it belongs to an \"if\" just before it"
            : word == "for" ? "what is repeated begins with rep: rep i = 0 for n statement"
@@ -66,13 +66,13 @@ Parser::Nesting::Nesting(Parser& owner) : parser(owner) {
 }
 
 void Parser::refuse(const Location& at, std::string message, std::string hint) {
-    if (tokens_.peek().kind == TokenKind::illegal) // of which the lexer has said what is wrong
+    if (tokens_.peek().kind == TokenKind::illegal) // the lexer has reported it
         throw StatementRefused{};
     auto meant = misspelt_ ? word_meant(misspelt_->text) : "";
     if (meant.empty())
         reporter_.error(at, std::move(message), std::move(hint));
     else
-        reporter_.error(misspelt_->at, fmt::format("\"{}\" begins no statement", misspelt_->text),
+        reporter_.error(misspelt_->at, fmt::format("no statement begins with \"{}\"", misspelt_->text),
                         fmt::format("did you mean \"{}\"?", meant));
     throw StatementRefused{};
 }
@@ -111,13 +111,15 @@ bool Parser::on_another_line() {
     return last.file != next.file || last.line != next.line;
 }
 
-/// What stands here ends a block or the file, or is a word that begins a statement: it is no part of the last one.
+/// Returns whether the next token cannot belong to the current statement: it ends a block or the file, or begins a
+/// statement.
 bool Parser::statement_is_over() {
     const auto& next = tokens_.peek();
     return next.kind == TokenKind::end || next.is("}") || is_statement_word(next);
 }
 
-/// A missing one is an error, but the next statement may follow all the same.
+/// Expects ";". If only the ";" is missing, reports it, and parsing continues with the next statement; otherwise
+/// refuses the token.
 void Parser::expect_semicolon(std::string_view statement) {
     if (accept(";"))
         return;
@@ -160,7 +162,8 @@ void Parser::parse_into(Statements& statements) try {
     recover();
 }
 
-/// To behind the next `;`, over whole blocks and array constants, but not out of the block that we are in.
+/// Skips tokens up to and including the next `;`. Skips whole blocks and array constants, but does not leave the
+/// current block.
 void Parser::recover() {
     int arrays = std::exchange(arrays_open_, 0);
     for (int open = 0; tokens_.peek().kind != TokenKind::end;) {
@@ -194,7 +197,7 @@ Statement Parser::parse_statement() {
 }
 
 Statement Parser::parse_declaration_or_setting(const Token& first) {
-    // no word of the language, since old netlists may use it as a name
+    // "fault" is not reserved, since old netlists may use it as a name
     if (first.is_word("fault") && tokens_.peek(1).kind == TokenKind::name && !types_.contains("fault"))
         return parse_fault();
     if (!types_.contains(first.text))

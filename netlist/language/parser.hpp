@@ -13,9 +13,8 @@ inline constexpr int deepest_nesting = 200;
 /// Limits the height of an expression's tree. The height of `1 + 1 + ...` is its length: 1000 operators are allowed.
 inline constexpr int highest_expression = 1001;
 
-/// Parses by recursive descent over the grammar of docs/reference/netlist-language.md. After an error it goes on after
-/// the next
-/// `;`, so that several errors are reported at once.
+/// Parses the grammar of docs/reference/netlist-language.md by recursive descent. After an error it continues behind
+/// the next `;`, so that one pass reports several errors.
 class Parser {
 public:
     Parser(TokenStream& tokens, Reporter& reporter) : tokens_(tokens), reporter_(reporter) {}
@@ -88,7 +87,7 @@ private:
     ExpressionPointer parse_primary();
     ExpressionPointer parse_array_constant();
     ExpressionPointer combine(const Token& symbol, ExpressionPointer left, ExpressionPointer right);
-    /// Refuses an expression that is too high.
+    /// Returns the height of an expression above these parts. Refuses it if it exceeds highest_expression.
     int height_above(const Location& at, std::initializer_list<const Expression*> parts);
 
     bool accept(std::string_view symbol);
@@ -115,8 +114,9 @@ private:
     TokenStream& tokens_;
     Reporter& reporter_;
     int depth_ = 0;
-    int arrays_open_ = 0;                      ///< array constants that are being read
-    std::optional<Token> misspelt_;            ///< the first word of a statement, perhaps
+    int arrays_open_ = 0; ///< array constants that are being read
+    std::optional<Token>
+        misspelt_; ///< first word of the current statement, if it is probably a misspelt word of the language
     std::set<std::string, std::less<>> types_; ///< defined by the netlist
 };
 
@@ -126,7 +126,7 @@ bool is_reserved(std::string_view word);
 bool can_be_a_name(std::string_view text);
 /// Returns the known word that differs from `word` in a letter or two, or only in capital letters; "" if there is none.
 std::string word_meant(const std::string& word, const std::vector<std::string>& words);
-/// Does the same with the words that begin a statement.
+/// As above, among the words that begin a statement.
 std::string word_meant(const std::string& word);
 
 } // namespace placedpar

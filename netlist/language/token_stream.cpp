@@ -82,8 +82,8 @@ void TokenStream::include(const Token& directive) {
     open(*name);
 }
 
-/// Where an included file is looked for: beside the file that includes it, as its path is shown and as it is, then on
-/// the include path.
+/// Returns the folders to search for an included file: the folder of the including file, by its displayed and by its
+/// canonical path, then the include path.
 std::vector<std::filesystem::path> TokenStream::folders_for(const Token& name) const {
     std::vector<std::filesystem::path> folders{std::filesystem::path(name.at.file->path()).parent_path(),
                                                open_.back().path.parent_path()};
@@ -116,11 +116,11 @@ void TokenStream::refuse_missing(const Token& name) {
     for (const auto& folder : include_folders_)
         folders += (folders.empty() ? "" : ", ") + folder.string();
     reporter_.error(name.at, fmt::format("cannot include \"{}\": there is no such file", name.text),
-                    folders.empty() ? "-I FOLDER says where else to look than beside the file that includes it"
+                    folders.empty() ? "-I FOLDER adds a folder to search, besides the folder of the including file"
                                     : "it is neither beside the file that includes it nor in " + folders);
 }
 
-/// Whether it does; then that is reported.
+/// Returns true, after reporting, if the file includes itself, directly or through others.
 bool TokenStream::includes_itself(const std::filesystem::path& real, const Token& name) {
     auto same = std::ranges::find(open_, real, &Open::path);
     if (same == open_.end())

@@ -7,7 +7,7 @@ namespace placedpar {
 /// States which way messages pass through a channel's end, seen from the process or device with this end.
 enum class Direction { input, output };
 
-/// "input" or "output".
+/// Returns "input" or "output".
 constexpr const char* word(Direction direction) { return direction == Direction::input ? "input" : "output"; }
 
 /// Returns the direction that the word names. REQUIRES: the word is "input" or "output".

@@ -14,13 +14,13 @@ namespace placedpar {
 
 /// Returns "out" for "out[2]"; a name without a subscript is returned as it is.
 std::string_view base_name(std::string_view name);
-/// The subscripts of a name: {2} for "out[2]", {0, 1} for "t[0][1]", empty for "t".
+/// Returns the subscripts of a name: {2} for "out[2]", {0, 1} for "t[0][1]", none for "t".
 std::vector<std::int64_t> subscripts_of(std::string_view name);
-/// "name[1][2]".
+/// Returns "name[1][2]".
 std::string element_name(const std::string& name, const std::vector<std::int64_t>& subscripts);
-/// The number of elements of an array; 1 for a single thing, which has no dimensions.
+/// Returns the number of elements of an array; 1 for a single thing, which has no dimensions.
 std::size_t element_count(const std::vector<std::int64_t>& dimensions);
-/// The subscripts of the element at this position, counted from 0.
+/// Returns the subscripts of the element at this position, counted from 0.
 std::vector<std::int64_t> element_subscripts(std::size_t position, const std::vector<std::int64_t>& dimensions);
 
 /// Returns the names of all things.

@@ -48,7 +48,7 @@ struct LinkEnd {
     bool operator==(const LinkEnd&) const = default;
 };
 
-/// A way through a crossbar switch, from a's side to b's.
+/// The passage of a connection through a crossbar switch, from the side of its end a.
 struct SwitchCrossing {
     std::size_t node = nowhere;
     int from_link = 0, to_link = 0;
@@ -224,7 +224,7 @@ bool is_set_at_run_time(const Network& network, std::size_t node);
 
 bool is_on_bus(const Network& network, std::size_t node);
 
-/// "t[0].link[2]", "sun.bus[0]", or the name of an edge.
+/// Returns "t[0].link[2]", "sun.bus[0]", or the name of an edge.
 std::string link_name(const std::vector<Node>& nodes, const LinkEnd& end);
 
 /// Return where a hop begins and ends.

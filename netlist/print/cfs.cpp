@@ -28,7 +28,8 @@ std::vector<std::string> print_others(const std::map<std::string, Value>& others
     return entries;
 }
 
-/// Those that differ from the kind's default, then those that are only kept.
+/// Returns the attributes that differ from the kind's defaults, then the attributes that are only kept for the real
+/// tool.
 std::vector<std::string> print_attributes(const Node& node) {
     std::vector<std::string> entries;
     for (const auto& attribute : node.kind->attributes)
@@ -44,18 +45,18 @@ std::vector<ElementRange> ranges_of(const Things& things) {
     return element_ranges(things.size(), [&](std::size_t i) { return std::string_view(things[i].name); });
 }
 
-/// Whether the toolset's own include declares it.
+/// Returns whether an include file of the toolset declares the node's type.
 bool is_declared_by_toolset(const Node& node) {
     return node.kind->name == "processor" || node.kind->links == LinkRole::edge;
 }
 
 enum class ParameterOrder { as_given, by_name };
 
-/// Routes are most of a network that is too large, so that its size is counted before any text of them is made.
+/// Routes are most of the text of a network that is too large, so their size can be counted without making the text.
 enum class Routes { written, counted };
 
-/// Writes one network. What its devices and connections are is said outright, so that nothing depends on defaults of
-/// the reader but those that the language states.
+/// Writes one network as a netlist. Every device and connection is declared explicitly, so that the text depends on no
+/// defaults but the language's.
 class CfsPrinter {
 public:
     CfsPrinter(const Network& network, ParameterOrder order) : n_(network), order_(order) {}
@@ -79,13 +80,13 @@ public:
         return std::exchange(text_, {});
     }
 
-    /// What is the same in either order of the parameters.
+    /// Returns the part of the text that does not depend on the order of parameters: placements and routes.
     std::string print_mapping() {
         print_places();
         return std::exchange(text_, {});
     }
 
-    /// The bytes of print_mapping().
+    /// Returns the length of print_mapping() in bytes, without making the text of routes.
     std::size_t mapping_bytes() {
         routes_ = Routes::counted;
         print_places();
@@ -122,7 +123,8 @@ private:
         }
     }
 
-    /// The include declares it. Read again, it stands behind all that is declared before the first wire to it.
+    /// Returns whether the node is the predefined edge "host" of the toolset, which is declared at its first use. When
+    /// the text is read again, the node must get the same position.
     bool is_predefined_host(std::size_t node) const {
         auto leads_there = [&](const LinkConnection& wire) { return wire.a.node == node || wire.b.node == node; };
         return n_.nodes[node].name == "host" && n_.nodes[node].kind->links == LinkRole::edge &&
@@ -162,7 +164,7 @@ private:
     void print_wires() {
         for (const auto& connection : n_.connections) {
             if (connection.over_bus || connection.at_run_time)
-                continue; // follows from what is attached; from the pieces
+                continue; // a way over a bus follows from attachments, a switched connection from its pieces
             std::vector<std::string> attributes;
             if (says_speed(connection))
                 attributes.push_back(fmt::format("linkspeed = {}", connection.bits_per_second));
@@ -197,7 +199,7 @@ private:
         line("connect {} to {}{};", end(piece.a), end(piece.b), piece.name.empty() ? "" : " by " + piece.name);
     }
 
-    /// Each once, though many connections may cross it.
+    /// Prints each crosspoint of a switch that a program sets once, though several connections may cross it.
     void print_crosspoints_to_choose() {
         std::set<std::pair<std::string, std::string>> known;
         for (const auto& connection : n_.connections)
@@ -249,7 +251,7 @@ private:
         print_settings(range, common, high);
     }
 
-    /// As the netlist declares it: a program may fetch its parameters by position.
+    /// Returns the interface in the order of the netlist, since a program may fetch its parameters by position.
     std::string print_interface(const ElementRange& range) const {
         const auto& interface = n_.processes[range.first].interface;
         std::vector<std::string> entries;
@@ -273,11 +275,11 @@ private:
         return entries;
     }
 
-    /// Those that the netlist gives, in its order: what is left to its default may mean another thing than the default
-    /// given. By name: all.
+    /// Returns the names of the parameters that the netlist gives, in its order; parameters with default values are
+    /// left out, since a kind may distinguish them. With ParameterOrder::by_name, returns all parameters.
     std::vector<std::string> parameters_in_order(const ProcessInstance& process) const {
         std::vector<std::string> names;
-        std::set<std::string_view> known; // in the process
+        std::set<std::string_view> known; // names listed so far
         auto add = [&](std::string_view name) {
             if (known.insert(name).second)
                 names.emplace_back(name);
@@ -297,7 +299,7 @@ private:
         return fmt::format("{} = {}", name, print_array(parameters, name));
     }
 
-    /// What is said of all elements of an array is said once, of the array; nothing may be said twice.
+    /// Prints settings that all elements of an array share once, for the array; then each element's other settings.
     void print_settings(const ElementRange& range, const std::map<std::string, Value>& declared, bool all_high) {
         auto of = [&](std::size_t i) { return settings(n_.processes[range.first + i], declared, all_high); };
         Entries common = of(0);
@@ -320,7 +322,7 @@ private:
             line("{} {};", whose, print_list(entries));
     }
 
-    /// The elements "a[0]", "a[1]" ... as one constant, nested as the dimensions are.
+    /// Returns the elements "a[0]", "a[1]" ... as one constant, nested by dimension.
     static std::string print_array(const std::map<std::string, Value>& parameters, std::string_view base) {
         std::map<std::vector<std::int64_t>, std::string> elements;
         for (auto entry = parameters.lower_bound(std::string(base) + "["); entry != parameters.end(); ++entry) {
@@ -329,7 +331,7 @@ private:
             elements[subscripts_of(entry->first)] = print_constant(entry->second);
         }
         std::string result;
-        std::size_t line_begin = 0; // a line break now and then keeps lines short enough to be read again
+        std::size_t line_begin = 0; // lines are broken so that the text can be read again
         std::vector<std::int64_t> last;
         for (const auto& [subscripts, text] : elements) {
             std::size_t same = 0;
@@ -374,7 +376,7 @@ private:
 
     void print_channel(const NetworkChannel& channel) {
         if (end(channel.from).empty() || end(channel.to).empty())
-            return; // an edge without a channel of its own: placing the other end says it
+            return; // no edge channel: the placement of the other end implies the channel
         line("connect {} to {}{};", end(channel.from), end(channel.to), is_named(channel) ? " by " + channel.name : "");
     }
 
@@ -401,7 +403,7 @@ private:
     void print_route(const NetworkChannel& channel) {
         const std::string sender = fmt::format("place {} on ", end(channel.from));
         for (const auto& hop : channel.placement.route) {
-            const std::string& link = told_name(hop);
+            const std::string& link = stated_name(hop);
             if (routes_ == Routes::counted)
                 counted_ += sender.size() + link.size() + 2;
             else
@@ -409,28 +411,30 @@ private:
         }
     }
 
-    const std::string& told_name(const RouteHop& hop) {
-        told_names_.resize(2 * n_.connections.size());
-        std::string& name = told_names_[2 * hop.connection + (hop.from_a_to_b ? 1 : 0)];
+    const std::string& stated_name(const RouteHop& hop) {
+        stated_names_.resize(2 * n_.connections.size());
+        std::string& name = stated_names_[2 * hop.connection + (hop.from_a_to_b ? 1 : 0)];
         if (name.empty())
-            name = end(told_end(hop));
+            name = end(stated_end(hop));
         return name;
     }
 
-    /// By which a hop leaves; a master has one place for its ways over many adapters.
-    LinkEnd told_end(const RouteHop& hop) const {
+    /// Returns the link end that states a hop: where the hop leaves, or the adapter's link if a master may use several
+    /// adapters.
+    LinkEnd stated_end(const RouteHop& hop) const {
         const auto& way = n_.connections[hop.connection].over_bus;
         bool by_adapter = way && way->wire != nowhere && hop.from_a_to_b;
         return by_adapter ? LinkEnd{n_.attachments[way->slave].node, 0} : begin_of(hop, n_.connections);
     }
 
-    /// The link behind the adapter says which way it is. To a bus master's memory there is one way.
+    /// Prints the way of a channel over a bus. The link behind the adapter identifies the way; a way to a bus master's
+    /// memory is printed only if another way joins the same nodes.
     void print_way(const NetworkChannel& channel) {
         const auto& way = n_.connections[channel.placement.route.front().connection];
         if (way.b.link != bus_port)
             line("place {} on {};", end(channel.from.node == way.b.node ? channel.from : channel.to), end(way.b));
         else if (have_other_ways(way))
-            line("place {} on {};", end(channel.from), end(told_end(channel.placement.route.front())));
+            line("place {} on {};", end(channel.from), end(stated_end(channel.placement.route.front())));
     }
 
     bool have_other_ways(const LinkConnection& way) const {
@@ -444,8 +448,8 @@ private:
     ParameterOrder order_;
     Routes routes_ = Routes::written;
     std::string text_;
-    std::size_t counted_ = 0;             ///< bytes of routes
-    std::vector<std::string> told_names_; ///< each connection's end b, then its end a; empty: not asked for yet
+    std::size_t counted_ = 0;               ///< bytes of routes
+    std::vector<std::string> stated_names_; ///< names of each connection's end b, then its end a; empty until used
 };
 
 } // namespace

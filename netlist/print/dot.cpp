@@ -14,7 +14,7 @@ namespace placedpar {
 
 namespace {
 
-/// ", 2 MB, 20 MHz": what stands behind the type.
+/// Returns the facts that are drawn behind the type: ", 2 MB, 20 MHz".
 std::string facts(const Node& node) {
     std::string text;
     for (const auto& attribute : node.kind->attributes)
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    /// Wires between a node and the first one: the rows of the drawing. What belongs into the first row comes first.
+    /// Computes the rows of the drawing: a node's row is its distance in wires from the first row.
     void find_levels() {
         level_.assign(n_.nodes.size(), nowhere);
         auto neighbours = neighbours_of_nodes();

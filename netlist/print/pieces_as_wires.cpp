@@ -6,7 +6,7 @@ namespace placedpar {
 
 namespace {
 
-/// Puts each connection where it is in the drawing: the wires, then the pieces, then the ways over buses.
+/// Renumbers connections for the drawing: wires first, then pieces of wire, then ways over buses.
 class Renumbering {
 public:
     explicit Renumbering(const Network& network) : n_(network), place_(network.connections.size(), nowhere) {
@@ -74,7 +74,7 @@ private:
     }
 
     const Network& n_;
-    std::vector<std::size_t> place_; ///< by connection; nowhere for those that switches make
+    std::vector<std::size_t> place_; ///< new index by connection; nowhere for connections that switches make
     std::vector<LinkConnection> connections_;
     std::size_t first_piece_ = 0;
 };

@@ -15,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t most_processes = 254; ///< Spin's 255, less init
+constexpr std::size_t most_processes = 254; ///< Spin's limit of 255 processes, less init
 
 std::vector<std::string> kinds_in_promela(const Catalogue& catalogue) {
     std::vector<std::string> names;
@@ -29,12 +29,13 @@ const ProcessKind& kind_with_statements(const ProcessInstance& process, const Ca
     const ProcessKind* kind = catalogue.find(process.kind);
     if (!kind || !kind->promela)
         throw UserError(fmt::format("\"{}\" is a {}, which does not say in Promela what it communicates; these do: {}",
-                                    process.name, process.kind.empty() ? "process of no kind" : process.kind,
+                                    process.name, process.kind.empty() ? "process without a kind" : process.kind,
                                     fmt::join(kinds_in_promela(catalogue), ", ")));
     return *kind;
 }
 
-/// "fork[1]" as fork_1_, with its number before it, which keeps it apart from others and from Promela's words.
+/// Returns a Promela identifier for the process: "fork[1]" becomes p3_fork_1_. The process's number makes it unique and
+/// keeps it apart from Promela's words.
 std::string identifier(const Network& network, std::size_t process) {
     std::string name = fmt::format("p{}_{}", process, network.processes[process].name);
     std::ranges::replace_if(
@@ -77,8 +78,8 @@ std::string legend(const Network& network) {
 void refuse_broadcasts(const Network& network) {
     for (const NetworkChannel& channel : network.channels)
         if (std::size_t bus = channel.placement.broadcast_on; bus != nowhere)
-            throw UserError(fmt::format("the channel \"{}\" is broadcast on \"{}\": its outputs wait for those of "
-                                        "other channels, as those of Promela's do not",
+            throw UserError(fmt::format("the channel \"{}\" is broadcast on \"{}\": its outputs wait for outputs of "
+                                        "other channels, which outputs in Promela do not",
                                         channel.name, network.nodes[bus].name));
 }
 
@@ -86,8 +87,8 @@ void refuse_broadcasts(const Network& network) {
 
 std::string print_promela(const Network& network, const Catalogue& catalogue) {
     if (network.processes.size() > most_processes)
-        throw UserError(
-            fmt::format("{} processes, and Spin has room for {}", network.processes.size(), most_processes));
+        throw UserError(fmt::format("{} processes are too many for Spin, which allows {}", network.processes.size(),
+                                    most_processes));
     refuse_broadcasts(network);
     std::string out = legend(network) + fmt::format("chan c[{}] = [0] of {{ byte }};\n", network.channels.size() + 1);
     std::string start;

@@ -26,7 +26,7 @@ std::string executive_of(const Process& process) { return process.executive() ? 
 
 bool outputs(const Process& process) { return process.activity() == Activity::outputting; }
 
-/// Returns the channel whose message ends the wait; null where no message does.
+/// Returns the channel whose message ends the wait; null if the wait ends otherwise.
 const AnyChannel* channel_of_message(const Process& process) {
     const auto channels = process.awaited_channels();
     auto found = std::ranges::find_if(channels, [&](const AnyChannel* channel) {
@@ -53,7 +53,7 @@ std::uint32_t CriticalPath::number_of(const std::string& subject) {
     return found->second;
 }
 
-/// What took no time needs no point.
+/// Adds an event; returns `before` instead if no time has passed since then.
 CriticalPath::Number CriticalPath::add(Number before, Time at, Activity activity, const std::string& subject,
                                        const std::string& place) {
     if (!points_.empty() && points_[before].at == at)
@@ -65,7 +65,8 @@ CriticalPath::Number CriticalPath::add(Number before, Time at, Activity activity
     return add(before, at, activity, with_executive(process), executive_of(process));
 }
 
-/// It took its link, or the processor that both of its processes are on. A packet is a part of a channel's message.
+/// Adds the transfer of a message over its link, or on the processor of both processes. A packet counts for the channel
+/// that it belongs to.
 CriticalPath::Number CriticalPath::add_message(Number before, const Lane& lane, const AnyChannel& channel, Time now) {
     auto link = carried_by_.find(&channel);
     const AnyChannel* packets_of = channel.payload().channel;
@@ -93,7 +94,7 @@ std::vector<CriticalPath::Number*> CriticalPath::numbers_in_use() {
     return numbers;
 }
 
-/// No turn begins any more at a moment that has passed.
+/// Removes points that are no longer needed. Turns on executives that ended in the past cannot cause further events.
 void CriticalPath::forget(Time now) {
     if (!points_.should_forget())
         return;
@@ -112,14 +113,15 @@ void CriticalPath::turns(const Process& process, Activity activity, Time now) {
     tell(process, activity, now);
 }
 
-/// A component of a PAR begins when its process has come to it.
+/// Adds a process. A component of a PAR is caused by its parent's last event.
 void CriticalPath::begin(const Process& process, Time now) {
     Lane* parent = lane_of(process.parent());
     Lane lane{add(parent ? parent->last : 0, now, Activity::starting, process), &process};
     turn(lanes_.emplace(process.ordinal(), lane).first->second, Activity::ready, now);
 }
 
-/// What it did last, or what its executive did, until it gets its turn.
+/// Returns the event that gave the process its turn: the end of its wait, the end of the preceding turn on its
+/// executive, or else the end of being ready.
 CriticalPath::Number CriticalPath::turn_of(const Lane& lane, Number made_ready, Time now) {
     if (points_[made_ready].at == now)
         return made_ready;
@@ -154,7 +156,7 @@ void CriticalPath::wait(Lane& lane, Activity activity, Time now) {
             came_[{channel, activity == Activity::outputting}] = lane.last;
 }
 
-/// What is left of their waits began when the later one came.
+/// Notes when the later of the two processes came to the channel.
 void CriticalPath::communicated(const AnyChannel& channel, Time) {
     Lane *from = lane_of(channel.outputter()), *to = lane_of(channel.inputter());
     if (!from || !to)
@@ -169,15 +171,15 @@ void CriticalPath::takes(const PlaceTaken& taken, Time) {
         carried_by_[taken.channel] = taken.place;
 }
 
-/// Null while an event happens.
+/// Returns the process whose program is running now; null while the kernel handles an event.
 const CriticalPath::Lane* CriticalPath::who_runs(const Process& any, Time now) {
     const Lane* lane = lane_of(any.kernel().who_runs());
     bool runs = lane && lane->does == Activity::ready && !lane->cause && points_[lane->last].at == now;
     return runs ? lane : nullptr;
 }
 
-/// What comes over a link of its own is over by itself. All else is when a process says so: the partner in a soft
-/// channel, a router with a packet.
+/// Returns the event that ends a message. A message over a link ends by itself. Other messages end when another process
+/// acts: the partner in a soft channel, or a router with a packet.
 CriticalPath::Number CriticalPath::message_over(const Lane& lane, const AnyChannel& channel, Time now) {
     if (lane.together && carried_by_.contains(&channel))
         return add_message(*lane.together, lane, channel, now);
@@ -194,11 +196,11 @@ CriticalPath::Number CriticalPath::cause_of(const Lane& lane, Time now) {
     if (const AnyChannel* channel = channel_of_message(process))
         return message_over(lane, *channel, now);
     if (const Lane* other = process.serves_machine() ? who_runs(process, now) : nullptr)
-        return other->last; // has a packet for this router to send
+        return other->last; // the other process gives this router a packet to send
     return add(lane.last, now, Activity::delayed, process);
 }
 
-/// With whom it communicated, since both were there.
+/// Accounts for a wait that has ended: the partner, and the time since both processes were at the channel.
 void CriticalPath::explain_wait(const Lane& lane, Time now) {
     const Process& process = *lane.process;
     if (process.serves_machine())
@@ -216,7 +218,7 @@ void CriticalPath::explain_wait(const Lane& lane, Time now) {
     accounts_.explain(process.outermost().name(), partner, together, now);
 }
 
-/// Its wait is over, or it has computed.
+/// Handles the end of a wait or of a computation.
 void CriticalPath::become_ready(Lane& lane, Time now) {
     if (is_waiting(lane.does) && !lane.cause) {
         lane.cause = cause_of(lane, now);
@@ -232,12 +234,13 @@ void CriticalPath::become_ready(Lane& lane, Time now) {
 void CriticalPath::go_on(Lane& lane, Time now) {
     if (is_waiting(lane.does))
         become_ready(lane, now);
-    if (is_waiting(lane.does)) // for its PAR
+    if (is_waiting(lane.does)) // it waited for its PAR
         turn(lane, Activity::ready, now);
     has_turn(lane, now);
 }
 
-/// Until the bus was its own, the path leads over what held the bus before.
+/// Adds a transfer over a bus. Before the transfer, the path leads over the bus's preceding use if that ended later
+/// than the process's last event.
 void CriticalPath::leaves(const PlaceLeft& left, Time now) {
     Lane* lane = lane_of(left.moves_for);
     if (!lane)
@@ -250,7 +253,7 @@ void CriticalPath::leaves(const PlaceLeft& left, Time now) {
     bus_held_[bus] = lane->last;
 }
 
-/// The last component that ends lets its PAR's process go on.
+/// Handles the end of a process. The last component of a PAR to end causes its parent to continue.
 void CriticalPath::end(Lane& lane, Time now) {
     has_turn(lane, now);
     hold_executive(lane);
@@ -261,7 +264,7 @@ void CriticalPath::end(Lane& lane, Time now) {
         parent->cause = lane.last;
 }
 
-/// Where the work did not end with a process, the path leads to what was done last.
+/// Ends the path. If the work did not end with the end of a process, the path leads to the last event of any process.
 void CriticalPath::over(Time now) {
     for (auto& [ordinal, lane] : lanes_)
         if (lane.does == Activity::computing)
@@ -295,13 +298,13 @@ std::vector<PathPart> CriticalPath::parts() const {
 
 namespace {
 
-/// "master[1].out[0] -> slave[1][0].in" as "master[].out[] -> slave[][].in".
+/// Returns "master[].out[] -> slave[][].in" for "master[1].out[0] -> slave[1][0].in".
 std::string with_empty_subscripts(const std::string& subject) {
     static const std::regex subscript(R"(\[\d+\])");
     return std::regex_replace(subject, subscript, "[]");
 }
 
-/// Where shares are equal, the earlier of these comes first.
+/// Returns the activity's rank, which orders equal shares.
 std::size_t rank_of(Activity activity) {
     constexpr Activity ranked[] = {Activity::starting,    Activity::computing, Activity::carrying, Activity::moving,
                                    Activity::arbitrating, Activity::delayed,   Activity::ready,    Activity::ended};

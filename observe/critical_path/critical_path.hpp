@@ -17,23 +17,23 @@
 
 namespace placedpar {
 
-/// Finds the critical path of a run while it goes on. For each thing that happens it notes what had to happen before
-/// it: for a message the later one of the two processes to come to the channel, for a turn on a processor who had it
-/// until then, for the end of a PAR its last component. From the end of the run that leads back to its beginning
-/// without a gap, since each thing begins when the one before it ends.
+/// Records the critical path of a run during the run. For each event it notes the event that caused it: for a message,
+/// the arrival of the later of the two processes at the channel; for a turn on a processor, the end of the preceding
+/// turn; for the end of a PAR, the end of its last component. The causes lead from the end of the run to its beginning
+/// without a gap, since each activity begins when its cause ends.
 class CriticalPath final : public ActivityLog<CriticalPath> {
 public:
-    /// Where the path comes to have more points, nothing of it is kept, and what follows of a run takes no more memory.
+    /// If the path exceeds `most_points`, it is discarded, and the rest of the run needs no more memory.
     explicit CriticalPath(std::size_t most_points = most_path_points);
 
     bool too_long() const { return points_.too_long(); }
-    /// In order of time; their lengths add up to the run's: throws std::logic_error if not. None where the path is too
-    /// long. REQUIRES: the run is over.
+    /// Returns the parts of the path in order of time; empty if the path is too long. Throws std::logic_error if their
+    /// durations do not add up to the run's. REQUIRES: the run is over.
     std::vector<PathPart> parts() const;
-    /// How the time of each process of the netlist went by. REQUIRES: the run is over.
+    /// Returns how each process of the netlist spent its time. REQUIRES: the run is over.
     const std::map<std::string, Account>& accounts() const { return accounts_.all(); }
 
-    /// By direction of a link: how long outputters were in it before their inputters came.
+    /// Returns for each direction of a link how long outputters waited for their inputters.
     const std::map<std::string, Time>& waits_at_links() const { return waits_at_links_; }
 
     void turns(const Process&, Activity, Time) override;
@@ -47,11 +47,11 @@ private:
     using Number = PathPoints::Number;
     using Point = PathPoints::Point;
     struct Lane {
-        Number last; ///< what it did last; while it waits, its coming
+        Number last; ///< its last event; while it waits, the begin of the wait
         const Process* process;
         Activity does = Activity::ended;
-        std::optional<Number> cause = {};    ///< why its wait is over, while it has not gone on
-        std::optional<Number> together = {}; ///< of a message: when both were in the channel
+        std::optional<Number> cause = {};    ///< event that ended its wait, until it continues
+        std::optional<Number> together = {}; ///< when both processes of its present message had come to the channel
     };
 
     std::uint32_t number_of(const std::string& subject);
@@ -78,28 +78,29 @@ private:
 
     PathPoints points_;
     std::vector<std::string> subjects_;
-    std::unordered_map<std::string, std::uint32_t> numbers_;        ///< of subjects and places
-    std::map<std::uint32_t, Lane> lanes_;                           ///< of the processes that live, by ordinal
-    std::unordered_map<const Executive*, Number> held_;             ///< what was last done on each
-    std::unordered_map<std::string, Number> bus_held_;              ///< what each bus was last used for
-    std::map<std::pair<const AnyChannel*, bool>, Number> came_;     ///< to an end of a hard channel; true: to output
-    std::unordered_map<const AnyChannel*, std::string> carried_by_; ///< the direction of a link
+    std::unordered_map<std::string, std::uint32_t> numbers_;        ///< numbers of subjects and places
+    std::map<std::uint32_t, Lane> lanes_;                           ///< processes that exist, by ordinal
+    std::unordered_map<const Executive*, Number> held_;             ///< last event on each executive
+    std::unordered_map<std::string, Number> bus_held_;              ///< last use of each bus
+    std::map<std::pair<const AnyChannel*, bool>, Number> came_;     ///< last arrival at a channel end; true: output
+    std::unordered_map<const AnyChannel*, std::string> carried_by_; ///< direction of the link that carries it
     std::map<std::string, Time> waits_at_links_;
     Accounts accounts_;
     Number end_ = 0;
     Time over_{};
 };
 
-/// The lengths of a path's parts by what they were spent with, the longest first.
+/// The time that a path spends on one activity of one subject.
 struct PathShare {
     Activity activity;
     std::string subject;
     Time time;
 };
+/// Returns the shares of the path's parts, the longest first.
 std::vector<PathShare> shares_of(const std::vector<PathPart>&);
-/// "computing: master on t[0]".
+/// Returns a text such as "computing: master on t[0]".
 std::string name_of(const PathShare&);
-/// The same with arrays taken together: "computing: slave[] on t[]".
+/// As shares_of(), with the elements of an array taken together: "computing: slave[] on t[]".
 std::vector<PathShare> shares_by_array(const std::vector<PathPart>&);
 
 } // namespace placedpar

@@ -10,16 +10,16 @@
 
 namespace placedpar {
 
-/// So many points a path can have: with what is made of them, some 2 Gbyte.
+/// Limits the points of a path. At the limit, the points and what is made from them take about 2 Gbyte.
 inline constexpr std::size_t most_path_points = 2'000'000;
 
-/// Things that happened, each with what had to happen before it: a tree, of which 0 is the root, the beginning of the
-/// run. What none of those leads back to that are still in use is forgotten now and then. Where even the rest is more
-/// than it may be, the tree is given up: from then on it knows of each in use when it was, and of the one before it.
+/// Stores events, each with the event that caused it. They form a tree; its root, point 0, is the beginning of the run.
+/// From time to time, points that no number in use leads back to are removed. If too many points remain, the tree is
+/// given up: from then on it holds only the points in use, and the cause of each.
 class PathPoints {
 public:
-    using Number = std::uint32_t; ///< of a point
-    /// Something that happens: until then, since the point before it, time went by with the activity.
+    using Number = std::uint32_t; ///< index of a point; changes when points are removed
+    /// An event. The activity lasted from the event `before` until `at`.
     struct Point {
         Time at;
         Number before;
@@ -37,9 +37,10 @@ public:
     bool empty() const { return points_.empty(); }
 
     bool should_forget() const { return points_.size() >= room_; }
-    /// Renumbers the points. REQUIRES: each number in use is there once.
+    /// Removes points that none of the numbers leads back to, and renumbers the others. REQUIRES: each variable that
+    /// holds a number in use is listed exactly once.
     void forget_but(std::span<Number* const> in_use);
-    /// Whether the tree was given up.
+    /// Returns whether the tree was given up.
     bool too_long() const { return too_long_; }
 
 private:
@@ -50,7 +51,7 @@ private:
 
     std::vector<Point> points_;
     std::size_t most_;
-    std::size_t room_; ///< with so many points it is time to forget
+    std::size_t room_; ///< number of points at which points are removed next
     bool too_long_ = false;
 };
 

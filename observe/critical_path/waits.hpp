@@ -8,24 +8,25 @@
 
 namespace placedpar {
 
-/// How the time of a process went by, with the components of its PARs. It computes while one of them does; else it
-/// communicates while one of them moves words over a bus, or waits for the bus; else it is ready while one of them is;
-/// else all of them wait. The times add up to its life.
+/// The time of a process, including the components of its PARs, by activity. The process counts as computing while any
+/// of them computes. Otherwise it communicates while one of them moves words over a bus or waits for the bus; otherwise
+/// it is ready while one of them is ready; otherwise it waits. The times add up to its lifetime.
 struct Account {
     Time computing{}, ready{}, communicating{}, delayed{}, waiting{};
-    std::map<std::string, Time> waiting_for; ///< partners; parts of `waiting`, all but a last wait that never ended
+    std::map<std::string, Time> waiting_for; ///< parts of `waiting` by partner, without a last wait that never ended
 
     Time life() const { return computing + ready + communicating + delayed + waiting; }
-    /// For whom it waited longest; "" for nobody.
+    /// Returns the partner for which it waited longest; "" if it waited for none.
     std::string most_waited_for() const;
 };
 
 /// Keeps the accounts of all processes at the outermost level, by name.
 class Accounts {
 public:
-    /// A component, or the process itself, turns from one to another.
+    /// Notes that the process, or one of its components, changes its activity.
     void turn(const std::string& process, Activity from, Activity to, Time now);
-    /// A wait ends: since `together` it communicated with the partner; "" for a delay.
+    /// Notes the end of a wait: the process has communicated with the partner since `together`. The partner is "" for a
+    /// delay.
     void explain(const std::string& process, const std::string& partner, Time together, Time now);
     void close(Time now);
 
@@ -33,9 +34,9 @@ public:
 
 private:
     struct State {
-        std::map<Activity, int> components; ///< that do this
+        std::map<Activity, int> components; ///< number of components by activity
         Time since{};
-        Time unexplained{}; ///< waited, before it is known for whom
+        Time unexplained{}; ///< waiting time whose partner is not known yet
     };
     void settle(const std::string& process, Time now);
 

@@ -9,24 +9,24 @@
 
 namespace placedpar::page {
 
-/// From when to when.
+/// An interval of virtual time.
 struct Period {
     Time begin, end;
 };
 
-/// The first and the last of many stretches: all of them while there is room.
+/// Keeps the first and the last of many stretches; all of them while there is room.
 class BothEnds {
 public:
     explicit BothEnds(std::size_t bytes_of_each_end) : most_(bytes_of_each_end) {}
 
-    /// REQUIRES: it begins no earlier than the one before.
+    /// REQUIRES: the stretch begins no earlier than the stretch before it.
     void add(PackedStretch);
-    /// Compresses those that are here.
+    /// Compresses the stretches that it holds.
     void deflate();
 
-    std::size_t left_out() const { return left_out_; }   ///< slices and messages
-    std::optional<Period> lost() const { return lost_; } ///< where any are left out
-    /// In the order in which they came.
+    std::size_t left_out() const { return left_out_; }   ///< number of slices and messages
+    std::optional<Period> lost() const { return lost_; } ///< interval of the stretches that were left out, if any
+    /// Returns the stretches in the order in which they were added.
     std::vector<const PackedStretch*> all() const;
 
 private:

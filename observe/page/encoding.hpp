@@ -6,12 +6,12 @@
 
 namespace placedpar::page {
 
-/// Appends a number in as many bytes as it needs: seven bits in each, the lowest first, and in all but the last one the
-/// highest bit set.
+/// Appends a number in the fewest bytes: seven bits in each byte, the lowest bits first; the highest bit is set in all
+/// bytes but the last.
 void append_number(std::string& bytes, std::uint64_t number);
-/// Compressed in the format of zlib (RFC 1950), which browsers call "deflate".
+/// Returns the bytes compressed in the format of zlib (RFC 1950), which browsers call "deflate".
 std::string deflated(std::string_view bytes);
-/// As text (RFC 4648).
+/// Returns the bytes in base 64 (RFC 4648).
 std::string base64(std::string_view bytes);
 
 } // namespace placedpar::page

@@ -13,7 +13,7 @@ void merge_pairs(std::vector<Time>& bins) {
     bins.resize((bins.size() + 1) / 2);
 }
 
-/// What is there at all is to be seen.
+/// Returns the level of a share, from 0 to 63. Any time above 0 gives at least level 1.
 char level(Time part, Time whole) {
     constexpr int highest = 63;
     double share = static_cast<double>(part.count()) / static_cast<double>(whole.count());

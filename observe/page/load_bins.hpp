@@ -8,8 +8,8 @@
 
 namespace placedpar::page {
 
-/// What share of its time each track runs, or is ready to, bin by bin: bins of one width, which doubles whenever there
-/// would be too many of them. So a run of any length takes the same room.
+/// Counts in bins of time how long each track runs and how long it is ready. All bins have one width, which doubles
+/// whenever there would be too many bins, so a run of any length takes the same memory.
 class LoadBins {
 public:
     enum class State { running, ready };
@@ -17,14 +17,15 @@ public:
     /// The first bin begins at the origin.
     LoadBins(std::size_t most_bins, Time origin);
 
-    /// REQUIRES: what is added to one state of one track does not overlap; none of it lies before the origin.
+    /// Adds an interval. REQUIRES: the intervals of one state of one track do not overlap; none begins before the
+    /// origin.
     void add(std::size_t track, State, Time begin, Time end);
-    /// Makes them at most so many.
+    /// Merges bins until there are at most `most_bins`.
     void merge_to(std::size_t most_bins);
 
     Time width() const { return width_; }
-    /// A character a bin, in the order of the 64 of level_digits: none of it, ..., all of it. Bins at the end in which
-    /// there is nothing are left out.
+    /// Returns a character of level_digits for each bin: the first if the track was never in the state, the last if it
+    /// always was. Empty bins at the end are left out.
     std::string levels(std::size_t track, State) const;
 
 private:

@@ -11,9 +11,9 @@ namespace placedpar::page {
 
 namespace {
 
-/// Of all tracks together: each takes two bytes of the page.
+/// Limits the bins of all tracks together; each bin takes two bytes of the page.
 constexpr std::size_t most_bins_together = 2'000'000;
-/// Where every slice is there at once, bins are only looked at from far away.
+/// Number of bins if the page has every slice uncompressed: bins are then used only for a view of the whole run.
 constexpr std::size_t bins_beside_slices = 1024;
 
 std::size_t bins_for(std::size_t tracks) {
@@ -35,7 +35,7 @@ const char* name_of(Track::Kind kind) {
     return "";
 }
 
-/// In the order of their numbers.
+/// Names of the activities in the order of their numbers.
 constexpr std::array<const char*, static_cast<std::size_t>(Activity::stopped) + 1> names_of_activities{
     "executes", "carries",    "ready", "computes",   "delayed", "outputs",
     "inputs",   "alternates", "joins", "after work", "stopped"};

@@ -12,8 +12,9 @@
 
 namespace placedpar::page {
 
-/// Keeps of a trace what a page of bounded size has room for: of every track how loaded it was, bin by bin, and every
-/// slice and message, packed; where those are too many, the ones of the beginning and the end of the run.
+/// Keeps the parts of a trace for which a page of bounded size has room: the load of every track in bins, and all
+/// slices and messages, packed. If there are too many of these, only those at the beginning and the end of the run are
+/// kept.
 class PageRecorder final : public TraceWriter {
 public:
     /// REQUIRES: the tracks outlive it.
@@ -24,12 +25,13 @@ public:
     void draw_path(std::span<const PathPart>) override;
     void finish(Time begin, Time end, const std::string& why) override;
 
-    /// Times in picoseconds. {"begin", "end", "why", "bin", "left_out": slices and messages, "lost": from when to when
-    /// they are, "doing": names of what tracks do, "nodes", "tracks", "deflated", "stretches": [begin, end, slices and
-    /// messages, ...], "texts": of the path, "path": [track, begin, how long, name, ...]}.
-    /// REQUIRES: it is finished.
+    /// Returns {"begin", "end", "why", "bin": width of a bin, "left_out": number of slices and messages left out,
+    /// "lost": [begin, end] of their interval, "doing": names of activities, "nodes", "tracks", "deflated",
+    /// "stretches": [begin, end, number of slices and messages, ...], "texts": texts of the path, "path": [track,
+    /// begin, duration, name, ...]}. Times are in picoseconds. REQUIRES: finish() was called.
     boost::json::object json();
-    /// In the same order; compressed if json() says so. REQUIRES: it is finished.
+    /// Returns the stretches in the order of json(); they are compressed if "deflated" is true. REQUIRES: finish() was
+    /// called.
     const Stretches& stretches() const { return stretches_; }
 
 private:
@@ -41,7 +43,7 @@ private:
     const Tracks& tracks_;
     LoadBins bins_;
     Stretches stretches_;
-    std::vector<PathPart> path_; ///< where it is known; of a very long one the longest parts
+    std::vector<PathPart> path_; ///< the critical path, if it is known; only the longest parts of a very long one
     Time begin_{}, end_{};
     std::string why_;
 };

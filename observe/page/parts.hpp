@@ -4,12 +4,12 @@
 
 namespace placedpar::page {
 
-// Files that a page is made of, embedded when the program is built: see CMakeLists.txt.
+// Functions that return the files of a page. The build embeds these files in the program: see CMakeLists.txt.
 
-std::string frame_html(); ///< with @TITLE@, @STYLE@, @LIBRARY@, @DATA@, @STRETCHES@, @PROGRAM@ where the others go, and
-                          ///< the pictures
+std::string frame_html(); ///< has placeholders @TITLE@, @STYLE@, @LIBRARY@, @DATA@, @STRETCHES@, @PROGRAM@, and those
+                          ///< of the pictures
 std::string style_css();
 std::string library_js(); ///< D3, of Debian's package node-d3
-std::string program_js(); ///< all of ours
+std::string program_js(); ///< our own JavaScript
 
 } // namespace placedpar::page

@@ -20,9 +20,9 @@ namespace placedpar {
 
 namespace {
 
-/// Larger networks are not drawn: a browser would take too long over them.
+/// Limits the size of networks that are drawn; a browser would be too slow with larger ones.
 constexpr std::size_t most_drawn = 20'000;
-/// Of the tables: those of larger networks are for --json.
+/// Limits the rows of tables; longer tables are left to --json.
 constexpr std::size_t most_rows = 3000;
 constexpr std::size_t most_generations = 500;
 
@@ -52,7 +52,7 @@ boost::json::value finite_or_null(double number) {
     return std::isfinite(number) ? boost::json::value(number) : boost::json::value();
 }
 
-/// [generation, time, best so far, mean, diversity]
+/// Returns [generation, time, best so far, mean, diversity].
 boost::json::array generation_on_page(std::size_t number, const LoggedGeneration& generation) {
     return {number, generation.time ? boost::json::value(generation.time->count()) : boost::json::value(),
             finite_or_null(generation.best_so_far), finite_or_null(generation.mean),
@@ -79,7 +79,7 @@ boost::json::array searches_on_page(const GenerationLog& log) {
     return all;
 }
 
-/// As `--json` has it, but for tables that are too long to be read.
+/// Returns the report of `--json` without tables that are too long to read.
 boost::json::object report_on_page(const PageContent& content) {
     boost::json::object report = report_json(content.report, content.network, content.manifest, content.searches);
     for (auto& [name, part] : report)
@@ -88,7 +88,7 @@ boost::json::object report_on_page(const PageContent& content) {
     return report;
 }
 
-/// In a page nothing in it may look like the end of the element that it stands in.
+/// Returns the data as JSON in which nothing looks like the end of its HTML element.
 std::string text_of_data(const boost::json::object& data) {
     std::string text;
     for (char each : as_json(boost::json::serialize(data)))
@@ -96,7 +96,7 @@ std::string text_of_data(const boost::json::object& data) {
     return text;
 }
 
-/// An element for each stretch, in which a browser looks only when what it holds is looked at.
+/// Returns an HTML element for each stretch. The page reads an element only when its interval is shown.
 std::string stretch_elements(const page::Stretches& stretches) {
     std::string text;
     for (const page::PackedStretch* each : stretches.all())
@@ -106,7 +106,7 @@ std::string stretch_elements(const page::Stretches& stretches) {
     return text;
 }
 
-/// What stands for the parts of a page, in the order in which they come in its frame.
+/// A placeholder and the part of the page that replaces it; parts are listed in the order of the frame.
 using Part = std::pair<const char*, std::string>;
 
 std::string filled(const std::string& frame, std::span<const Part> parts) {
@@ -114,7 +114,7 @@ std::string filled(const std::string& frame, std::span<const Part> parts) {
     std::size_t at = 0, size = frame.size();
     for (const Part& each : parts)
         size += each.second.size();
-    out.reserve(size); // a page is large
+    out.reserve(size); // avoids copies of a large page
     for (const auto& [mark, text] : parts) {
         std::size_t found = frame.find(mark, at);
         out.append(frame, at, found - at).append(text);

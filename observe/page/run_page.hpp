@@ -11,7 +11,7 @@
 
 namespace placedpar {
 
-/// What a page shows of a run beside its timelines.
+/// Holds what a page shows of a run besides the timelines.
 struct PageContent {
     const Network& network;
     const RunReport& report;
@@ -19,21 +19,21 @@ struct PageContent {
     const GenerationLog& searches;
 };
 
-/// A run as one HTML file that is looked at in a browser, without the internet: the network, coloured by load at the
-/// moment that a slider chooses, timelines, measures, a deadlock's cycle, convergence. It stays below 64 megabytes: of
-/// a run that is too long for that it has every slice and message of the beginning and the end, and between them how
-/// loaded everything was.
+/// Makes a run into one HTML file for a browser, which needs no internet. It shows the network, coloured by load at the
+/// time that a slider selects, timelines, measurements, the cycle of a deadlock, and convergence. The file stays below
+/// 64 megabytes: for a very long run it has the slices and messages of the beginning and the end, and only the load in
+/// between.
 class RunPage {
 public:
-    /// The whole run, or what lies in the window; throws UserError when that is empty. The network is looked at only
-    /// here.
+    /// Records the part of the run in the window. Throws UserError if the window is empty. The network is used only by
+    /// the constructor.
     RunPage(const Network&, const TraceWindow&);
 
     TraceSink& sink() { return timeline_; }
-    /// With the critical path as a line through the timelines, where it is known. REQUIRES: the run is over; called
-    /// once.
+    /// Returns the page. The critical path, if given, is a line through the timelines. REQUIRES: the run is over;
+    /// called once.
     std::string html(const PageContent&, std::span<const PathPart> critical_path = {});
-    /// What the user should know about what is not on it, in lines of text that name the file. REQUIRES: the run is
+    /// Returns lines of text that tell the user what is missing on the page; they name the file. REQUIRES: the run is
     /// over.
     std::string warnings(const std::filesystem::path&) const;
 

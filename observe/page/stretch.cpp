@@ -12,7 +12,7 @@ namespace placedpar::page {
 
 namespace {
 
-/// The subject of what runs; of a wait a line for each channel, with the partner behind a tabulator.
+/// Returns the text of a slice: its subject, or for a wait a line for each channel, with the partner behind a tab.
 std::string note_of(const Slice& slice) {
     std::string note = slice.subject;
     for (const Awaited& each : slice.awaited)
@@ -42,7 +42,7 @@ void Stretch::add(const MessageArrow& arrow) {
                        texts_.number_of(arrow.channel), arrow.left, arrow.arrived});
 }
 
-/// What is cleared keeps its room: a new one would be asked for from the system each time.
+/// Clears the vectors instead of making new ones, so that they keep their memory.
 PackedStretch Stretch::pack() {
     std::string texts = as_json(boost::json::serialize(texts_.json())), bytes;
     append_number(bytes, texts.size());
@@ -70,7 +70,7 @@ void Stretch::append_slices(std::string& bytes) {
     append_column(bytes, slices_, [](const KeptSlice& each) { return each.note; });
 }
 
-/// REQUIRES: they are sorted by track.
+/// Appends the numbers of slices by track. REQUIRES: slices_ is sorted by track.
 void Stretch::append_tracks(std::string& bytes) const {
     std::uint64_t tracks = 0;
     std::string each_track;

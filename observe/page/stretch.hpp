@@ -10,35 +10,35 @@
 
 namespace placedpar::page {
 
-/// A stretch of a run, packed: see Stretch::pack().
+/// A packed stretch: see Stretch::pack().
 struct PackedStretch {
     Time begin, end;
     std::size_t entries; ///< slices and messages
     std::string bytes;
 };
 
-/// The slices and messages of a stretch of a run. It stands by itself: its texts are its own.
+/// Collects the slices and messages of an interval of a run. It can be unpacked alone, since it has its own texts.
 class Stretch {
 public:
     explicit Stretch(Time begin) : begin_(begin), end_(begin) {}
 
     Time begin() const { return begin_; }
-    Time end() const { return end_; } ///< of all that is in it
+    Time end() const { return end_; } ///< latest end of its entries
     std::size_t entries() const { return slices_.size() + arrows_.size(); }
 
-    /// REQUIRES, as the other: it begins neither before the stretch nor before the last one of its track.
+    /// REQUIRES, also for messages: the entry begins neither before the stretch nor before the last entry of its track.
     void add(const Slice&);
     void add(const MessageArrow&);
 
-    /// Packs what is in it; it begins anew at its end. As numbers (append_number), one column after the other, since
-    /// like compresses best beside like:
-    ///   how many bytes of JSON, and these: the texts;
-    ///   how many tracks have slices, and of each its number and how many;
-    ///   of all slices, track by track: since the end of the one before, or the stretch's beginning; how long;
-    ///   what it does, and 16 if it is open; the number of its note;
-    ///   how many messages; of all, by when they left: from which track; to which; when, since the one before or the
-    ///   beginning; how long; the number of its channel.
-    /// Times in picoseconds.
+    /// Packs the stretch, which then begins anew at its end. The bytes are numbers (append_number). Each value below is
+    /// a column over all slices or messages, since equal kinds of values compress best together:
+    ///   length of the texts in bytes; the texts as JSON;
+    ///   number of tracks that have slices; for each its number and its count of slices;
+    ///   for all slices, by track: time since the end of the track's slice before it, or since the stretch's begin;
+    ///   duration; activity, plus 16 if the slice is open; number of its text;
+    ///   number of messages; for all, in order of leaving: sender's track; receiver's track;
+    ///   time since the message before it left, or since the stretch's begin; duration; number of the channel's text.
+    /// Times are in picoseconds.
     PackedStretch pack();
 
 private:

@@ -9,8 +9,8 @@ namespace placedpar::page {
 
 namespace {
 
-/// When a stretch ends, each track is amid something that lies in another row: few of all that the tracks do, where a
-/// stretch has many entries of each.
+/// Returns the size of a full stretch. At its end each track may have one unfinished slice, which goes into another
+/// row. A stretch has many entries for each track, so these slices are few.
 std::size_t entries_for(std::size_t tracks, std::size_t at_least) {
     return std::max({at_least, std::min<std::size_t>(64 * tracks, 400'000), 4 * tracks});
 }
@@ -31,7 +31,8 @@ void Stretches::add(const MessageArrow& arrow) {
     pack_if_full(row);
 }
 
-/// A further row has an eighth of the room of the one before, and still fills up later.
+/// Returns the row whose open stretch the entry can join. A new row has an eighth of the preceding row's room, and
+/// still fills up later.
 Stretches::Row& Stretches::row_for(Time begin) {
     auto row = std::ranges::find_if(rows_, [begin](const Row& each) { return each.open.begin() <= begin; });
     if (row != rows_.end())

@@ -5,31 +5,30 @@
 
 namespace placedpar::page {
 
-/// How much there is room for.
+/// Limits of what a page holds.
 struct Room {
-    std::size_t entries_of_stretch = 40'000;    ///< a stretch is unpacked in some hundredths of a second
-    std::size_t entries_at_once = 250'000;      ///< a run of no more is not compressed
-    std::size_t bytes_of_each_end = 16'000'000; ///< a page stays below 64 megabytes
+    std::size_t entries_of_stretch = 40'000;    ///< a browser unpacks such a stretch in some hundredths of a second
+    std::size_t entries_at_once = 250'000;      ///< a run with at most as many entries is not compressed
+    std::size_t bytes_of_each_end = 16'000'000; ///< keeps a page below 64 megabytes
 };
 
-/// The slices and messages of a run of any length, in stretches, each packed as soon as it is full.
+/// Collects the slices and messages of a run of any length in stretches. A full stretch is packed at once.
 ///
-/// One that begins before the present stretch does, since it took longer, lies in one of another row of stretches,
-/// which are longer, as there are fewer such; or if it begins before the present one of these, in one of a third row.
-/// Those of a row do not overlap. So whoever knows all stretches that a moment lies in knows all that there was at that
-/// moment.
+/// An entry that begins before the open stretch goes into a second row of longer stretches, or into a third row if it
+/// begins before the second row's open stretch. The stretches of a row do not overlap. So the stretches that contain a
+/// time hold all entries at that time.
 class Stretches {
 public:
     Stretches(const Tracks&, Time from, const Room& = {});
 
     void add(const Slice&);
     void add(const MessageArrow&);
-    /// Nothing more comes.
+    /// Packs the open stretches. Call it after the last entry.
     void finish();
 
-    // REQUIRES, all: it is finished.
+    // All functions below require that finish() was called.
     bool are_deflated() const { return deflated_; }
-    std::size_t left_out() const; ///< slices and messages
+    std::size_t left_out() const; ///< number of slices and messages
     std::optional<Period> lost() const;
     std::vector<const PackedStretch*> all() const;
 
@@ -46,7 +45,7 @@ private:
     Time from_;
     Room room_;
     std::deque<Row> rows_;
-    std::size_t entries_ = 0; ///< that are packed
+    std::size_t entries_ = 0; ///< number of packed entries
     bool deflated_ = false;
 };
 

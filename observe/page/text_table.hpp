@@ -9,7 +9,7 @@
 
 namespace placedpar::page {
 
-/// Numbers texts in the order in which they first come; the empty one is 0.
+/// Numbers texts in the order of their first use; the empty text is 0.
 class TextTable {
 public:
     TextTable() { number_of(""); }

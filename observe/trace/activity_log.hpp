@@ -8,9 +8,9 @@ namespace placedpar {
 
 /// Calls the reader's function for each kind of notice about a process. A Reader keeps its lanes_, by the
 /// ordinals of the processes that live, and has
-///   begin(process, now)           the process exists; adds its lane, or nothing more is said of it;
+///   begin(process, now)           the process begins to exist; without a lane added here it is ignored;
 ///   wait(lane, activity, now)     a wait begins;
-///   become_ready(lane, now)       a wait or a computation is over, and the program does not run yet;
+///   become_ready(lane, now)       a wait or a computation is over, but the program does not run yet;
 ///   go_on(lane, now)              the program runs again after a wait;
 ///   compute(lane, activity, now)  it computes, or moves words;
 ///   end(lane, now)                its last notice; the lane is removed afterwards.
@@ -19,7 +19,7 @@ class ActivityLog : public TraceSink {
 protected:
     ~ActivityLog() = default;
 
-    /// Returns null where there is no process, or where the process has no lane.
+    /// Returns the process's lane; null if there is no process or it has no lane.
     auto* lane_of(const Process* process) {
         auto& lanes = reader().lanes_;
         auto found = process ? lanes.find(process->ordinal()) : lanes.end();

@@ -7,17 +7,17 @@
 
 namespace placedpar {
 
-/// A part of a run's critical path: from the part before it, or the beginning of the run, until a moment.
+/// A part of a run's critical path. It begins where the preceding part ends; the first begins with the run.
 struct PathPart {
     Activity activity;   ///< starting, computing, carrying (a message), moving, arbitrating, delayed, ready or ended
     std::string subject; ///< "master on t[0]"; the channel; the process
-    std::string place;   ///< the processor, direction of a link, or bus that it took; "" for none
+    std::string place;   ///< the processor, direction of a link, or bus that it used; "" for none
     Time begin, end;     ///< begin < end
 };
 
-/// "communicating"; "" for what no part of a path is.
+/// Returns the activity's name, such as "communicating"; "" for an activity that no part of a path has.
 const char* name_on_path(Activity);
-/// "computing: master on t[0]".
+/// Returns a text such as "computing: master on t[0]".
 std::string name_on_path(Activity, const std::string& subject);
 
 } // namespace placedpar

@@ -18,13 +18,13 @@ namespace {
 
 std::string json_text(const std::string& text) { return as_json(boost::json::serialize(boost::json::string(text))); }
 
-/// The format counts microseconds; six digits more keep every picosecond.
+/// Prints a time in microseconds, the format's unit, with six decimals, which keep every picosecond.
 std::string microseconds(Time t) {
     constexpr std::int64_t picoseconds = 1'000'000;
     return fmt::format("{}.{:06}", t.count() / picoseconds, t.count() % picoseconds);
 }
 
-/// Where nobody is known yet, the channel.
+/// Returns the names of the partners; for a partner that is not known yet, the channel's name.
 std::string partners_of(const Slice& slice, const char* joined_by) {
     std::vector<std::string> partners;
     for (const Awaited& awaited : slice.awaited)
@@ -32,7 +32,7 @@ std::string partners_of(const Slice& slice, const char* joined_by) {
     return fmt::format("{}", fmt::join(partners, joined_by));
 }
 
-/// More than a few partners are listed among the arguments only.
+/// Returns the name of an alternation. More than three partners are listed only among the arguments.
 std::string name_of_alternation(const Slice& slice) {
     constexpr std::size_t most_named = 3;
     std::size_t count = slice.awaited.size();
@@ -41,12 +41,12 @@ std::string name_of_alternation(const Slice& slice) {
     return count == 0 ? "waits for its timer" : name + (slice.awaits_timer ? ", or its timer" : "");
 }
 
-/// A process of the machine waits on no channel while it has no packet to send.
+/// Returns the name of an input. A process of the machine that has no packet to send waits on no channel.
 std::string name_of_input(const Slice& slice) {
     return slice.awaited.empty() ? "waits for packets to send" : "inputs from " + partners_of(slice, " ");
 }
 
-/// How a viewer shows a slice, whose colour it takes from the name.
+/// Category and name of a slice in a viewer, which derives the colour from the name.
 struct Shown {
     const char* category;
     std::string name;
@@ -79,7 +79,7 @@ std::string described(const Awaited& awaited) {
                        json_text(awaited.partner.empty() ? "nobody yet" : awaited.partner));
 }
 
-/// What more is to be said: the bytes that a link carries, the channels of a wait. "" for nothing.
+/// Returns the slice's arguments: the bytes that a link carries, or the channels of a wait; "" if there are none.
 std::string arguments(const Slice& slice) {
     if (slice.activity == Activity::carrying && !slice.open)
         return fmt::format(R"({{"bytes":{}}})", slice.bytes);
@@ -109,8 +109,8 @@ void PerfettoTrace::add(const std::string& event) {
     file_.write(event);
 }
 
-/// Nodes and tracks have numbers above 0, which the viewers keep for themselves, and no two the same: a thread with the
-/// number of its process would be drawn first.
+/// Returns the numbers of the track's process and thread. They are above 0, which viewers reserve, and all different,
+/// since a thread with the number of its process would be drawn first.
 std::string PerfettoTrace::place(std::size_t track) const {
     return fmt::format(R"("pid":{},"tid":{})", tracks_.all()[track].place.node + 1, tracks_.nodes().size() + 1 + track);
 }
@@ -132,7 +132,8 @@ void PerfettoTrace::write(const MessageArrow& arrow) {
     add(fmt::format(R"({{"ph":"f","bp":"e",{},{},"ts":{}}})", common, place(arrow.to), microseconds(arrow.arrived)));
 }
 
-/// Behind the numbers of all tracks; thread 0 is the whole path.
+/// Returns the numbers for a thread of the critical path, which follow the numbers of all tracks; thread 0 has the
+/// whole path.
 std::string PerfettoTrace::place_on_path(std::size_t thread) const {
     std::size_t pid = tracks_.nodes().size() + tracks_.all().size() + 1;
     return fmt::format(R"("pid":{},"tid":{})", pid, pid + 1 + thread);
@@ -144,7 +145,7 @@ void PerfettoTrace::write_part(const PathPart& part, std::size_t thread) {
                     microseconds(part.begin), microseconds(part.end - part.begin)));
 }
 
-/// From the last picosecond of one to the first of the other.
+/// Writes a flow from the last picosecond of one part to the first of the next.
 void PerfettoTrace::write_step(const PathPart& from, std::size_t from_thread, const PathPart& to,
                                std::size_t to_thread) {
     std::string common = fmt::format(R"("name":"critical path","cat":"critical path","id":{})", ++arrows_);
@@ -170,7 +171,7 @@ void PerfettoTrace::draw_path(std::span<const PathPart> path) {
         write_path_names(path);
 }
 
-/// The places in the order in which their tracks are drawn.
+/// Writes the names of the path's threads, in the order in which the tracks of their places are drawn.
 void PerfettoTrace::write_path_names(std::span<const PathPart> path) {
     std::set<std::size_t> places;
     for (const PathPart& part : path)

@@ -8,15 +8,15 @@
 
 namespace placedpar {
 
-/// A trace in the Trace Event Format (JSON), which ui.perfetto.dev and chrome://tracing show as a timeline. A node is a
-/// process of that format, a track one of its threads. It is written as the run goes.
+/// Writes a trace in the Trace Event Format (JSON) during the run; ui.perfetto.dev and chrome://tracing show it as a
+/// timeline. In that format a node is a process, and each of its tracks a thread.
 ///
-/// A slice is a complete event (X), or one that begins and does not end (B) if it is open. A message is a flow (s, f)
-/// from slice to slice. The end of the trace is an instant (i) that says why. Names and order are metadata (M).
+/// A slice is a complete event (X); an open slice is an event that only begins (B). A message is a flow (s, f) between
+/// slices. The end of the trace is an instant (i) that states the reason. Names and order are metadata (M).
 ///
-/// A critical path is a process of its own above all others: a thread has the whole path, and each processor and link
-/// that it leads over one with its parts there, all of them red where a viewer lets a trace choose (cname). A flow
-/// leads from each part to the next: one line from the beginning of the run to its end.
+/// A critical path is a process of its own above all others. One thread has the whole path; each processor and link on
+/// the path has a thread with the parts there. The parts are red in viewers that accept colours (cname). A flow leads
+/// from each part to the next, so that one line leads from the beginning of the run to its end.
 class PerfettoTrace final : public TraceWriter {
 public:
     /// REQUIRES: file and tracks outlive it, and nothing has been written to the file.

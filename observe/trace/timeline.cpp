@@ -13,8 +13,8 @@ namespace placedpar {
 
 namespace {
 
-/// Whether what a process does at the end of the work is still so at the end of the run: it was stopped, or is held by
-/// a deadlock.
+/// Returns whether the process's activity at the end of the work never ended: the run was stopped, or the process is in
+/// the deadlock.
 bool never_ends(const std::string& process, const RunResult& result) {
     return result.ending != Ending::completed &&
            (!result.deadlock || std::ranges::find(result.deadlock->processes, process, &StuckProcess::path) !=
@@ -48,7 +48,7 @@ void Timeline::finish(const RunResult& result) {
     writer_.finish(std::min(window_.from, *end_), *end_, why_.empty() ? name_of(result.ending) : why_);
 }
 
-/// Whether the trace goes on at this moment.
+/// Returns whether the trace goes on now; ends it if its window or its limit is exceeded.
 bool Timeline::taking(Time now) {
     if (!end_ && now > window_.until) {
         shut(window_.until, "end of the part that is traced");
@@ -78,7 +78,7 @@ void Timeline::go_on(Lane& lane, Time now) {
 void Timeline::compute(Lane& lane, Activity, Time now) {
     if (lane.activity == Activity::computing && lane.stopped == now)
         lane.stopped.reset();
-    else if (!is_waiting(lane.activity)) // a processor may work for a process before its wait is over
+    else if (!is_waiting(lane.activity)) // a processor may work for a waiting process
         turn_to(lane, Activity::computing, now);
     if (std::size_t processor = processor_of(lane); processor != Tracks::none)
         use(processor, tracks_.all()[lane.track].name, now);
@@ -102,8 +102,8 @@ std::size_t Timeline::processor_of(const Lane& lane) const {
     return executive ? tracks_.of_place(executive->name()) : Tracks::none;
 }
 
-/// A process that waited in the channel goes on later: its message arrives when it does. For the other one, what it did
-/// before the message and what it does after it are two slices.
+/// Notes a message. An inputter that waits continues later; its message arrives then. A process that does not wait gets
+/// a new slice after the message.
 void Timeline::communicated(const AnyChannel& channel, Time now) {
     if (!taking(now) || now < window_.from)
         return;
@@ -149,7 +149,7 @@ void Timeline::turn_to(Lane& lane, Activity activity, Time now) {
     lane.partner = Tracks::none;
 }
 
-/// Ends what the process did until now: if it had stopped computing before, it was ready since then.
+/// Ends the process's present slice. If it had stopped computing earlier, it has been ready since then.
 void Timeline::settle(Lane& lane, Time now) {
     if (std::optional<Time> stopped = std::exchange(lane.stopped, std::nullopt)) {
         close(lane, *stopped);
@@ -164,7 +164,7 @@ void Timeline::close(Lane& lane, Time end) {
         close(lane, slice_of(lane, end, false));
 }
 
-/// The messages that lie in the slice do so at its beginning. Returns whether there is anything to be seen of it.
+/// Writes the slice, and places its message ends at its beginning. Returns whether the slice is visible.
 bool Timeline::close(Lane& lane, Slice slice) {
     Time end = slice.end;
     if (!write(std::move(slice)))
@@ -175,7 +175,7 @@ bool Timeline::close(Lane& lane, Slice slice) {
     return true;
 }
 
-/// What the process does since its last slice.
+/// Returns the slice of the present activity, from the end of the last slice.
 Slice Timeline::slice_of(const Lane& lane, Time end, bool open) const {
     Slice slice{lane.track, lane.activity, lane.since, end, open};
     if (!is_waiting(lane.activity))
@@ -186,8 +186,8 @@ Slice Timeline::slice_of(const Lane& lane, Time end, bool open) const {
     return slice;
 }
 
-/// Who came to the other end of the channel. Else who has to come, as far as can be known: its last user, or the
-/// process at the outermost level to which that belonged.
+/// Returns the process that came to the other end of the channel. If none has come, returns the last user of that end,
+/// or the outermost process to which it belonged; "" if unknown.
 std::string Timeline::partner(const Lane& lane, const AnyChannel& channel, bool open) const {
     if (lane.partner != Tracks::none)
         return tracks_.all()[lane.partner].name;
@@ -220,7 +220,7 @@ void Timeline::close_use(std::size_t track, Time now) {
     write({track, activity, use.since, end, !use.stopped, use.subject, use.bytes});
 }
 
-/// Returns whether there is anything to be seen of it.
+/// Writes the part of the slice in the window. Returns false if there is none.
 bool Timeline::write(Slice slice) {
     slice.begin = std::max(slice.begin, window_.from);
     if (slice.end < slice.begin || (slice.end == slice.begin && !(slice.open && is_waiting(slice.activity))))
@@ -230,7 +230,7 @@ bool Timeline::write(Slice slice) {
     return true;
 }
 
-/// When both ends of the message are known, it is written.
+/// Sets an end of a message, and writes the message when both ends are known.
 void Timeline::place(const MessageEnd& end, std::size_t track, Time at) {
     auto found = messages_.find(end.message);
     if (found == messages_.end())
@@ -247,8 +247,8 @@ void Timeline::place(const MessageEnd& end, std::size_t track, Time at) {
     messages_.erase(found);
 }
 
-/// The process ended with a message: that lies at the end of its last slice. One that never took any time has none,
-/// and the message cannot be shown.
+/// Places messages with which the process ended at the end of its last slice. A process without any slice took no time,
+/// and its messages cannot be shown.
 void Timeline::give_up(Lane& lane) {
     for (const MessageEnd& message : std::exchange(lane.here, {}))
         if (lane.last_end)
@@ -257,7 +257,7 @@ void Timeline::give_up(Lane& lane) {
             messages_.erase(message.message);
 }
 
-/// The trace ends. What the processes do will have ended or not when the run has.
+/// Ends the trace. Whether the present waits will end is known only at the end of the run.
 void Timeline::shut(Time now, const std::string& why) {
     end_ = now;
     why_ = why;
@@ -271,7 +271,7 @@ void Timeline::shut(Time now, const std::string& why) {
         close_use(track, now);
 }
 
-/// REQUIRES: the trace has ended.
+/// Writes the process's last slice and its remaining messages. REQUIRES: the trace has ended.
 void Timeline::finish(Lane& lane, const RunResult& result) {
     lane.last->open = !why_.empty() || never_ends(lane.path, result);
     if (!close(lane, std::move(*lane.last)))

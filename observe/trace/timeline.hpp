@@ -15,30 +15,31 @@
 
 namespace placedpar {
 
-/// Which part of a run is traced.
+/// The part of a run that is traced.
 struct TraceWindow {
     Time from{}, until = Time::max();
-    std::size_t most_entries = 2'000'000; ///< slices and messages; the trace ends when there are so many
+    std::size_t most_entries = 2'000'000; ///< slices and messages; the trace ends when it has as many
 
     bool is_part() const { return from > Time{} || until < Time::max(); }
 };
 
-/// Throws UserError when the window is empty.
+/// Returns the window. Throws UserError if it is empty.
 const TraceWindow& require_time_in(const TraceWindow&);
 
-/// Makes slices on tracks of what it is told of a run. A slice ends when a process does something else; one that
-/// computes again at once goes on, unless a message was handed over in between. A wait lasts until its process goes on.
+/// Converts the kernel's notices into slices on tracks. A slice ends when the process changes its activity. If a
+/// process computes again at once, its slice continues, unless a message was passed in between. A wait lasts until its
+/// process continues.
 class Timeline final : public ActivityLog<Timeline> {
 public:
     /// REQUIRES: the tracks and the writer outlive it.
     Timeline(Tracks&, const TraceWindow&, TraceWriter&);
 
-    /// When the trace was full, if it was.
+    /// Returns when the trace became full, if it did.
     std::optional<Time> full_at() const { return full_at_; }
-    /// Why nothing of the run lies in the window, where that is so; else "". REQUIRES, as finish(): the run is over.
+    /// Returns why nothing of the run lies in the window; "" if something does. REQUIRES: the run is over.
     std::string why_empty() const;
-    /// Of the run. A wait is left open where it never ended, or ended behind the trace; not one that ended after the
-    /// work (see wait_until_work_is_over), which is not traced.
+    /// Completes the trace. A wait is written as open if it never ended, or ended after the end of the trace. A wait
+    /// that ended after the work of the run (see wait_until_work_is_over) is not open. REQUIRES: the run is over.
     void finish(const RunResult&);
 
     void turns(const Process&, Activity, Time) override;
@@ -54,21 +55,21 @@ private:
         std::uint64_t message;
         bool arrives;
     };
-    /// What the process does that a track is of.
+    /// State of the process of a track.
     struct Lane {
         std::size_t track;
         const Process* process;
         Activity activity;
         Time since;
-        std::optional<Time> stopped = {};         ///< of one that computes: until then
-        std::optional<Time> last_end = {};        ///< of its last slice
-        std::size_t partner = Tracks::none;       ///< with whom it communicated during the present wait
-        std::vector<MessageEnd> here = {};        ///< in the next slice that lasts
+        std::optional<Time> stopped = {};         ///< when it stopped computing, unless it still computes
+        std::optional<Time> last_end = {};        ///< end of its last slice
+        std::size_t partner = Tracks::none;       ///< track of the partner of the present wait
+        std::vector<MessageEnd> here = {};        ///< message ends that belong to the next slice with a duration
         std::vector<std::uint64_t> arriving = {}; ///< messages that end the present wait
-        std::optional<Slice> last = {};           ///< when the trace has ended, what the process did then
-        std::string path = {};                    ///< then: the process's
+        std::optional<Slice> last = {};           ///< slice at the end of the trace, once the trace has ended
+        std::string path = {};                    ///< path of the process, once the trace has ended
     };
-    /// What a processor executes, a link carries, or a bus does.
+    /// The present use of a processor, a direction of a link, or a bus.
     struct Use {
         std::string subject;
         Time since;
@@ -108,13 +109,13 @@ private:
     TraceWindow window_;
     TraceWriter& writer_;
     std::map<std::uint32_t, Lane> lanes_;       ///< of the processes that live, by ordinal
-    std::map<std::size_t, Use> uses_;           ///< by track: the present one, or the last
-    std::map<std::uint64_t, Message> messages_; ///< of which an end is not known yet
+    std::map<std::size_t, Use> uses_;           ///< by track: the present use, or else the last
+    std::map<std::uint64_t, Message> messages_; ///< messages with an end that is not known yet
     std::uint64_t message_count_ = 0;
     std::size_t entries_ = 0;
     std::optional<Time> full_at_;
-    std::optional<Time> end_; ///< of the trace
-    std::string why_;         ///< it ended before the run; else empty
+    std::optional<Time> end_; ///< end of the trace
+    std::string why_;         ///< why the trace ended before the run; "" if it did not
 };
 
 } // namespace placedpar

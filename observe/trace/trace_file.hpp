@@ -11,20 +11,20 @@
 
 namespace placedpar {
 
-/// Throws UserError when the name's ending says no format that a trace can be written in.
+/// Throws UserError if the ending of the name is not that of a trace format.
 void require_trace_format(const std::filesystem::path&);
 
-/// A file that a run is traced to, in the format that its name's ending says: .json (PerfettoTrace) or .vcd (VcdTrace).
-/// A pipe or a device whose name has no ending takes JSON, and so does "-", standard output.
+/// A trace file. The ending of its name selects the format: .json (PerfettoTrace) or .vcd (VcdTrace). A pipe or device
+/// without an ending gets JSON, and so does "-", standard output.
 class TraceFile {
 public:
-    /// Throws UserError as require_trace_format(), when the file cannot be written, and when the window is empty. The
-    /// network is looked at only here.
+    /// Throws UserError as require_trace_format(), and if the file cannot be written or the window is empty. The
+    /// network is used only by the constructor.
     TraceFile(const std::filesystem::path&, const Network&, const TraceWindow&);
 
     TraceSink& sink() { return timeline_; }
-    /// REQUIRES: the run is over. Returns what the user should know about what is not in the trace, in lines of text.
-    /// Throws UserError when the file could not be written whole. Without this call nothing is written.
+    /// Completes the file, and returns lines of text that tell the user what is missing in the trace. Throws UserError
+    /// if the file could not be written completely. Without this call there is no file. REQUIRES: the run is over.
     std::string finish(const RunResult&, std::span<const PathPart> critical_path = {});
 
 private:

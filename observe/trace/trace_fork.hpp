@@ -7,10 +7,10 @@
 
 namespace placedpar {
 
-/// Tells several sinks of one run.
+/// Passes the notices of one run on to several sinks.
 class TraceFork final : public TraceSink {
 public:
-    /// REQUIRES: they outlive it.
+    /// REQUIRES: the sinks outlive this object.
     explicit TraceFork(std::vector<TraceSink*> sinks) : sinks_(std::move(sinks)) {}
 
     void turns(const Process& process, Activity activity, Time now) override {

@@ -82,7 +82,7 @@ std::size_t Tracks::of(const Process& process) {
     return processes_[path];
 }
 
-/// Drawn behind its parent.
+/// Adds the track of a component, which is drawn below its parent's.
 void Tracks::add_component(const Process& process, const std::string& path) {
     std::size_t parent = of(*process.parent());
     if (parent == none)
@@ -95,7 +95,8 @@ void Tracks::add_component(const Process& process, const std::string& path) {
     tracks_.back().outermost = tracks_[parent].outermost;
 }
 
-/// False if no node executes it: then it takes no time, and there is nothing to be seen.
+/// Adds the track of a process of the machine. Returns false if no node executes it: it then takes no time and has no
+/// track.
 bool Tracks::add_machine_process(const Process& process, const std::string& path) {
     std::size_t processor = process.executive() ? of_place(process.executive()->name()) : none;
     if (processor == none)

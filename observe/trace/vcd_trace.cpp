@@ -12,7 +12,8 @@ namespace placedpar {
 
 namespace {
 
-/// What has a wire of a process: not that it waits for its components, whose wires are its own.
+/// The activities of a process that have a wire. Waiting for components has none, since their wires are the process's
+/// own.
 constexpr std::pair<Activity, const char*> wires_of_a_process[] = {
     {Activity::computing, "computes"},     {Activity::ready, "ready"},
     {Activity::inputting, "inputs"},       {Activity::outputting, "outputs"},
@@ -20,14 +21,14 @@ constexpr std::pair<Activity, const char*> wires_of_a_process[] = {
     {Activity::after_work, "after_work"},  {Activity::stopped, "stopped"},
 };
 
-/// A track has as many wires as there are things to do, of which most are not used.
+/// Wire numbers reserved for each track: one for each activity, although most are not used.
 constexpr std::uint32_t wires_of_a_track = 16;
 
 std::uint32_t wire_of(std::size_t track, Activity activity) {
     return static_cast<std::uint32_t>(track) * wires_of_a_track + static_cast<std::uint32_t>(activity);
 }
 
-/// A number in the printable characters from ! to ~.
+/// Returns the wire's code: its number in the printable characters from ! to ~.
 std::string code_of(std::uint32_t wire) {
     constexpr std::uint32_t characters = '~' - '!' + 1;
     std::string code;
@@ -38,7 +39,7 @@ std::string code_of(std::uint32_t wire) {
     return code;
 }
 
-/// "t[0].link[1] -> u.link[0]" as an identifier of letters, digits and _: "t_0_link_1_u_link_0".
+/// Returns the name as an identifier of letters, digits and _: "t_0_link_1_u_link_0" for "t[0].link[1] -> u.link[0]".
 std::string identifier(const std::string& name) {
     std::string result;
     for (char c : name)
@@ -51,10 +52,10 @@ std::string identifier(const std::string& name) {
     return result.empty() || std::isdigit(static_cast<unsigned char>(result[0])) ? "_" + result : result;
 }
 
-/// The names of one scope.
+/// Makes the names of one scope unique.
 class ScopeNames {
 public:
-    /// A name that no other has: `a[1]` and `a_1` are told apart by a number.
+    /// Returns an unused identifier for the name; a number distinguishes `a[1]` and `a_1`.
     std::string take(const std::string& name) {
         std::string plain = identifier(name), unique = plain;
         for (int number = 2; !taken_.insert(unique).second; ++number)
@@ -147,14 +148,14 @@ void VcdTrace::write_changes(Time begin, Time end) {
             file_.write(value_change(number, wire));
 }
 
-/// Those up to and including this moment; returns the next.
+/// Applies the changes up to and including `until`; returns the first later one.
 VcdTrace::Changes::const_iterator VcdTrace::make_changes(Changes::const_iterator next, Time until) {
     for (; next != changes_.cend() && next->at <= until; ++next)
         wires_[next->wire].tracks += next->by;
     return next;
 }
 
-/// A wire changes at most once at a moment: what happens in no time is not to be seen.
+/// Writes the changes of one time. A wire changes at most once at a time, so what takes no time is invisible.
 VcdTrace::Changes::const_iterator VcdTrace::write_moment(Changes::const_iterator first) {
     auto next = make_changes(first, first->at);
     std::string changes;

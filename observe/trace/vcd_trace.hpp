@@ -11,12 +11,12 @@
 
 namespace placedpar {
 
-/// A trace as a value change dump (IEEE 1364), which GTKWave and other viewers of waveforms show. Of a processor it has
-/// a wire that is 1 while it is busy; of a process with the components of its PARs a wire for each thing that it can
-/// do, which is 1 while any of them does it; of a direction of a link one that is 1 while it carries bytes. A node is a
-/// scope, and in it each of its processes. Times are in picoseconds.
+/// Writes a trace as a value change dump (IEEE 1364) for GTKWave and other viewers of waveforms. A processor has a wire
+/// that is 1 while it is busy. A process has a wire for each activity, which is 1 while the process or a component of
+/// its PARs has this activity. A direction of a link has a wire that is 1 while it carries bytes. Each node is a scope
+/// that contains a scope for each of its processes. Times are in picoseconds.
 ///
-/// Changes are kept until the end, since a slice is known only when it is over.
+/// Changes are kept until the end of the run, since a slice is known only when it is over.
 class VcdTrace final : public TraceWriter {
 public:
     /// REQUIRES: file and tracks outlive it, and nothing has been written to the file.
@@ -27,7 +27,7 @@ public:
     void finish(Time begin, Time end, const std::string& why) override;
 
 private:
-    /// From this moment on, one track more or one less does what makes the wire 1.
+    /// A change of the number of tracks that set the wire to 1: `by` is 1 or -1.
     struct Change {
         Time at;
         std::uint32_t wire;
@@ -35,8 +35,8 @@ private:
     };
     using Changes = std::vector<Change>;
     struct Wire {
-        std::int32_t tracks = 0; ///< that make it 1
-        bool shown = false;      ///< its value in the file
+        std::int32_t tracks = 0; ///< number of tracks that set it to 1
+        bool shown = false;      ///< last value in the file
         bool is_on() const { return tracks > 0; }
     };
     void declare();

@@ -118,7 +118,7 @@ TEST_CASE("a device of one's own has a name that a netlist can use") {
     CHECK(run_program(2, arguments, {}, {}, {},
                       {{.name = "ring", .noun = "a ring", .about = "", .models = {{"place"}}}}) == 1);
     CHECK(listener.said() == "farmer: this program adds a device \"place\", which no netlist could declare: its name "
-                             "is to be one word, and no word of the language\n");
+                             "must be one word that is not reserved\n");
 }
 
 TEST_CASE("a kind of one's own cannot take a name that is taken") {

@@ -356,7 +356,7 @@ class Refused(Optimise):
 
     def test_a_space_without_machines(self):
         self.refuses(STUDY.format(minimise='"time"').replace("[search]", 'where = "wires > 9"\n[search]'),
-                     "the study's condition leaves nothing to be run")
+                     "no combination satisfies the study's condition")
         self.refuses(STUDY.format(minimise='"time"').replace("1..8", "3").replace("[100000, 200000, 300000]", "100000"),
                      "no setting of the study has several values")
         self.refuses(STUDY.format(minimise='"time"') + "[[also]]\nset = {wires = 2}\n", "[[also]]")
@@ -380,7 +380,7 @@ class Refused(Optimise):
 
     def test_all_infeasible_says_what_refused_them(self):
         self.refuses(STUDY.format(minimise='"time"').replace("1..8", "5..8"),
-                     "can be built and comes to an end", '"b" has no link 4', "a T800 has the links 0 to 3")
+                     "can be built and completes its runs", '"b" has no link 4', "a T800 has the links 0 to 3")
         self.refuses(STUDY.format(minimise='"time"').replace("[search]", 'until = "1us"\n[search]'),
                      "stopped at the time limit", name="stopped.toml")
         self.refuses(STUDY.format(minimise='"time"'), "stopped at the time limit", arguments=["--until", "1us"],

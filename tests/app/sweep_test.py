@@ -156,7 +156,7 @@ class Sweep(InFolder):
         self.assertEqual([line.split()[-1] for line in lines[3:8]], ["processors", "1", "2", "3", "4"])
         report = placedpar("report", "study.toml", "--relative-to", "slaves=1", folder=self.folder).stdout.splitlines()
         self.assertEqual([line.split()[-1] for line in report[5:9]], ["0.5", "1", "1.5", "-"])  # with trials 10 as well
-        self.assertEqual(report[2], "without figures, since none with these settings is otherwise the same and ended so: 1 run")
+        self.assertEqual(report[2], "without figures, since no run with these settings is otherwise the same and ended in the same way: 1 run")
 
     def test_a_run_that_was_stopped_is_not_compared_with_one_that_ended(self):
         self.sweep(COMMSTIME, "count=10,20,1000000000", "--until", "1ms")
@@ -256,15 +256,15 @@ class BadInput(InFolder):
                 ('netlist = "a.cfs"\nrelative_to = {slaves = 1}\n[search]\nminimise = "time"\n',
                  "study.toml:2:15: error: a search compares figures as they are"),
                 ('netlist = "a.cfs"\n[set]\nslaves = "0..2"\nrelative_to = {slaves = 1}\n',
-                 'study.toml:4:15: error: "relative_to" is of the whole study, not of this part of it\n    relative_to = {slaves = 1}\n'
-                 '                  ^\nhint: it stands above [set] and [[also]]\n'),
+                 'study.toml:4:15: error: "relative_to" belongs to the whole study, not to this part of it\n    relative_to = {slaves = 1}\n'
+                 '                  ^\nhint: move it above [set] and [[also]]\n'),
                 ('netlist = "a.cfs"\n[set]\nslaves = "0..2"\n[set.relative_to]\nslaves = 1\n',
-                 'study.toml:4:1: error: "relative_to" is of the whole study'),
+                 'study.toml:4:1: error: "relative_to" belongs to the whole study'),
                 ('netlist = "a.cfs"\n[[also]]\nrelative_to = {slaves = 1}\nset = {slaves = 1}\n',
-                 'study.toml:3:15: error: "relative_to" is of the whole study'),
+                 'study.toml:3:15: error: "relative_to" belongs to the whole study'),
                 ('netlist = "a.cfs"\n[[also]]\nset = {slaves = 1, relative_to = {slaves = 1}}\n',
-                 'study.toml:3:34: error: "relative_to" is of the whole study'),
-                ('netlist = "a.cfs"\n[[also]]\nseeds = 3\n', 'study.toml:3:9: error: "seeds" is of the whole study'),
+                 'study.toml:3:34: error: "relative_to" belongs to the whole study'),
+                ('netlist = "a.cfs"\n[[also]]\nseeds = 3\n', 'study.toml:3:9: error: "seeds" belongs to the whole study'),
                 ('netlist = "a.cfs"\n[[also]]\nwere = 3\n', 'study.toml:3:1: error: a study has no "were"'),
                 ('netlist = "a.cfs"\nrelative_to = 3\n', "study.toml:2:15: error: it takes a table"),
                 ('netlist = "a.cfs"\nrelative_to = {slaves = "1..2"}\n',
@@ -276,7 +276,7 @@ class BadInput(InFolder):
         self.study(f'netlist = "{FIGURE_E2}"\nwhere = "slavs < 3"\n[set]\nslaves = [1, 2]\n')
         self.assertIn('the name "slavs" is undefined', self.sweep("study.toml", code=1))
         self.study(f'netlist = "{FIGURE_E2}"\nwhere = "slaves > 3"\n[set]\nslaves = [1, 2]\n')
-        self.assertIn("the study's condition leaves nothing to be run", self.sweep("study.toml", code=1))
+        self.assertIn("no combination satisfies the study's condition", self.sweep("study.toml", code=1))
 
     def test_a_billion_runs_are_not_begun_unasked(self):
         many = [FIGURE_E2, "slaves=0..3", "--seeds", "250000000"]
@@ -310,7 +310,7 @@ class BadInput(InFolder):
     def test_results_of_another_study_or_version_are_left_alone(self):
         self.sweep(FIGURE_E2, "slaves=1", "--results", "kept")
         before = rows(self.folder / "kept")
-        self.assertIn("kept: its runs are of", self.sweep(RING, "--results", "kept", code=1))
+        self.assertIn("kept: its runs are those of", self.sweep(RING, "--results", "kept", code=1))
         self.assertIn("with other options", self.sweep(FIGURE_E2, "--until", "1ms", "--results", "kept", code=1))
         with opened(self.folder / "kept") as database:
             database.execute("UPDATE study SET version = '0.0.1'")

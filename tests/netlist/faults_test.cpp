@@ -352,7 +352,8 @@ TEST_CASE("what cannot be given up is refused where it is said, with the reason"
     };
     std::string message = refused(routed_streams(""));
     CHECK(message.find("the channel \"p[0].out -> q[0].in\" travels in packets, which routers carry to their end: its "
-                       "process could not give up a packet") != std::string::npos);
-    CHECK(message.find("hint: a time-out needs a link of the channel's own, or none") != std::string::npos);
+                       "process cannot give up a packet") != std::string::npos);
+    CHECK(message.find("hint: a time-out needs a channel within a processor, or with a link of its own") !=
+          std::string::npos);
     CHECK(refused(bus_of_two("")).find("leads through the memory of a bus master") != std::string::npos);
 }

@@ -150,8 +150,8 @@ TEST_CASE("one message names all programs that are unknown and all edges that ha
     for (const char* note :
          {"note: no program is given to t\n", "note: \"m.lku\" is the program of m\n",
           "note: \"s.lku\" is the program of s[0], s[1], s[2], s[3], s[4], s[5] and 2 more\n",
-          "note: there is no process at the edge \"host\", to which these lead: m.in, m.out, m.log\n",
-          "note: there is no process at the edge \"far\", to which these lead: t.out, t.in\n"}) {
+          "note: the edge \"host\" has no process, but these channels lead there: m.in, m.out, m.log\n",
+          "note: the edge \"far\" has no process, but these channels lead there: t.out, t.in\n"}) {
         CAPTURE(note);
         CHECK(said.find(note) != std::string::npos);
     }

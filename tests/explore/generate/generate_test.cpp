@@ -244,7 +244,7 @@ TEST_CASE("what takes more than four links is refused, with the reason") {
     request.degree = 4;
     CHECK(says(request, "so none is left"));
     request.degree = 5;
-    CHECK(says(request, "3 links to others, or 4"));
+    CHECK(says(request, "3 or 4 links to others"));
 }
 
 TEST_CASE("sizes that a topology does not have are refused, with the reason") {

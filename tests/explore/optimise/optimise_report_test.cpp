@@ -90,7 +90,7 @@ TEST_CASE("why no machine can be built: the one reason in full, or the most freq
     SearchCourse course = course_of("random", {{}, {}, {}});
     course.why["short"] = {.machines = 3, .said = "short\nand in full"};
     CHECK(print_why_none(course) ==
-          "none of 3 machines that were tried can be built and comes to an end:\nshort\nand in full");
+          "none of 3 machines that were tried can be built and completes its runs:\nshort\nand in full");
     course.why["other"] = {.machines = 5, .said = "other"};
     CHECK(print_why_none(course).ends_with(":\n     5  other\n     3  short"));
     for (char more = 'a'; more < 'f'; ++more)

@@ -186,7 +186,7 @@ TEST_CASE("room for packets that is more than a processor's stated memory is war
     std::string said = said_with(8, "(memory = 8K)"); // 4 packets of 260 bytes each, in 8192 bytes
     for (const char* node : {"a", "b", "c"})
         CHECK(said.find("warning: \"" + std::string(node) +
-                        "\" has 8192 bytes of memory; the packets of the 8 channels that lead there, or through it, "
+                        "\" has 8192 bytes of memory; the packets of the 8 channels that lead there or through it "
                         "need 8320\n") != std::string::npos);
 }
 

@@ -280,7 +280,7 @@ TEST_CASE("what cannot be set so is told how it can") {
     CHECK_FALSE(says(said("linkspeed", "fast"), "FALSE"));
     CHECK(says(said("linkspeed", "numbrs"), "did you mean \"numbers\"?"));
     CHECK(says(said("a[1].clock", "3"), "1:1: error: \"a\" is not an array\n"));
-    CHECK(says(said("t[1]", "3"), "1:1: error: \"t\" is a node: say what of it to set\n"));
+    CHECK(says(said("t[1]", "3"), "1:1: error: \"t\" is a node: name the attribute or parameter to set\n"));
     CHECK(says(said("t[1]", "3"), "hint: --set t[1].NAME=VALUE\n"));
     CHECK(says(refusal({{"m.priority", "hihg"}}), "hint: it takes HIGH or LOW\n"));
     CHECK(says(refusal({{"seed", "3"}}), "hint: the seed of a run is an option of its own: --seed N\n"));
@@ -313,7 +313,7 @@ TEST_CASE("what does not exist is answered with what does, the nearest name firs
                                                "hint: there is t[0] to t[1]\n"));
     CHECK(
         says(refusal({{"s[1].clock", "3"}}), "hint: the node that \"s[1]\" is placed on has: --set t[1].clock=...\n"));
-    CHECK(says(refusal({{"m", "3"}}), "\"m\" is a process: say what of it to set\n"));
+    CHECK(says(refusal({{"m", "3"}}), "\"m\" is a process: name the attribute or parameter to set\n"));
     CHECK(says(refusal({{"clok", "3"}}), "hint: did you mean \"clock\"?\n"));
     std::string many;
     for (int i = 0; i < 100; ++i)
