@@ -84,7 +84,7 @@ private:
     MachineParts parts_{simulation_, network_, {}, {}};
     Simulation simulation_;
     std::vector<Connection> connections_;
-    std::vector<const hardware::Route*> routes_; ///< by channel; null where it does not travel in packets
+    std::vector<const hardware::Route*> routes_; ///< by channel; null if the channel does not travel in packets
     std::vector<Effects> effects_;               ///< by fault
 };
 

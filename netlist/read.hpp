@@ -19,7 +19,7 @@ struct Declared {
 };
 
 struct ReadResult {
-    std::optional<Network> network;      ///< there exactly if no diagnostic is an error
+    std::optional<Network> network;      ///< set if and only if no diagnostic is an error
     std::vector<Diagnostic> diagnostics; ///< in the order of the text; at most 20 errors
     std::string not_shown = "";          ///< a line that says how many more errors there are; "" if none
     Declared declared = {};

@@ -16,7 +16,7 @@ namespace placedpar {
 struct ProcessUse {
     std::string name;
     std::string processor;
-    Time waiting;                    ///< how long it waited, with all its components
+    Time waiting;                    ///< time in which the process and all its components waited
     std::optional<Time> waits_since; ///< if it still waits at the end and never continues: start of this wait
 };
 

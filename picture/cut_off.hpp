@@ -12,7 +12,7 @@ enum class PanelEdge : unsigned char { top, bottom, left, right };
 
 struct CutOff {
     PanelEdge edge;
-    double farthest;            ///< how far it goes there, in the axis's unit
+    double farthest;            ///< farthest value of the series beyond the edge, in the axis's unit
     std::vector<double> places; ///< points on the edge where the series leaves, or enters if it begins beyond the edge
 };
 

@@ -28,7 +28,7 @@ struct DrawnHypercube {
     std::vector<DrawnVertex> vertices = {}; ///< all others are empty
     std::vector<VertexPair> spanned = {};   ///< smaller hypercubes spanned by two parents; their links are thick
     std::vector<VertexPair> moves = {};     ///< arrows
-    std::vector<std::string> lines = {};    ///< of text, below
+    std::vector<std::string> lines = {};    ///< lines of text below the drawing
 };
 
 /// Explains the meaning of each look.

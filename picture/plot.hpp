@@ -13,7 +13,7 @@ struct Point {
 };
 
 enum class Stroke {
-    line,   ///< with the dashes of its colour, unless dashes have a meaning in its panel
+    line,   ///< a line with the dashes of its colour, or solid if dashes have a meaning in its panel
     dashes, ///< dashes that have a meaning in the panel
     points,
     plain ///< a line without symbols or dashes, such as stairs
@@ -21,7 +21,7 @@ enum class Stroke {
 
 /// Texts are plain: "in³/s", not "in^3/s".
 struct Series {
-    std::string name; ///< in the legend; empty: not there
+    std::string name; ///< name in the legend; empty: not in the legend
     std::vector<Point> points = {};
     Stroke stroke = Stroke::line;
     std::optional<int> colour =
@@ -45,9 +45,9 @@ struct BandPoint {
 
 /// Describes the space between two curves, drawn pale behind all series.
 struct Band {
-    std::string name; ///< in the legend; empty: not there
+    std::string name; ///< name in the legend; empty: not in the legend
     std::vector<BandPoint> points;
-    int colour; ///< which of the eight
+    int colour; ///< one of the eight colours
 };
 
 /// Describes a grey horizontal line over the whole width. Each mark of a panel has different dashes.
@@ -58,7 +58,7 @@ struct GuideLine {
 };
 
 struct Axis {
-    std::string label = {}; ///< with unit: "pressure [psi]"
+    std::string label = {}; ///< label with unit, such as "pressure [psi]"
     std::optional<double> from = std::nullopt, to = std::nullopt;
     bool logarithmic = false;
 };

@@ -30,7 +30,7 @@ struct Cell {
         {}; ///< in percent of the reference; empty: the cell is printed, not judged
     Origin origin = Origin::outcome;
     std::optional<double> tolerance = {}; ///< in the cell's unit; replaces tolerance_percent
-    int decimals = 2;                     ///< as printed
+    int decimals = 2;                     ///< number of decimals that are printed
     /// One-sided bounds, in the cell's unit. If either is set, the tolerances are not used.
     std::optional<double> at_least = {}, at_most = {};
     std::optional<double> reference_to = {}; ///< upper bound of a claim with two bounds, which is only printed

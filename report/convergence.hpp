@@ -11,9 +11,9 @@ namespace placedpar {
 
 /// Describes a quantity over the generations of each run.
 struct ConvergenceCurve {
-    std::string name;                      ///< in the legend
+    std::string name;                      ///< name in the legend
     std::vector<std::vector<double>> runs; ///< each from generation 1 on
-    int colour;                            ///< which of a plot's eight
+    int colour;                            ///< one of a plot's eight colours
     Stroke stroke = Stroke::line;          ///< points have no quartiles
 };
 

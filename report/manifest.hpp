@@ -14,7 +14,7 @@ namespace placedpar {
 
 /// Holds what is needed to repeat a run.
 struct Manifest {
-    std::string command; ///< as it was typed
+    std::string command; ///< the command as it was typed
     std::uint64_t seed;
     Overrides overrides;
     ReadOptions read = {};

@@ -12,7 +12,7 @@ struct TopologyRequest {
     std::string size;                    ///< "8" processors, or "4x4"
     std::optional<std::size_t> branches; ///< branches of each node of a tree
     std::optional<std::size_t> chord;    ///< length of the chords of a chordal ring, in processors
-    std::optional<std::size_t> degree;   ///< of a chordal ring: 3 or 4
+    std::optional<std::size_t> degree;   ///< degree of a chordal ring: 3 or 4
     std::string job = "islands";         ///< "farm", "islands", or a kind of process for every processor
     std::string host = "workstation";    ///< or "node": the host's process is on the first processor
     std::string output = "to_neighbours", input = "from_neighbours"; ///< ports of a kind: arrays

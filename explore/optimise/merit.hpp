@@ -9,7 +9,7 @@ namespace placedpar {
 /// The merit of a machine in a search.
 struct Merit {
     bool feasible = false;
-    std::vector<double> costs; ///< to be minimised; as many for each feasible machine
+    std::vector<double> costs; ///< costs to be minimised; each feasible machine has the same number
 };
 
 /// Returns whether the first dominates the second: feasible before infeasible (K. Deb, "An efficient constraint

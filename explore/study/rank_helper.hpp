@@ -42,7 +42,7 @@ private:
     std::size_t unanswered_ = 0; ///< requests that rank 0 has not answered; after stop it answers none
     std::mutex mutex_;           ///< guards the members below
     std::condition_variable changed_;
-    std::deque<StudyRun> runs_;      ///< to be made
+    std::deque<StudyRun> runs_;      ///< runs to be made
     std::vector<RankMessage> ended_; ///< messages about ended runs, to be sent
     bool no_more_ = false;           ///< rank 0 has none left
     bool stopped_ = false;

@@ -58,7 +58,7 @@ private:
     ProblemRegistry problems_ = problems_of(seed_);      ///< problems of seed_
     std::map<std::uint64_t, ProblemRegistry> of_others_; ///< problems of a limited number of earlier seeds
     const Catalogue kinds_ = known_kinds(problems_);
-    std::optional<Overrides> set_; ///< of the network
+    std::optional<Overrides> set_; ///< settings of network_
     Network network_;
     std::optional<RecordedRun> record_; ///< record of a run of the network, if its runs may be repeated
     std::uint64_t departed_ = 0;        ///< number of runs of the network that differed from the record

@@ -84,12 +84,12 @@ private:
     std::vector<bool> beyond_quota_;         ///< a hop that leaves a node: 2 * connection + whether from a to b
     bool has_quotas_ = false; ///< some hop is beyond a quota, so the cost of a route may depend on its direction
     std::vector<bool> leads_through_;                 ///< each node
-    std::vector<std::int64_t> routecost_;             ///< of each node that leads channels through
-    std::vector<std::optional<RouteCost>> distances_; ///< of each node from the end of the route that is searched
+    std::vector<std::int64_t> routecost_;             ///< by node, for nodes that lead channels through
+    std::vector<std::optional<RouteCost>> distances_; ///< by node: cost up to the end of the route that is searched
     std::vector<std::size_t> reached_;                ///< nodes that have a distance
     std::map<std::size_t, Least> hubs_;
-    std::vector<std::size_t> spent_; ///< of each node: number of nodes that its searches looked at before it was a hub
-    std::vector<std::uint64_t> within_; ///< of each node: number of the last search that was allowed to look at it
+    std::vector<std::size_t> spent_;    ///< by node: number of nodes that its searches looked at before it became a hub
+    std::vector<std::uint64_t> within_; ///< by node: number of the last search that was allowed to look at it
     std::uint64_t searches_ = 0;        ///< number of searches that were restricted to some nodes
 };
 

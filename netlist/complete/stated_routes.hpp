@@ -33,7 +33,7 @@ private:
     struct StatedPlacement {
         const NetworkChannel& channel;
         const ChannelEnd& end;
-        const std::vector<DraftPlacement>& all; ///< of this end
+        const std::vector<DraftPlacement>& all; ///< placements of this end
         std::size_t number;                     ///< among them
         const DraftPlacement& placement() const { return all[number]; }
         const LinkEnd& where() const { return placement().where; }

@@ -25,9 +25,9 @@ struct DraftConnection {
     Location declared;
     std::optional<std::int64_t> bits_per_second;
     std::optional<double> metres;
-    std::optional<Location> used;             ///< by this connect
-    std::map<std::string, Location> settings; ///< by statements of their own, `c (length = 0.3);`
-    std::optional<int> level = {};            ///< of a master on a bus
+    std::optional<Location> used;             ///< place of the `connect` that uses it
+    std::map<std::string, Location> settings; ///< attributes set by statements such as `c (length = 0.3);`
+    std::optional<int> level = {};            ///< level of a master on a bus
     std::optional<std::string> release = {};  ///< "RWD", "ROR"
 };
 
@@ -80,7 +80,7 @@ struct DraftProcess {
     std::vector<SharedSettings> settings;       ///< statement by statement
     std::vector<Setting> overrides;             ///< settings by options, which replace the netlist's
     std::string kind;
-    std::optional<Location> used; ///< by this `use`
+    std::optional<Location> used; ///< place of the `use` that names its program
     std::size_t node = nowhere;
     Location placed;
 };
@@ -123,7 +123,7 @@ struct DraftPlacement {
 /// known.
 struct DraftFault {
     Fault fault;
-    std::size_t connection = nowhere; ///< in the draft
+    std::size_t connection = nowhere; ///< index in Draft::connections
     Location at;                      ///< place of the failing thing in the statement
 };
 
@@ -135,7 +135,7 @@ struct DraftConnectionPlacement {
 
 struct Draft {
     std::vector<Node> nodes;
-    std::vector<int> links; ///< of each node
+    std::vector<int> links; ///< number of links, by node
     std::vector<DraftConnection> connections;
     std::vector<DraftEdgeChannel> edge_channels;
     std::vector<DraftProcess> processes;

@@ -165,9 +165,10 @@ private:
     Scopes scopes_;
     Evaluator evaluator_;
     Draft draft_;
-    ProcessType process_defaults_; ///< of all types
+    ProcessType process_defaults_; ///< settings of `process (...);`, for all types
     std::map<std::pair<std::size_t, int>, Location> used_links_, used_crosspoints_;
-    std::set<std::tuple<std::size_t, int, int>> crosspoints_; ///< of a switch, the lower link first
+    std::set<std::tuple<std::size_t, int, int>>
+        crosspoints_; ///< node of the switch and its two links, the lower link first
     /// Reports a second crosspoint for a link that already has one.
     struct CrosspointAgain {
         LinkEnd end;

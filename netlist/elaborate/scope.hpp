@@ -84,7 +84,7 @@ public:
 
 private:
     std::vector<std::map<std::string, Symbol, std::less<>>> scopes_;
-    std::vector<std::span<const Statement>> ahead_ = std::vector<std::span<const Statement>>(2); ///< of each block
+    std::vector<std::span<const Statement>> ahead_ = std::vector<std::span<const Statement>>(2); ///< by open block
     std::set<std::string> poisoned_;
 };
 

@@ -54,23 +54,23 @@ struct FaultKind {
     std::string name;                                  ///< "halts"
     std::string about;                                 ///< one line
     std::vector<AttributeDescription> attributes = {}; ///< times in ns
-    bool silences_links = false;                       ///< of a device: from then on nothing leaves it by its links
+    bool silences_links = false; ///< for a device: nothing leaves it by its links after the fault begins
     /// Returns why the device cannot have this fault although each attribute by itself is valid; "" if it can. An empty
     /// function: it always can.
     std::function<std::string(const Network&, const Fault&)> why_not = {};
 
-    /// Null where there is none.
+    /// Returns the attribute of this name; null if there is none.
     const AttributeDescription* attribute(std::string_view name) const;
 };
 
 /// A name by which nodes can be declared, and the properties that it gives them.
 struct DeviceModel {
-    std::string name;      ///< in the netlist: "B404"
-    std::string type = ""; ///< of its nodes: "T800" for the B404, which carries one; "": the name
+    std::string name;      ///< its name in a netlist, such as "B404"
+    std::string type = ""; ///< type of its nodes: "T800" for a B404, which carries one; "": its name
     int links = 0;         ///< link[0] to link[links - 1]
-    std::map<std::string, Value, std::less<>> attributes = {}; ///< those that differ from the kind's defaults
+    std::map<std::string, Value, std::less<>> attributes = {}; ///< attributes that differ from the kind's defaults
     bool overlapped_acknowledge = true;                        ///< its links acknowledge a byte while it comes in
-    bool floating_point_unit = true;                           ///< as of Node
+    bool floating_point_unit = true;                           ///< see Node
     bool needs_type = false; ///< stands for the other models of the kind: the attribute `type` says which
 };
 
@@ -106,8 +106,8 @@ struct Drawing {
 /// the device, and makes the device of a run. Switches are devices, too; so is an edge, although no hardware
 /// corresponds to it.
 struct DeviceKind {
-    std::string name;  ///< in the JSON document: "processor"
-    std::string noun;  ///< in a message: "a processor"
+    std::string name;  ///< its name in JSON, such as "processor"
+    std::string noun;  ///< its name in messages, such as "a processor"
     std::string about; ///< one line
     std::vector<DeviceModel> models = {};
     std::string refusal = ""; ///< not empty: why the kind, although known, cannot be declared yet
@@ -133,7 +133,7 @@ struct DeviceKind {
     /// Says that a program built on PlacedPar adds this kind: an exception from it is then that program's error.
     bool is_own = false;
 
-    /// Null where there is none.
+    /// Returns the attribute of this name; null if there is none.
     const AttributeDescription* attribute(std::string_view name) const;
     /// Returns whether it requests a bus as a master.
     bool is_master() const { return bus == BusRole::workstation || bus == BusRole::bus_master; }
@@ -155,7 +155,7 @@ std::size_t count_processors(const Network& network);
 struct NodeType {
     Node preset; ///< name empty
     int links = 0;
-    bool needs_type = false; ///< as of DeviceModel
+    bool needs_type = false; ///< see DeviceModel
 };
 
 /// Returns the type of the model with the kind's and the model's attributes.

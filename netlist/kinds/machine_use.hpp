@@ -15,8 +15,8 @@ namespace placedpar {
 struct ProcessorUse {
     std::string name;
     std::string type;
-    Time busy;                  ///< how long it executed processes, waiting for its memory included
-    Time memory_taken_by_links; ///< how long its memory served the engines of its links, while it was busy or not
+    Time busy;                  ///< time spent executing processes, waits for its memory included
+    Time memory_taken_by_links; ///< time in which its memory served its link engines, whether it was busy or not
     std::uint64_t packets_passed_on = 0; ///< packets of channels that lead through it
     Time passing_on{};                   ///< part of `busy` spent on passing packets on, without waiting for its memory
 };
@@ -33,7 +33,7 @@ struct BusMasterUse {
     int level;
     std::uint64_t words, bytes; ///< words moved, registers accessed
     std::uint64_t grants, bus_errors;
-    Time waited, longest_wait; ///< for the bus
+    Time waited, longest_wait; ///< waiting times for the bus
 };
 
 /// Counts messages that were written once for several link adapters.
@@ -52,7 +52,7 @@ struct BusUse {
 
 /// Reports the effects of a fault of the machine in the run.
 struct FaultUse {
-    std::string fault; ///< as a statement has it: "t[0].link[1] silent (from = 20ms)"
+    std::string fault; ///< the fault as a statement: "t[0].link[1] silent (from = 20ms)"
     std::uint64_t bytes_lost = 0, acknowledges_lost = 0;
     struct Hit {
         Time at;

@@ -13,7 +13,7 @@ enum class TokenKind {
     real,
     text,      ///< a string constant
     symbol,    ///< punctuation and operators, in `text`
-    illegal,   ///< what the lexer could not read, and has reported
+    illegal,   ///< text that the lexer could not read, and has reported
     directive, ///< `#include`; `text` holds the word behind `#`
     end
 };

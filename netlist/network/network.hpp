@@ -63,9 +63,9 @@ inline constexpr int configuration_link = bus_port - 1;
 struct BusAttachment {
     std::size_t node = nowhere, bus = nowhere;
     int slot = 1;
-    int level = 3;           ///< of a master's requests, BR0 to BR3
+    int level = 3;           ///< level of a master's requests, BR0 to BR3
     bool on_request = false; ///< a master gives up the bus when another master requests it; false: when it is done
-    std::string name;        ///< of the `connection` it was attached by; "" if none
+    std::string name;        ///< name of the `connection` by which it was attached; "" if none
     Location connected;
 };
 
@@ -79,9 +79,9 @@ struct BusWay {
 struct LinkConnection {
     LinkEnd a, b;
     std::int64_t bits_per_second = 20'000'000;
-    double metres = 0;                     ///< of wire, all pieces together
+    double metres = 0;                     ///< length of the wire, all pieces together
     std::vector<SwitchCrossing> crossings; ///< in order from a to b
-    std::string name;                      ///< of the `connection` it was wired by; "" if none
+    std::string name;                      ///< name of the `connection` by which it was wired; "" if none
     Location connected;
     std::optional<BusWay> over_bus =
         {}; ///< set: the connection is not a wire; a is a master, b the device that it reaches over the bus
@@ -94,7 +94,7 @@ struct LinkConnection {
 /// it.
 struct WirePiece {
     LinkEnd a, b;                                ///< at least one of them at a switch
-    std::string name;                            ///< of its `connection`; "" if none
+    std::string name;                            ///< name of its `connection`; "" if none
     std::optional<std::int64_t> bits_per_second; ///< speed, if its `connection` states one
     double metres = 0;
 
@@ -103,7 +103,7 @@ struct WirePiece {
 
 /// One entry of `interface (...)`, as the netlist declares it.
 struct DeclaredEntry {
-    std::string type; ///< of a channel end "input" or "output"; of a parameter "int", "char", "double" ...
+    std::string type; ///< "input" or "output" for a channel end; "int", "char", "double" ... for a parameter
     std::string name;
     std::vector<std::int64_t> dimensions; ///< none: a single one
 
@@ -119,7 +119,7 @@ struct PortBinding {
 
 struct ProcessInstance {
     std::string name;                        ///< such as "grid[1][2]"
-    std::string kind;                        ///< from `use`; "" if nothing was said
+    std::string kind;                        ///< the kind that `use` names; "" if there is no `use`
     bool stand_in = false;                   ///< the kind is not in the catalogue: the process cannot be run
     std::map<std::string, Value> parameters; ///< every parameter of the kind, of the type that the kind states
     std::map<std::string, Location>
@@ -167,7 +167,7 @@ struct ChannelPlacement {
 };
 
 struct NetworkChannel {
-    std::string name;    ///< of the `connection` it was connected by, or "a.out -> b.in"
+    std::string name;    ///< name of the `connection` by which it was connected, or "a.out -> b.in"
     ChannelEnd from, to; ///< at most one of them is at an edge
     ChannelPlacement placement;
     Location connected;
@@ -177,12 +177,12 @@ struct NetworkChannel {
 /// bus. REQUIRES: both are broadcast.
 bool are_one_broadcast(const NetworkChannel&, const NetworkChannel&);
 
-/// Something that fails in a run: a link, a device.
+/// A fault of a link or a device in a run.
 struct Fault {
-    std::string kind;                 ///< "silent", "halts"
-    std::size_t node = nowhere;       ///< the device that fails, or the one at whose link the netlist names the link
-    int link = -1;                    ///< of that node; -1: the device itself fails
-    std::size_t connection = nowhere; ///< the wire at that link
+    std::string kind;                                     ///< "silent", "halts"
+    std::size_t node = nowhere;                           ///< the device that fails, or at whose link a link fails
+    int link = -1;                                        ///< number of the link; -1: the device itself fails
+    std::size_t connection = nowhere;                     ///< the wire at that link
     std::map<std::string, Value, std::less<>> attributes; ///< all attributes of the kind
     Location stated;
 

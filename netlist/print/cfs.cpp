@@ -123,8 +123,9 @@ private:
         }
     }
 
-    /// Returns whether the node is the predefined edge "host" of the toolset, which is declared at its first use. When
-    /// the text is read again, the node must get the same position.
+    /// Returns whether the node can stay undeclared as the toolset's predefined edge "host". That edge is declared at
+    /// its first use, behind all other nodes, so the node must be the last one to keep its position when the text is
+    /// read again.
     bool is_predefined_host(std::size_t node) const {
         auto leads_there = [&](const LinkConnection& wire) { return wire.a.node == node || wire.b.node == node; };
         return n_.nodes[node].name == "host" && n_.nodes[node].kind->links == LinkRole::edge &&

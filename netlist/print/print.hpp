@@ -30,8 +30,8 @@ std::uint64_t network_hash(std::string_view canonical, std::uint64_t before = ha
 /// once.
 struct WrittenOut {
     std::string text = "";  ///< print_cfs; "" if it is too large
-    std::size_t bytes = 0;  ///< of print_cfs
-    std::uint64_t hash = 0; ///< of the canonical form; 0 if it is too large
+    std::size_t bytes = 0;  ///< length of print_cfs()
+    std::uint64_t hash = 0; ///< hash of the canonical form; 0 if the text is too large
 };
 /// Prints the network. If the text has more than `most_bytes`, only counts its bytes.
 WrittenOut write_out(const Network& network, std::size_t most_bytes);

@@ -108,7 +108,7 @@ private:
     Tracks& tracks_;
     TraceWindow window_;
     TraceWriter& writer_;
-    std::map<std::uint32_t, Lane> lanes_;       ///< of the processes that live, by ordinal
+    std::map<std::uint32_t, Lane> lanes_;       ///< processes that exist, by ordinal
     std::map<std::size_t, Use> uses_;           ///< by track: the present use, or else the last
     std::map<std::uint64_t, Message> messages_; ///< messages with an end that is not known yet
     std::uint64_t message_count_ = 0;
