@@ -11,6 +11,11 @@ const char* name_of(Origin origin) {
     return names[static_cast<std::size_t>(origin)];
 }
 
+const char* name_of(Judge judge) {
+    constexpr std::array names{"thesis", "published", "own"};
+    return names[static_cast<std::size_t>(judge)];
+}
+
 std::optional<double> Cell::error_percent() const {
     if (!reference || std::isnan(simulated) || (*reference == 0 && simulated != 0))
         return std::nullopt;
@@ -24,8 +29,10 @@ std::optional<double> Cell::tolerance_in_percent() const {
 }
 
 bool Cell::within_tolerance() const {
-    if (at_least || at_most)
-        return simulated >= at_least.value_or(simulated) && simulated <= at_most.value_or(simulated);
+    if (at_least || at_most) {
+        const auto [low, high] = interval.value_or(Interval{simulated, simulated});
+        return high >= at_least.value_or(high) && low <= at_most.value_or(low);
+    }
     if (tolerance)
         return reference && std::abs(simulated - *reference) <= *tolerance;
     if (!tolerance_percent)
@@ -65,6 +72,18 @@ Cell at_least(double bound, Cell cell) {
 
 Cell at_most(double bound, Cell cell) {
     cell.at_most = bound;
+    return cell;
+}
+
+Cell share_cell(std::string row, std::string column, std::size_t successes, std::size_t runs) {
+    const double percent = runs == 0 ? 0 : 100 * static_cast<double>(successes) / static_cast<double>(runs);
+    Cell cell = plain_cell(std::move(row), std::move(column), "%", percent, 1);
+    cell.interval = runs == 0 ? Interval{0, 100} : success_interval(successes, runs);
+    return cell;
+}
+
+Cell judged_by(Judge judge, Cell cell) {
+    cell.judge = judge;
     return cell;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "text/interval.hpp"
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -21,6 +23,17 @@ inline constexpr std::array every_origin{Origin::outcome, Origin::calibrated, Or
 
 const char* name_of(Origin);
 
+/// States whose figure or bound judges a cell.
+enum class Judge {
+    thesis,    ///< a figure, an equation or a claim of the thesis
+    published, ///< a figure that others have published
+    own        ///< an earlier figure of ours, the true value of a simulated machine, or a bound that we chose
+};
+
+inline constexpr std::array every_judge{Judge::thesis, Judge::published, Judge::own};
+
+const char* name_of(Judge);
+
 /// A simulated figure beside a known one, and how far apart the two may be.
 struct Cell {
     std::string row, column, unit = {};
@@ -35,6 +48,8 @@ struct Cell {
     std::optional<double> at_least = {}, at_most = {};
     std::optional<double> reference_to = {}; ///< upper bound of a claim with two bounds, which is only printed
     std::string source = {}; ///< source of the known figure, if the figures of a comparison have several sources
+    std::optional<Judge> judge = {};       ///< empty: the one that Comparison::against names
+    std::optional<Interval> interval = {}; ///< 95 % interval of a simulated share: all of it must miss a bound
 
     /// Returns the deviation of the simulated figure from the reference, in percent of the reference; 0 if both are 0;
     /// nothing without a reference.
@@ -57,6 +72,11 @@ Cell cell_of(std::string row, std::string column, std::string unit, std::optiona
 /// Makes a cell that is judged by a lower bound. It may have a known figure, which it need not meet.
 Cell at_least(double bound, Cell cell);
 Cell at_most(double bound, Cell cell);
+/// Makes a cell that shows a share in percent. It misses a bound only if its whole 95 % interval does, so that the
+/// verdict does not depend on the number of runs. Without runs nothing is known: the share is 0, and no bound is
+/// missed. REQUIRES: successes <= runs.
+Cell share_cell(std::string row, std::string column, std::size_t successes, std::size_t runs);
+Cell judged_by(Judge, Cell);
 
 /// Number of standard deviations that a figure which scatters with the seed may deviate. A replay judges about ten such
 /// figures. The known figures are samples, too, and may be wrong by up to two of their own standard deviations; with

@@ -239,6 +239,38 @@ void Comparison::add(Cell cell) { cells.push_back(std::move(cell)); }
 
 bool Comparison::within_tolerance() const { return std::ranges::all_of(cells, &Cell::within_tolerance); }
 
+Judge Comparison::judge_of(const Cell& cell) const {
+    if (cell.judge)
+        return *cell.judge;
+    if (against == "thesis" || against == "claim" || against.starts_with("eq.") || against.starts_with('('))
+        return Judge::thesis;
+    return against == "publ." || against == "Poznan" ? Judge::published : Judge::own;
+}
+
+JudgedCells count_judged(const std::vector<Comparison>& comparisons) {
+    JudgedCells cells;
+    for (const Comparison& comparison : comparisons)
+        for (const Cell& cell : comparison.cells) {
+            if (!counts(comparison, comparisons) || !cell.is_judged()) {
+                ++cells.not_judged;
+                continue;
+            }
+            const Judge judge = comparison.judge_of(cell);
+            ++(judge == Judge::thesis ? cells.thesis : judge == Judge::published ? cells.published : cells.own);
+            if (judge == Judge::thesis && cell.origin != Origin::outcome)
+                ++cells.set_from_thesis;
+        }
+    return cells;
+}
+
+std::string print_judged(const JudgedCells& cells) {
+    return fmt::format("cells judged against the thesis: {}{}; {}against own figures: {}; not judged: {}\n",
+                       cells.thesis,
+                       cells.set_from_thesis ? fmt::format(" ({} of them set constants)", cells.set_from_thesis) : "",
+                       cells.published ? fmt::format("against published figures: {}; ", cells.published) : "",
+                       cells.own, cells.not_judged);
+}
+
 std::string print_comparison(const Comparison& comparison) {
     std::string out = comparison.name;
     for (const ShownTable& table : tables_of(comparison.cells))

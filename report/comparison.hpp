@@ -2,6 +2,7 @@
 
 #include "report/cell.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,18 @@ struct Comparison {
 
     void add(Cell cell);
     bool within_tolerance() const;
+    /// Returns whose figure the cell is judged by: its own judge, or the one that `against` names. "thesis", "claim"
+    /// and the number of an equation, "(4.9)" or "eq. 6.2", name the thesis; "publ." and "Poznan" name published
+    /// figures.
+    Judge judge_of(const Cell&) const;
+};
+
+/// The number of cells by what judges them.
+struct JudgedCells {
+    std::size_t thesis = 0;
+    std::size_t set_from_thesis = 0; ///< those of `thesis` from which constants were set: they test nothing
+    std::size_t published = 0, own = 0;
+    std::size_t not_judged = 0; ///< cells without a tolerance or bound, and those of tables that do not decide
 };
 
 /// Prints a table for people. Each cell has a simulated figure, a known figure and an error. The error is in percent,
@@ -31,6 +44,10 @@ std::string print_comparison(const Comparison&);
 bool are_within_tolerance(const std::vector<Comparison>&);
 /// Returns whether any of the tables has a cell with a tolerance or bound.
 bool is_any_judged(const std::vector<Comparison>&);
+/// Counts the cells of all tables.
+JudgedCells count_judged(const std::vector<Comparison>&);
+/// Prints for people, on one line, the number of cells that are judged against the thesis, and against other figures.
+std::string print_judged(const JudgedCells&);
 /// Prints for people whether all judged cells are within their tolerances. The first of several tables is `called` the
 /// first reading, or the first table.
 std::string print_verdict(const std::vector<Comparison>&, const std::string& called = "reading");

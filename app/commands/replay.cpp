@@ -16,11 +16,13 @@
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace placedpar {
@@ -34,6 +36,7 @@ struct ReplayOptions {
     std::string experiment, json, plots, resume;
     std::uint64_t seed = 1;
     std::size_t seeds = 0; ///< 0: the experiment's own number
+    std::string against = "expected";
     bool yes = false;
 };
 
@@ -91,6 +94,18 @@ void require_outputs(const ReplayOptions& options) {
         require_folder_for_plots(options.plots);
 }
 
+/// Refuses --against printed if the experiment has one set of figures only.
+void require_printed(const Experiment& experiment, const ReplayOptions& options) {
+    std::vector<std::string_view> having;
+    for (const Experiment& each : experiments())
+        if (each.has_printed)
+            having.push_back(each.name);
+    if (options.against == "printed" && !experiment.has_printed)
+        throw UserError(fmt::format("--against printed has no effect on {}, where no other figures are expected than "
+                                    "the printed ones; it is for {}",
+                                    experiment.name, fmt::join(having, ", ")));
+}
+
 void require_study(const Experiment& experiment, const ReplayOptions& options) {
     if (experiment.seeds == 0 && (options.seeds != 0 || !options.resume.empty()))
         throw UserError(fmt::format("{} is not a study over several seeds, so --seeds and --resume have no effect",
@@ -123,7 +138,7 @@ Replay run_experiment(const Experiment& experiment, const ReplayOptions& options
         progress.show(what);
     };
     Replay result = experiment.run({examples_folder(), options.seed, show, print_warnings, interruption, results,
-                                    number_of_seeds(experiment, options)});
+                                    number_of_seeds(experiment, options), options.against == "printed"});
     end_if_requested(interruption);
     return result;
 }
@@ -147,6 +162,7 @@ std::string what_is_left(const ReplayOptions& options, const UnfinishedRun& unfi
 ExitCode replay(const ReplayOptions& options, const std::string& typed) try {
     const Experiment& experiment = find_experiment(options.experiment);
     require_study(experiment, options);
+    require_printed(experiment, options);
     require_outputs(options);
     InterruptedBySignals interruption;
     if (options.seeds > most_unasked && !options.yes && !are_meant({options.seeds, true, 1, {}}, interruption))
@@ -168,6 +184,11 @@ Action declare_replay(Options& command, const std::string& typed) {
     add_file(command, "--plots", options->plots, "writes the experiment's plots, SVG, and their curves, CSV", "FOLDER");
     add_number(command, "--seeds", options->seeds, 1, most_seeds, "of a study, instead of its own number");
     add_file(command, "--resume", options->resume, "keeps each run of a study there, and goes on from those it has");
+    command
+        .add("--against", options->against,
+             "judges what follows from the thesis's measurements, or also what it prints instead")
+        .one_of({"expected", "printed"})
+        .show_default();
     command.add_flag("--yes", options->yes, "begins even very many runs without a question");
     command.add_footer("experiments:\n" + list_experiments());
     return [options, typed] { return replay(*options, typed); };

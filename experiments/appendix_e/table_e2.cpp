@@ -37,6 +37,7 @@ Replay replay_table_e2(const ReplayContext& context) {
         .notes.insert(0, print_where_it_goes(study, "120"));
     study.table(replay, "reading 30: Table E.1 was measured with 30 individuals")
         .notes.insert(0, print_where_it_goes(study, "30"));
+    study.table(replay, "as the thesis prints it").judged = context.printed;
     return replay;
 }
 
@@ -48,6 +49,7 @@ extern const Experiment table_e2_experiment{
     .chapter = "E",
     .number = 2,
     .run = replay_table_e2,
+    .has_printed = true,
 };
 
 } // namespace placedpar

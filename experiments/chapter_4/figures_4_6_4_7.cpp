@@ -210,8 +210,9 @@ void add_at_alpha(Comparison& comparison, SpeedupRuns& runs, int alpha) {
     FormulaSpeedup half{.known = formula_4_10(alpha), .whole = whole_4_9(alpha, alpha), .allowed = .01};
     FormulaSpeedup full{
         .known = formula_pipelined(alpha, alpha), .whole = whole_pipelined(alpha, alpha), .allowed = .03};
-    comparison.add(judged_cell("speedup (4.10)", column, "", half.known, runs.speedup(plain), half.tolerance(), 3));
-    comparison.add(efficiency_cell(runs, "efficiency (C.2)", plain, half));
+    comparison.add(judged_by(Judge::thesis, judged_cell("speedup (4.10)", column, "", half.known, runs.speedup(plain),
+                                                        half.tolerance(), 3)));
+    comparison.add(judged_by(Judge::thesis, efficiency_cell(runs, "efficiency (C.2)", plain, half)));
     comparison.add(efficiency_cell(runs, "efficiency, a master that only breeds", only_breeding, half));
     comparison.add(efficiency_cell(runs, "efficiency, pipelined", pipelined, full));
     plain.work = pipelined.work = 1;
@@ -229,7 +230,7 @@ Comparison run_at_alpha(SpeedupRuns& runs) {
 }
 
 Comparison run_same_generations(SpeedupRuns& runs) {
-    Comparison comparison{.name = "the generations", .judged = true};
+    Comparison comparison{.name = "the generations", .against = "known", .judged = true};
     comparison.add(at_least(1, plain_cell(fmt::format("the same in all {} runs [1: yes]", runs.count()), "populations",
                                           "", runs.are_the_same_generations() ? 1 : 0, 0)));
     return comparison;

@@ -47,6 +47,7 @@ struct ReplayContext {
     Interruption& interruption;                       ///< ends the runs of netlists
     StudyResults& results;                            ///< earlier results of a study; new ones are added
     std::size_t seeds = 0;                            ///< number of seeds of a study: see kit/seed_runs.hpp
+    bool printed = false; ///< judge the figures that the thesis prints, even where others are expected
 };
 
 /// The description of an experiment in its file: see experiments/README.md.
@@ -55,7 +56,8 @@ struct Experiment {
     std::string_view chapter; ///< of the thesis, an appendix, or "machine"; this is the order of the list
     int number;               ///< order within the chapter
     Replay (*run)(const ReplayContext&);
-    std::size_t seeds = 0; ///< of a study by kit/seed_runs.hpp; 0: the experiment is not a study
+    std::size_t seeds = 0;    ///< of a study by kit/seed_runs.hpp; 0: the experiment is not a study
+    bool has_printed = false; ///< ReplayContext::printed has an effect
 };
 
 /// Returns every experiment, one from each file in the folders chapter_*, appendix_* and machine, by chapter and

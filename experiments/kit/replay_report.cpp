@@ -21,7 +21,8 @@ void add_if(boost::json::object& json, std::string_view key, std::optional<doubl
         json[key] = *figure;
 }
 
-boost::json::object cell_json(const Cell& cell, const std::string& against) {
+boost::json::object cell_json(const Cell& cell, const Comparison& comparison) {
+    const std::string& against = comparison.against;
     boost::json::object json{{"row", cell.row},
                              {"column", cell.column},
                              {"unit", cell.unit},
@@ -36,6 +37,10 @@ boost::json::object cell_json(const Cell& cell, const std::string& against) {
     add_if(json, "tolerance", cell.tolerance); // in the cell's unit
     add_if(json, "at_least", cell.at_least);
     add_if(json, "at_most", cell.at_most);
+    if (cell.interval)
+        json["interval"] = {cell.interval->low, cell.interval->high};
+    if (cell.is_judged())
+        json["judged_by"] = name_of(comparison.judge_of(cell));
     if (!cell.source.empty())
         json["source"] = cell.source;
     return json;
@@ -56,7 +61,7 @@ boost::json::array constants_json(const std::vector<hardware::Constant>& constan
 boost::json::array cells_json(const Comparison& comparison) {
     boost::json::array cells;
     for (const Cell& cell : comparison.cells)
-        cells.push_back(cell_json(cell, comparison.against));
+        cells.push_back(cell_json(cell, comparison));
     return cells;
 }
 
@@ -65,6 +70,14 @@ boost::json::object other_json(const Comparison& other) {
             {"cells", cells_json(other)},
             {"judged", other.judged},
             {"within_tolerance", other.within_tolerance()}};
+}
+
+boost::json::object judged_json(const JudgedCells& cells) {
+    return {{"thesis", cells.thesis},
+            {"set_from_thesis", cells.set_from_thesis},
+            {"published", cells.published},
+            {"own", cells.own},
+            {"not_judged", cells.not_judged}};
 }
 
 boost::json::array others_json(const Replay& replay) {
@@ -100,6 +113,7 @@ std::string print_replay(const Replay& replay) {
     std::string out;
     for (const Comparison& comparison : replay.comparisons)
         out += print_comparison(comparison) + "\n";
+    out += print_judged(count_judged(replay.comparisons)) + "\n";
     return out + print_constants(replay.constant_table) + replay.constants +
            fmt::format("fingerprint: {:016x}\n{}", replay.fingerprint, print_verdict(replay.comparisons));
 }
@@ -115,6 +129,7 @@ boost::json::object replay_json(const Replay& replay, std::string_view experimen
                              {"reading", replay.comparisons.front().name},
                              {"cells", cells_json(replay.comparisons.front())},
                              {"within_tolerance", replay.within_tolerance()},
+                             {"judged", judged_json(count_judged(replay.comparisons))},
                              {"other_readings", others_json(replay)}};
     if (!replay.constant_table.empty())
         json["constants"] = constants_json(replay.constant_table);

@@ -60,7 +60,8 @@ public:
 private:
     Cell cell(const StudyRow& row, const std::string& column, const Overrides& set, std::size_t place,
               const FiguresByName& above, MissingFigures& missing) {
-        Cell cell{.row = row.runs.name, .column = column, .unit = row.unit, .decimals = row.decimals};
+        Cell cell{
+            .row = row.runs.name, .column = column, .unit = row.unit, .decimals = row.decimals, .judge = row.judge};
         try {
             cell.simulated = mean(row, set, above);
         } catch (const UserError& why) {

@@ -182,7 +182,7 @@ private:
     /// Returns handlers that only store a row's members, which are read later, when the columns are known.
     static Handlers noted(Members& members) {
         Handlers handlers;
-        for (const char* name : {"figure", "unit", "decimals", "relative_to", "known", "tolerance", "origin"})
+        for (const char* name : {"figure", "unit", "decimals", "relative_to", "known", "tolerance", "origin", "judge"})
             handlers[name] = [&members, name](const toml::node& node) { members[name] = &node; };
         return handlers;
     }
@@ -276,6 +276,7 @@ private:
             {"known", [&](const toml::node& node) { row.known = by_column(node, columns, &StudyReader::known); }},
             {"tolerance",
              [&](const toml::node& node) { row.tolerances = by_column(node, columns, &StudyReader::tolerance); }},
+            {"judge", [&](const toml::node& node) { row.judge = judge(node); }},
             {"origin", [&](const toml::node& node) { row.origins = by_column(node, columns, &StudyReader::origin); }}};
     }
 
@@ -324,6 +325,16 @@ private:
         if (in_percent)
             text.pop_back();
         return {known(node, text), in_percent};
+    }
+
+    Judge judge(const toml::node& node) {
+        const std::string name = text(node);
+        for (Judge each : every_judge)
+            if (name == name_of(each))
+                return each;
+        report(node.source().begin, fmt::format("\"{}\" judges nothing", name),
+               "a row is judged by \"thesis\", \"published\" or \"own\" figures");
+        return Judge::own;
     }
 
     Origin origin(const toml::node& node, std::string text) {

@@ -3,6 +3,7 @@
 #include "explore/study/expression.hpp"
 #include "report/cell.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,8 @@ struct StudyRow {
     std::vector<StudyExpression> known = {}; ///< expressions of the settings
     std::vector<StudyTolerance> tolerances = {};
     std::vector<Origin> origins = {};
-    Overrides relative_to = {}; ///< measures are divided by those of the otherwise same run with these settings
+    std::optional<Judge> judge = {}; ///< empty: the one that the table's `against` names
+    Overrides relative_to = {};      ///< measures are divided by those of the otherwise same run with these settings
 };
 
 /// A table of figures of a study beside known ones, with a cell for each row and column.

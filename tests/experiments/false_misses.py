@@ -29,7 +29,8 @@ def misses(cell):
     """Whether a cell of the replay's record is beyond what it is judged by."""
     value = cell["simulated"]
     if "at_least" in cell or "at_most" in cell:
-        return not cell.get("at_least", value) <= value <= cell.get("at_most", value)
+        low, high = cell.get("interval", (value, value))
+        return not (high >= cell.get("at_least", high) and low <= cell.get("at_most", low))
     if "tolerance" in cell:
         known = next(cell[key] for key in ("thesis", "known", "true") if cell.get(key) is not None)
         return not abs(value - known) <= cell["tolerance"]

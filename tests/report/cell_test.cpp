@@ -23,6 +23,27 @@ TEST_CASE("a cell judged from one side has no other bound, whatever is known") {
     CHECK_FALSE(at_most(10, plain_cell("error", "state", "%", std::nan(""), 1)).within_tolerance());
 }
 
+TEST_CASE("a share misses a bound only if its whole interval does, so that few runs and many end alike") {
+    CHECK(share_cell("found", "low", 7, 12).simulated == doctest::Approx(100.0 * 7 / 12));
+    CHECK(share_cell("found", "low", 7, 12).interval->contains(58));
+    CHECK_FALSE(at_least(90, share_cell("found", "low", 7, 12)).within_tolerance()); // 27.7 to 84.8 %
+    CHECK(at_least(90, share_cell("found", "low", 9, 12)).within_tolerance());       // 42.8 to 94.5 %
+    CHECK(at_most(1, share_cell("alarms", "low", 1, 12)).within_tolerance());        // .2 to 38.5 %
+    CHECK_FALSE(at_most(1, share_cell("alarms", "low", 2, 12)).within_tolerance());  // 2.1 to 48.4 %
+    CHECK(at_most(1, share_cell("alarms", "low", 2, 200)).within_tolerance());
+    CHECK_FALSE(at_most(1, share_cell("alarms", "low", 17, 200)).within_tolerance()); // as many in a hundred as 1 in 12
+    CHECK_FALSE(at_least(90, share_cell("found", "low", 150, 200)).within_tolerance());
+    for (std::size_t runs : {12, 50, 200, 1000}) { // what is as required stays so, and what is far from it does not
+        CHECK(at_least(90, share_cell("found", "low", runs * 9 / 10, runs)).within_tolerance());
+        CHECK_FALSE(at_least(90, share_cell("found", "low", runs / 2, runs)).within_tolerance());
+    }
+}
+
+TEST_CASE("of a share of no runs nothing is known") {
+    CHECK(at_least(95, share_cell("called", "low", 0, 0)).within_tolerance());
+    CHECK(share_cell("called", "low", 0, 0).simulated == 0);
+}
+
 TEST_CASE("how far two samples may be apart: four deviations of their difference") {
     CHECK(share_tolerance(50, 50) == doctest::Approx(40));                   // 4 sqrt(2 * .25 / 50)
     CHECK(share_tolerance(50, 200) == doctest::Approx(20));                  // four times the records, half of it

@@ -131,6 +131,35 @@ TEST_CASE("a claim of two bounds shows both, and what is wide pushes no other co
                                           "y     -1234.50                3.00       3       0   0.25\n");
 }
 
+TEST_CASE("a cell is judged by whom its table names, unless it says so itself") {
+    const Cell cell = judged_cell("x", "a", "", 1, 1, 1, 0);
+    auto judge = [&](const char* against, const Cell& each) {
+        return Comparison{.name = "", .against = against}.judge_of(each);
+    };
+    for (const char* word : {"thesis", "claim", "(4.9)", "eq. 6.2"})
+        CHECK(judge(word, cell) == Judge::thesis);
+    for (const char* word : {"publ.", "Poznan"})
+        CHECK(judge(word, cell) == Judge::published);
+    for (const char* word : {"known", "true", "other", "ideal", "impulse"})
+        CHECK(judge(word, cell) == Judge::own);
+    CHECK(judge("thesis", judged_by(Judge::own, cell)) == Judge::own);
+    CHECK(judge("known", judged_by(Judge::thesis, cell)) == Judge::thesis);
+}
+
+TEST_CASE("cells are counted by what judges them; a table that does not decide judges none") {
+    Cell judged = judged_cell("x", "a", "", 1, 1, 1, 0), set = judged;
+    set.origin = Origin::workload;
+    const Cell shown = plain_cell("x", "b", "", 1, 0);
+    Comparison first{.name = "first", .cells = {judged, set, judged_by(Judge::own, judged), shown}},
+        published{.name = "second", .cells = {judged, shown}, .against = "publ.", .judged = true},
+        reading{.name = "third", .cells = {judged, judged}};
+    CHECK(print_judged(count_judged({first, reading})) ==
+          "cells judged against the thesis: 2 (1 of them set constants); against own figures: 1; not judged: 3\n");
+    CHECK(print_judged(count_judged({published, reading})) ==
+          "cells judged against the thesis: 0; against published figures: 1; against own figures: 0; not judged: 3\n");
+    CHECK(count_judged({first, published, reading}).published == 1);
+}
+
 TEST_CASE("tables are judged by the first of them, and by the others that say so") {
     Comparison good{.name = "good"}, bad{.name = "bad", .cells = {at_most(1, plain_cell("x", "a", "", 2, 1))}};
     CHECK(are_within_tolerance({good, bad}));

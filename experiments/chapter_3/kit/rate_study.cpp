@@ -61,7 +61,7 @@ std::size_t count_in(const std::vector<Figures>& machines, std::size_t figure) {
 /// Adds a share of machines with its 95 % interval.
 void add_share(Comparison& comparison, const std::string& row, const std::string& rate, std::size_t of, std::size_t all,
                std::optional<double> least) {
-    const Cell share = plain_cell(row, rate, "%", 100 * static_cast<double>(of) / static_cast<double>(all), 1);
+    const Cell share = share_cell(row, rate, of, all);
     comparison.add(least ? at_least(*least, share) : share);
     const Interval within = success_interval(of, all);
     comparison.add(plain_cell(row + ", from", rate, "%", within.low, 1));
@@ -71,8 +71,7 @@ void add_share(Comparison& comparison, const std::string& row, const std::string
 void add_rate(Comparison& comparison, const LoggerRate& rate, const RecordSource& source, AreasFrom from,
               const std::vector<Figures>& machines) {
     const std::size_t alarms = count_in(machines, 0), all = machines.size();
-    comparison.add(at_most(1, plain_cell("sound machines with an alarm", rate.name, "%",
-                                         100 * static_cast<double>(alarms) / static_cast<double>(all), 1)));
+    comparison.add(at_most(1, share_cell("sound machines with an alarm", rate.name, alarms, all)));
     comparison.add(
         plain_cell("sound machines: the upper bound of 95 %", rate.name, "%", success_interval(alarms, all).high, 1));
     if (!rate.with_faults)

@@ -1,5 +1,6 @@
 #include "experiments/chapter_3/kit/verdict_study.hpp"
 
+#include "experiments/kit/bootstrap.hpp"
 #include "experiments/kit/seed_runs.hpp"
 #include "identification/verdict/way_matrices.hpp"
 #include "text/interval.hpp"
@@ -147,23 +148,27 @@ std::size_t count(const std::vector<double>& values) {
     return values.size() - static_cast<std::size_t>(std::ranges::count(values, 0.0));
 }
 
-double percent(std::size_t of, std::size_t all) {
-    return all == 0 ? 0 : 100 * static_cast<double>(of) / static_cast<double>(all);
-}
-
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-/// Returns the highest percentage of faults that any test can find if it raises an alarm in 1 % of sound machines. It
-/// is that of the likelihood ratio (J. Neyman and E. Pearson, 1933), whose logarithm is normal with a variance of twice
-/// its mean.
-double limit_percent(const TestedFault& fault, const std::vector<Figures>& machines) {
+/// The highest percentage of faults that any test can find, and its 95 % interval: the machines are a sample.
+struct Limit {
+    double percent;
+    Interval interval;
+};
+
+/// Returns the limit for a test that raises an alarm in 1 % of sound machines. It is that of the likelihood ratio (J.
+/// Neyman and E. Pearson, 1933), whose logarithm is normal with a variance of twice its mean.
+Limit limit_of(const TestedFault& fault, const std::vector<Figures>& machines) {
+    if (fault.from_first_day)
+        return {100, {100, 100}};
     constexpr double one_in_a_hundred = 2.326; // in standard deviations
-    double found = 0;
+    std::vector<double> found;
     for (double of_unit : column(machines, evidence_figure + static_cast<std::size_t>(fault_of(fault)))) {
         const double beyond = std::sqrt(2 * of_unit) * fault.units - one_in_a_hundred;
-        found += std::erfc(-beyond / std::sqrt(2.0)) / 2;
+        found.push_back(100 * std::erfc(-beyond / std::sqrt(2.0)) / 2);
     }
-    return 100 * found / static_cast<double>(machines.size());
+    return {sum(found) / static_cast<double>(found.size()),
+            quotient_interval(found, std::vector<double>(found.size(), 1))};
 }
 
 /// A fault's figures, one per machine.
@@ -171,18 +176,18 @@ struct FaultFigures {
     std::vector<double> found, called, undecided;
 };
 
-void add_fault(Comparison& comparison, const TestedFault& fault, const std::string& noise, AreasFrom from, double limit,
-               const FaultFigures& of) {
+void add_fault(Comparison& comparison, const TestedFault& fault, const std::string& noise, AreasFrom from,
+               const Limit& limit, const FaultFigures& of) {
     const std::string name = fault.fault.name;
     const std::size_t faults = count(of.found), called = count(of.called), undecided = count(of.undecided);
-    const Cell share = plain_cell(name + ": found", noise, "%", percent(faults, of.found.size()), 1);
-    comparison.add(limit >= fault.least_found ? at_least(fault.least_found, share) : share);
+    const Cell share = share_cell(name + ": found", noise, faults, of.found.size());
+    comparison.add(limit.interval.low >= fault.least_found ? at_least(fault.least_found, share) : share);
     if (!fault.from_first_day)
-        comparison.add(plain_cell(name + ": limit by theory", noise, "%", limit, 1));
-    comparison.add(at_least(fault.least_called, plain_cell(name + ": of those called so, or left undecided", noise, "%",
-                                                           percent(called + undecided, faults), 1)));
+        comparison.add(plain_cell(name + ": limit by theory", noise, "%", limit.percent, 1));
+    comparison.add(at_least(fault.least_called, share_cell(name + ": of those called so, or left undecided", noise,
+                                                           called + undecided, faults)));
     if (fault.called != AlarmKind::compliance && from != AreasFrom::areas) {
-        const Cell share = plain_cell(name + ": of those left undecided", noise, "%", percent(undecided, faults), 1);
+        const Cell share = share_cell(name + ": of those left undecided", noise, undecided, faults);
         comparison.add(fault.most_undecided ? at_most(*fault.most_undecided, share) : share);
     }
     if (faults > 0)
@@ -194,13 +199,12 @@ void add_noise(Comparison& comparison, const RecordSource& source, AreasFrom fro
                const std::vector<Figures>& machines) {
     const std::string noise = std::string(source.noise) + " noise";
     const std::size_t false_alarms = count(column(machines, sound_figure));
-    comparison.add(
-        at_most(1, plain_cell("sound machines with an alarm", noise, "%", percent(false_alarms, machines.size()), 1)));
+    comparison.add(at_most(1, share_cell("sound machines with an alarm", noise, false_alarms, machines.size())));
     comparison.add(plain_cell("sound machines: the upper bound of 95 %", noise, "%",
                               success_interval(false_alarms, machines.size()).high, 1));
     std::size_t figure = first_fault_figure;
     for (const TestedFault& fault : tested_faults(source, from)) {
-        add_fault(comparison, fault, noise, from, fault.from_first_day ? 100 : limit_percent(fault, machines),
+        add_fault(comparison, fault, noise, from, limit_of(fault, machines),
                   {column(machines, figure), column(machines, figure + 1), column(machines, figure + 2)});
         figure += 3;
     }

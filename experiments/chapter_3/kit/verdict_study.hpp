@@ -25,8 +25,8 @@ struct TestedFault {
     identification::AlarmKind called; ///< the right alarm for the boom
     bool from_first_day = false;      ///< if false, the fault begins after three sound movements
     double units = 1;                 ///< size in WayUnits
-    /// Required percentages: of machines whose fault is found, unless the theoretical limit is lower, and of those
-    /// found whose fault is named correctly.
+    /// Required percentages: of machines whose fault is found, unless the theoretical limit may be lower by its 95 %
+    /// interval, and of those found whose fault is named correctly. A share misses if its whole 95 % interval does.
     double least_found = 90, least_called = 95;
     /// The allowed percentage of undecided ones among those found; nullopt if the records do not allow a limit.
     std::optional<double> most_undecided = 10;

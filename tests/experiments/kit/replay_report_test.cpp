@@ -44,6 +44,7 @@ TEST_CASE("for people a replay is its tables, its constants, its fingerprint, an
     CHECK(text.find("\n  bits of an acknowledge") != text.npos); // the group is named once
     CHECK(text.find("\nprocessor\n  clock ") != text.npos);
     CHECK(text.find(" 2e+07 Hz ") != text.npos);
+    CHECK(text.find("\n\ncells judged against the thesis: 1; against own figures: 0; not judged: 1\n\n") != text.npos);
     CHECK(text.ends_with("k  read off\nfingerprint: 0000000000000abc\na cell misses its tolerance\n"));
 }
 
@@ -60,7 +61,10 @@ TEST_CASE("for machines the first table is the reading, the others stand beside 
     CHECK(cell.at("tolerance_percent") == 5.0);
     CHECK(cell.at("tolerance") == 0.5);
     CHECK(cell.at("origin") == "outcome");
-    for (const char* of_others : {"at_least", "at_most", "source", "known"})
+    CHECK(cell.at("judged_by") == "thesis");
+    CHECK(json.at("judged").at("thesis") == 1);
+    CHECK(json.at("judged").at("not_judged") == 1);
+    for (const char* of_others : {"at_least", "at_most", "source", "known", "interval"})
         CHECK_FALSE(cell.contains(of_others));
     REQUIRE(json.at("other_readings").as_array().size() == 1);
     const boost::json::object& other = json.at("other_readings").at(0).as_object();

@@ -99,6 +99,17 @@ TEST_CASE("a cell has a figure of its run, what is known, and how far both may b
     CHECK_FALSE(table.within_tolerance());
 }
 
+TEST_CASE("a row can be judged by other figures than its table names") {
+    Comparison table =
+        tables_of(study_in(head + "[[table]]\nname = \"x\"\nagainst = \"thesis\"\nknown = 1\ntolerance = 1\n" +
+                           columns +
+                           "rows = [{name = \"a\", figure = \"rate\"}, {name = \"b\", figure = "
+                           "\"rate\", judge = \"own\"}]\n"))
+            .at(0);
+    CHECK(table.judge_of(table.cells.front()) == Judge::thesis);
+    CHECK(table.judge_of(table.cells.back()) == Judge::own);
+}
+
 TEST_CASE("figures are relative to a run, and use those of the rows above") {
     Comparison table =
         tables_of(study_in(head + "[[table]]\nname = \"x\"\n" + columns +
@@ -146,6 +157,7 @@ TEST_CASE("what is wrong in a table is refused with its place") {
     check_study_refused(table + columns + rows + "origin = \"guess\"\n", "\"guess\" is not an origin");
     check_study_refused(table + columns + rows + "origin = \"guess\"\n",
                         "an origin is \"outcome\", \"calibrated\", \"workload\", \"fitted\" or \"constant\"");
+    check_study_refused(table + columns + rows + "judge = \"me\"\n", "\"me\" judges nothing");
     check_study_refused(table + columns + "rows = [{name = \"a\", figure = \"rate /\"}]\n", "it cannot be understood");
     check_study_refused(table + "columns = [{name = \"a\", set = {a = \"0..1\"}}]\n" + rows,
                         "\"a\" has several values");
