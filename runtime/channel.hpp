@@ -57,8 +57,8 @@ public:
     struct User {
         const Process* process = nullptr;
         const Process* outermost = nullptr;
-        std::uint32_t ordinal = nobody; ///< of the process, which no other of its simulation has, dead or alive
-        static constexpr std::uint32_t nobody = 0xffffffff;
+        std::uint32_t ordinal = no_process; ///< of the process, which no other of its simulation has, dead or alive
+        static constexpr std::uint32_t no_process = 0xffffffff;
     };
 
     explicit AnyChannel(std::string name) : name_(std::move(name)), identity_(new_identity(name_)) {}

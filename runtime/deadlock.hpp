@@ -22,7 +22,7 @@ struct StuckProcess {
 /// A channel on which a process waits for a partner that never comes.
 struct StuckChannel {
     std::string name;
-    std::string outputter, inputter; ///< paths; "nobody yet" for an end that was never used
+    std::string outputter, inputter; ///< paths; "none yet" for an end that was never used
     std::string waiting;             ///< "outputter" or "inputter"
     std::string netlist = "";        ///< "farm.cfs:20", where it is connected; "" without a netlist
 };

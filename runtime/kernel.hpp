@@ -229,7 +229,7 @@ private:
     struct Population {
         std::vector<Process*> all; ///< in no order
         std::size_t of_the_program =
-            0; ///< processes of the program that have not ended; if 0: RareConditions::nobody_left
+            0; ///< processes of the program that have not ended; if 0: RareConditions::no_process_left
         std::uint32_t next_ordinal = 0;
     };
     /// What processes run on.

@@ -172,7 +172,7 @@ TEST_CASE("another topology than the parameter says") {
     check_says(said_of(4, all(", topology = \"hypercube\""), ring(4)),
                "islands.cfs:4:44: error: \"island[0]\" is connected to island[1], but to island[1], island[2] in the "
                "topology \"hypercube\" of 4 islands");
-    check_says(said_of(3, all(", topology = \"none\""), ring(3)), "but to nobody in the topology");
+    check_says(said_of(3, all(", topology = \"none\""), ring(3)), "but to no island in the topology");
     check_says(said_of(3, all(", topology = \"cube\""), ring(3)), "it is one of ring(ways = 1)");
     check_says(said_of(10, all(", topology = \"torus(3)\""), ring(10)), "expected rows that divide 10: 1, 2, 5, 10");
 }

@@ -125,7 +125,7 @@ TEST_CASE("a partner that was a component and is gone stands for the process who
     RunResult result = simulation.run();
     REQUIRE(result.deadlock);
     REQUIRE(result.deadlock->channels.size() == 2);
-    CHECK(result.deadlock->channels[0].outputter == "nobody yet");
+    CHECK(result.deadlock->channels[0].outputter == "none yet");
     CHECK(result.deadlock->channels[1].name == "c");
     CHECK(result.deadlock->channels[1].inputter == "server");
 }
@@ -154,7 +154,7 @@ TEST_CASE("a component is not taken for an earlier one that was where it is now:
     // x/0 waits for an outputter of a: for x, whose last component output to it; and x waits for x/0.
     CHECK(result.deadlock->cycle == std::vector<std::string>{"x", "x/0"});
     REQUIRE(result.deadlock->channels.size() == 2);
-    CHECK(result.deadlock->channels[0].outputter == "nobody yet");
+    CHECK(result.deadlock->channels[0].outputter == "none yet");
     CHECK(result.deadlock->channels[1].name == "a");
     CHECK(result.deadlock->channels[1].outputter == "x");
 }

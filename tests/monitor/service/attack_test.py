@@ -77,7 +77,7 @@ class Flood(ServiceTest):
         silent = [self.client(service, source=f"127.0.0.{i % 200 + 1}") for i in range(60)]
         client = self.client(service, "digger")
         self.assertEqual(client.welcome["type"], "welcome")
-        self.assertIn("has said no hello yet", silent[0].receive()["wrong"])
+        self.assertIn("has sent no hello yet", silent[0].receive()["wrong"])
         self.assertIsNone(silent[0].receive())
         self.assertEqual(client.ask(**CONFIGURATION)["type"], "configured")
 

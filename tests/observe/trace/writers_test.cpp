@@ -75,7 +75,7 @@ TEST_CASE("Perfetto: a wait says for whom, and on which channel") {
     CHECK(name_shown(waiting(Activity::delayed, {}, true)) == "waits for its timer");
     CHECK(name_shown(waiting(Activity::after_work)) == "waits for the end of the work");
     CHECK(name_shown(waiting(Activity::stopped)) == "has stopped");
-    CHECK(has(shown(waiting(Activity::inputting, {{"c", ""}})), R"("args":{"channel":"c","partner":"nobody yet"})"));
+    CHECK(has(shown(waiting(Activity::inputting, {{"c", ""}})), R"("args":{"channel":"c","partner":"none yet"})"));
 }
 
 TEST_CASE("Perfetto: an alternation names a few partners, and counts many") {
