@@ -162,7 +162,7 @@ class Sweep(InFolder):
         self.sweep(COMMSTIME, "count=10,20,1000000000", "--until", "1ms")
         report = placedpar("report", "commstime.cfs", "--relative-to", "count=10", folder=self.folder).stdout.splitlines()
         self.assertEqual([line.split()[2] for line in report[5:8]][::2], ["1", "-"])
-        self.assertIn("ended so: 1 run", report[2])
+        self.assertIn("ended in the same way: 1 run", report[2])
 
     def test_a_deadlock_a_refusal_and_a_stop_are_results(self):
         self.assertRegex(self.sweep(COMMSTIME, "count=10,1000000000,-1", "--until", "1ms"),
