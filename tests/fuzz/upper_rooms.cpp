@@ -126,7 +126,7 @@ void read_diagnosis(const std::string& patches) {
     static const std::string good = made_diagnosis();
     try {
         text_of(monitor::state_from(boost::json::parse(patched(good, patches)), {}));
-    } catch (const std::runtime_error&) { // refused as it should be
+    } catch (const std::runtime_error&) { // the state was refused
     }
 }
 
@@ -134,7 +134,7 @@ template <class Read>
 void attempt_to(Read read) {
     try {
         read();
-    } catch (const UserError&) { // the text is not a path that can be listened on
+    } catch (const UserError&) { // the text was refused
     }
 }
 

@@ -34,7 +34,8 @@ TEST_CASE("what a parameter decides is listed, with the very policies that the p
     Known known;
     auto nouns = policy_nouns();
     std::set<std::string> decided;
-    for (const auto& each : known.catalogue.kinds()) // CAPTURE is a lambda, which Clang 14 lets capture no binding
+    for (const auto& each : known.catalogue.kinds()) // CAPTURE is a lambda, and Clang 14 does not let it capture a
+                                                     // structured binding
         for (const ParameterDescription& parameter : each.second.parameters) {
             if (parameter.noun.empty())
                 continue;
@@ -50,7 +51,8 @@ TEST_CASE("what a parameter decides is listed, with the very policies that the p
             for (const std::string& choice : parameter.choices)
                 CHECK_NOTHROW(parameter.check(choice));
         }
-    for (const Noun& noun : nouns) // what no parameter decides says by its forms how a netlist has it
+    for (const Noun& noun : nouns) // a noun without a deciding parameter must show its spelling in netlists in its
+                                   // variants
         CHECK((decided.count(noun.name) == 1) == (noun.name != "distributed-fitness"));
 }
 
@@ -60,7 +62,8 @@ TEST_CASE("what a number, the problem or the connections decide is listed, too, 
     CHECK(says(print_policy(known.catalogue, "Distributed Fitness"), "\n\ndistributed\n  each island a window"));
     CHECK(says(print_policy(known.catalogue, "permutation"), "problem = \"tour-circle(cities = 12)\""));
     CHECK(says(print_policy(known.catalogue, "spread"), "\n  in a netlist: initial = \"spread\"\n"));
-    std::string star = print_policy(known.catalogue, "star"); // of islands, and of a master and its slaves
+    std::string star = print_policy(known.catalogue, "star"); // the name of a topology of islands, and of a master and
+                                                              // its slaves
     CHECK(says(star, "topology = \"star\""));
     CHECK(says(star, "connect master.to_slaves[1] to slave[1].from_master;"));
     CHECK_THROWS_WITH(print_policy(known.catalogue, "tree(3)"), "tree takes no number");
@@ -128,7 +131,7 @@ TEST_CASE("a policy says how a netlist writes it, its numbers and where it is fr
     CHECK(says(tournament, "  size             int     default 2              1 .. 1000000\n"));
     CHECK(says(tournament, "in a netlist: emigration = \"tournament(count = 1, size = 2)\"\n"));
     CHECK(says(print_policy(known.catalogue, "tournament(5)"), "reproduction = \"tournament(size = 5)\"\n"));
-    CHECK_FALSE(says(print_policy(known.catalogue, "tournament(5, 6)"), "selection")); // which has one number
+    CHECK_FALSE(says(print_policy(known.catalogue, "tournament(5, 6)"), "selection")); // selection has only one number
     CHECK(says(print_policy(known.catalogue, "reproduction"), "\nroulette\n"));
     CHECK(says(print_policy(known.catalogue, "elitism"), "  elite  "));
 }

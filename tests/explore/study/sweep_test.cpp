@@ -122,7 +122,7 @@ TEST_CASE("a netlist of a study is found wherever those that can be read lie, al
     // A population of 1 is refused, at every thousandth combination.
     CHECK_NOTHROW(
         readable_network(study_of(netlist, {"slaves=0..999", "population=1..1000", "master.trials=1..1000"}, 1)));
-    // Only the population of 50 has more slaves than individuals allow; other netlists are refused for other reasons.
+    // One netlist in fifty has fewer slaves than individuals; all others are refused for their own values.
     CHECK_NOTHROW(readable_network(study_of(netlist, {"population=2..40", "slaves=0..999"}, 1)));
 }
 
