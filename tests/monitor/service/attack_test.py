@@ -57,10 +57,8 @@ class Flood(ServiceTest):
         self.assertEqual(self.client(service, "new").welcome["type"], "welcome")
         self.assertEqual(self.client(service, "known").welcome["samples"], KNOWN)
         service.stop(signal.SIGKILL)
-        service = self.service("--max-machines", 10, "--state", state)  # the peers of stored machines are not known
-                                                                        # after a restart
-        self.assertEqual(self.client(service, "newer").welcome["type"], "error")  # the state file holds more machines
-                                                                                  # than are allowed
+        service = self.service("--max-machines", 10, "--state", state)  # the peers of stored machines are not known after a restart
+        self.assertEqual(self.client(service, "newer").welcome["type"], "error")  # the state file holds more machines than are allowed
         service.stop()
         service = self.service("--max-machines", 31, "--state", state)
         self.assertEqual(self.client(service, "newer").welcome["type"], "welcome")

@@ -165,8 +165,7 @@ class Page(ServiceTest):
                 self.assertLess(float(y), height)
             health = float(re.search(r'<text x="([\d.]+)"[^>]*>BO in health<', page)[1])
             self.assertGreater(health, max(float(x) for x in re.findall(r'<circle cx="([\d.]+)"', page)))
-            self.assertIn('<td data-head="raised">', page)  # the column's name is shown where rows are laid out as
-                                                            # lists
+            self.assertIn('<td data-head="raised">', page)  # the column's name is shown where rows are laid out as lists
 
     @unittest.skipUnless(BROWSER, "no Chromium")
     def test_no_text_is_cut_off(self):

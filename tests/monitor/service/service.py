@@ -23,8 +23,7 @@ class Service:
         self.process = subprocess.Popen([PROGRAM, "monitor", *map(str, arguments)], stdout=subprocess.PIPE,
                                         stderr=subprocess.PIPE, text=True)
         self.log = []
-        self.reader = threading.Thread(target=lambda: self.log.extend(self.process.stderr))  # drains the pipe, which
-                                                                                             # would fill up
+        self.reader = threading.Thread(target=lambda: self.log.extend(self.process.stderr))  # drains the pipe, which would fill up
         self.reader.start()
         self.address = self.page = None
         for _ in range(("--port" in arguments or "--unix" not in arguments) + ("--unix" in arguments) +
