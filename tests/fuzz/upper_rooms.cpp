@@ -191,8 +191,7 @@ void read_place(const std::string& text) {
 
 /// The input is everything that one connection sends before it closes.
 void read_request(const std::string& all) {
-    const std::string text = all.substr(0, 1000); // the answers must fit into the socket's buffer, since nothing reads
-                                                  // them meanwhile
+    const std::string text = all.substr(0, 1000); // the answers must fit into the unread socket
     int ends[2];
     require(::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) == 0, "there are sockets");
     boost::asio::io_context io;

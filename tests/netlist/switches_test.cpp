@@ -94,8 +94,7 @@ TEST_CASE("a program visits its partners over one link, and the switch answers w
     CHECK(report.measured("visitor", "wrong_answers") == 0);
     REQUIRE(report.switches.size() == 1);
     CHECK(report.switches[0].name == "sw");
-    CHECK(report.switches[0].commands == 5 * 3 * 4 - 1); // the last command is acknowledged before all of it has
-                                                         // arrived
+    CHECK(report.switches[0].commands == 5 * 3 * 4 - 1); // the last is acknowledged early
     CHECK(report.switches[0].connections == 5 * 3 * 2);
     CHECK(report.switches[0].losses.empty());
     for (const LinkUse& link : report.links) {

@@ -25,8 +25,7 @@ TEST_CASE("a cell judged from one side has no other bound, whatever is known") {
 
 TEST_CASE("how far two samples may be apart: four deviations of their difference") {
     CHECK(share_tolerance(50, 50) == doctest::Approx(40));                   // 4 sqrt(2 * .25 / 50)
-    CHECK(share_tolerance(50, 200) == doctest::Approx(20));                  // four times the records, half the
-                                                                             // tolerance
+    CHECK(share_tolerance(50, 200) == doctest::Approx(20));                  // 4 times the records
     CHECK(share_tolerance(100, 200) == doctest::Approx(3.96).epsilon(0.01)); // 4 sqrt(2 * .0098 * .9902 / 200)
     CHECK(share_tolerance(0, 200) == doctest::Approx(share_tolerance(100, 200)));
     CHECK(deviation_tolerance(0.00004, 50, 0.000005) == test::nearly(0.00004 * 4 / 7 + 0.000005)); // plus half a digit

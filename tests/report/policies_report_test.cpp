@@ -34,8 +34,7 @@ TEST_CASE("what a parameter decides is listed, with the very policies that the p
     Known known;
     auto nouns = policy_nouns();
     std::set<std::string> decided;
-    for (const auto& each : known.catalogue.kinds()) // CAPTURE is a lambda, and Clang 14 does not let it capture a
-                                                     // structured binding
+    for (const auto& each : known.catalogue.kinds()) // CAPTURE is a lambda: no structured binding in Clang 14
         for (const ParameterDescription& parameter : each.second.parameters) {
             if (parameter.noun.empty())
                 continue;
@@ -51,8 +50,7 @@ TEST_CASE("what a parameter decides is listed, with the very policies that the p
             for (const std::string& choice : parameter.choices)
                 CHECK_NOTHROW(parameter.check(choice));
         }
-    for (const Noun& noun : nouns) // a noun without a deciding parameter must show its spelling in netlists in its
-                                   // variants
+    for (const Noun& noun : nouns) // without a parameter, the variants show the spelling
         CHECK((decided.count(noun.name) == 1) == (noun.name != "distributed-fitness"));
 }
 
@@ -62,8 +60,7 @@ TEST_CASE("what a number, the problem or the connections decide is listed, too, 
     CHECK(says(print_policy(known.catalogue, "Distributed Fitness"), "\n\ndistributed\n  each island a window"));
     CHECK(says(print_policy(known.catalogue, "permutation"), "problem = \"tour-circle(cities = 12)\""));
     CHECK(says(print_policy(known.catalogue, "spread"), "\n  in a netlist: initial = \"spread\"\n"));
-    std::string star = print_policy(known.catalogue, "star"); // the name of a topology of islands, and of a master and
-                                                              // its slaves
+    std::string star = print_policy(known.catalogue, "star"); // of islands, and of a master and its slaves
     CHECK(says(star, "topology = \"star\""));
     CHECK(says(star, "connect master.to_slaves[1] to slave[1].from_master;"));
     CHECK_THROWS_WITH(print_policy(known.catalogue, "tree(3)"), "tree takes no number");

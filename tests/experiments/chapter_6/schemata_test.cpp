@@ -41,8 +41,7 @@ TEST_CASE("equation 6.2 leaves (1 - .8 d / 7) .99^n of schemata of defining leng
 
 TEST_CASE("reproduction alone makes of schemata what it is expected to, whatever their defining length") {
     const Replay replay = test::replay_named("schemata", 20);
-    for (const Comparison* table : {&replay.comparisons.at(0), &replay.comparisons.at(1)}) // first the fit schema, then
-                                                                                           // the others
+    for (const Comparison* table : {&replay.comparisons.at(0), &replay.comparisons.at(1)}) // the fit schema, the others
         for (int length = 0; length <= 7; ++length)
             CHECK(cell_in(*table, row_of_length(length), "reproduction alone").simulated ==
                   doctest::Approx(1).epsilon(0.06));

@@ -37,8 +37,7 @@ TEST_CASE("settings are spelled as the study spells them, else as the first run 
     CHECK(CanonicalSettings(results, &study).of({{"slaves", "8.0"}}) == Overrides{{"slaves", "8"}});
     CHECK(CanonicalSettings(results, nullptr).of({{"slaves", "8.0"}}) == Overrides{{"slaves", "4+4"}});
     CHECK(CanonicalSettings(results, nullptr).of({{"slaves", "7.0"}}) == Overrides{{"slaves", "7.0"}});
-    CHECK(CanonicalSettings(results, nullptr).of({{"clock", "8.0"}}) == Overrides{{"clock", "8.0"}}); // no val has this
-                                                                                                      // name
+    CHECK(CanonicalSettings(results, nullptr).of({{"clock", "8.0"}}) == Overrides{{"clock", "8.0"}}); // no such val
 }
 
 TEST_CASE("of runs that are the same, the one that was made in the spelling of the study is told") {

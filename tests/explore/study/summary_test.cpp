@@ -42,8 +42,7 @@ TEST_CASE("a cell has the mean, the ends, and Student's interval") {
     CHECK(cell.mean == doctest::Approx(3));
     CHECK(cell.least == 1);
     CHECK(cell.greatest == 5);
-    CHECK(cell.half_width == doctest::Approx(2.776445 * std::sqrt(2.5 / 5)).epsilon(1e-6)); // t with 4 degrees of
-                                                                                            // freedom, 97.5 %
+    CHECK(cell.half_width == doctest::Approx(2.776445 * std::sqrt(2.5 / 5)).epsilon(1e-6)); // t for 4, 97.5 %
     CHECK(test::cell_of({7}).half_width == 0);
     CHECK(shown_interval(test::cell_of({7})).empty());
     CHECK(shown_mean(StudyCell{}) == "-");

@@ -90,7 +90,7 @@ TEST_CASE("configuration d: both branches meet at the boom") {
     check_circuit('d', {BU, SW, BO}, "+BU>BO +SW>BO BO>tank");
     check_circuit('d', {BO, ST, SW}, "+SW>ST ST>BO +BO>tank"); // pump 1 passes the bucket, which is at rest
     check_circuit('d', {BO}, "++BO>tank");
-    check_circuit('d', {BU, ST}, "+BU>tank +ST>tank"); // they meet where no link moves
+    check_circuit('d', {BU, ST}, "+BU>tank +ST>tank"); // they meet at the boom, which is at rest
 }
 
 TEST_CASE("configuration e: both branches meet at the stick") {

@@ -92,7 +92,7 @@ TEST_CASE("any split satisfies the orifice equations and keeps the pump's flow")
         relieved += split.relief_in3_per_s > 0;
         reversed += inlet_psi < rounded_flow.tank_psi;
     }
-    CHECK(shut > 100); // both cases must occur often
+    CHECK(shut > 100); // each case must occur often
     CHECK(relieved > 100);
     CHECK(reversed > 100);
 }

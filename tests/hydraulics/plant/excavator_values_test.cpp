@@ -111,7 +111,7 @@ TEST_CASE("scenario B: 1524 to 2070 psi in .52 s, steady at 1835") {
     CHECK(std::abs(peak->inlet_psi - 2070) < 5);
     CHECK(std::abs(motion.back().inlet_psi - 1835) < 8);
     auto rises = std::ranges::find_if(motion, [&](const BoomState& state) {
-        return state.inlet_psi > motion.front().inlet_psi + 5; // the motion is a hundredth done
+        return state.inlet_psi > motion.front().inlet_psi + 5; // a hundredth of the rise
     });
     CHECK(std::abs(peak->time_s - rises->time_s - 0.52) < 0.05);
 }

@@ -249,8 +249,7 @@ TEST_CASE("wrong from its first day: its kind knows") {
     CHECK(feed_movements(diagnosis, AlarmKind::compliance, 4, 0.0172).raised == 1);
     Diagnosis told = diagnosis_in(Configuration::a, boom);
     Baseline baseline;
-    baseline.compliance_in3_per_psi[index_of(Link::boom)] = 0.0172; // the control system overrides the value of the
-                                                                    // machine's kind
+    baseline.compliance_in3_per_psi[index_of(Link::boom)] = 0.0172; // set by the control system
     told.set_baseline(baseline);
     CHECK(feed_movements(told, AlarmKind::compliance, 4, 0.0172).raised == 0);
 }

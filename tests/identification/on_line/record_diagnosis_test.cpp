@@ -162,7 +162,7 @@ TEST_CASE("the gate opens by the flow: a soft hose is followed for longer than b
     CHECK(!gate.opens(799, 0.0086));
     CHECK(gate.opens(400, 0.0172));
     CHECK(!gate.opens(399, 0.0172));
-    CHECK(gate.opens(800, 0.001)); // the slope makes it a stiff link
+    CHECK(gate.opens(800, 0.001)); // for a stiff link the slope is enough
     CHECK(gate.opens(150, std::nullopt));
     CHECK(!gate.opens(149, std::nullopt));
 }

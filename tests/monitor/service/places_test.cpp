@@ -41,8 +41,8 @@ TEST_CASE("two peers that have all places make room for a third, until all have 
     CHECK(crowd_in(places, "other flooder", 128) == 128);
     CHECK(crowd_in(places, "third", 1) == 1);
     CHECK(crowd_in(places, "third", 1000) == 85);
-    CHECK(crowd_in(places, "flooder", 1000) + crowd_in(places, "other flooder", 1000) == 171); // no place is taken from
-                                                                                               // the other peer
+    CHECK(crowd_in(places, "flooder", 1000) + crowd_in(places, "other flooder", 1000) ==
+          171); // none is taken from the other
     CHECK(std::ranges::count(places, std::string("third"), &Occupant::peer) == 85);
     CHECK(places.size() == limit);
 }
@@ -51,8 +51,7 @@ TEST_CASE("no peer takes what is kept, though all else is taken") {
     std::vector<Occupant> places;
     crowd_in(places, "site", 100, true);
     crowd_in(places, "flooder", 1000);
-    CHECK(crowd_in(places, "site", 1000) == 100 + 78); // the peer's unknown machines get as many places as the
-                                                       // flooder's
+    CHECK(crowd_in(places, "site", 1000) == 100 + 78); // unknown machines of both peers get equal shares
     CHECK(crowd_in(places, "flooder", 1000) == 78);
     CHECK(std::ranges::count(places, true, &Occupant::kept) == 100);
 }

@@ -94,8 +94,7 @@ TEST_CASE("a name by itself is a val, or an attribute or a parameter of every el
     CHECK(network.set[0].elements == Elements{"root", "t[0]", "t[1]", "c"});
 
     CHECK(process(good_text(sound, {{"cycles", "times * 7"}}), "s").parameters.at("cycles") == Value(std::int64_t{14}));
-    auto val = good_text("val clock 1M; T800 (memory = clock) t;", {{"clock", "3M"}}); // sets the val, not the
-                                                                                       // attribute
+    auto val = good_text("val clock 1M; T800 (memory = clock) t;", {{"clock", "3M"}}); // sets the val
     CHECK(val.nodes[0].integer("memory") == 3 * 1024 * 1024);
     CHECK(val.nodes[0].integer("clock") == 20'000'000);
     CHECK(val.set[0].elements.empty());

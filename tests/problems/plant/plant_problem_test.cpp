@@ -107,8 +107,7 @@ TEST_CASE("a simulated plant goes on from its own outputs") {
     REQUIRE(errors.size() == expected.size());
     for (std::size_t i = 0; i < errors.size(); ++i)
         CHECK(errors[i] == doctest::Approx(expected[i]));
-    CHECK(errors[0] == make_search_problem(PlantProblem())->errors(genome, window)[0]); // both predict from measured
-                                                                                        // outputs
+    CHECK(errors[0] == make_search_problem(PlantProblem())->errors(genome, window)[0]); // from measured outputs
     CHECK(errors[1] != make_search_problem(PlantProblem())->errors(genome, window)[1]);
 }
 

@@ -29,8 +29,7 @@ TEST_CASE("without noise each seed's search ends near the best of all codes, whi
     CHECK(transients.true_in3_per_psi == test::nearly(0.0086));
     REQUIRE(transients.samples.size() == 3);
     CHECK(transients.samples[0].size() == way.usable.count);
-    CHECK(transients.samples[0].front().links == transients.samples[2].front().links); // without noise, the seed
-                                                                                       // changes nothing
+    CHECK(transients.samples[0].front().links == transients.samples[2].front().links); // no noise, no difference
     const SearchStudy found = study(transients, way, seeds);
     CHECK(found.within_ten_percent() == 100);
     REQUIRE(found.codes_from_optimum.size() == 3);

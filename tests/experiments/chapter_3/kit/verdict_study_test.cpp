@@ -118,7 +118,7 @@ TEST_CASE("a compliance that grows by a half is found and called so; watching on
     CHECK(outcome.called);
     CHECK_FALSE(outcome.undecided);
     CHECK(machine.alarms().empty());
-    TestedFault miscalled = softer; // the diagnosis differs from the expected one
+    TestedFault miscalled = softer; // the expected alarm is another one
     miscalled.called = AlarmKind::leak;
     const Outcome other = watch(machine, miscalled, faulty_movements, next);
     CHECK(other.found_after == outcome.found_after);

@@ -58,8 +58,7 @@ TEST_CASE("a claim holds where the whole interval of the median is on its side, 
     CHECK(verdict(claim_of({4, 4, 4, 4}, {}, 5)) == "holds");
     CHECK(verdict(claim_of(from_1_to(40), 20)) == "undecided");
     CHECK(verdict(claim_of(from_1_to(40), 1, 40)) == "holds");
-    CHECK(verdict(claim_of(from_1_to(40), 20, 21)) == "undecided"); // the median is between the bounds, but its
-                                                                    // interval is not
+    CHECK(verdict(claim_of(from_1_to(40), 20, 21)) == "undecided"); // only the median lies between
     CHECK(verdict(claim_of({4, 4, 4, 4}, 5, 6)) == "does not hold");
 }
 
