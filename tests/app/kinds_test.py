@@ -1,4 +1,4 @@
-"""placedpar kinds: one, a group, all; for people and for machines."""
+"""Tests placedpar kinds: one kind, a group, all; for people and for machines."""
 
 import json
 import pathlib
@@ -22,7 +22,7 @@ def refusal(*arguments):
 
 
 def number(value):
-    """As the text form has it."""
+    """Formats the JSON entry like the text."""
     return f"{value:g}" if isinstance(value, float) and abs(value) < 1e5 else str(int(value))
 
 

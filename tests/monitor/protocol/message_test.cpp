@@ -110,7 +110,7 @@ TEST_CASE("a field is given once") {
         CHECK(bad.field() == each.field);
         CHECK(std::string(bad.what()) == "it is given twice");
     }
-    // The same name in different objects is no repetition.
+    // A name may occur in several objects, but only once in each.
     CHECK_NOTHROW(
         parse_message(R"({"type":"sample","time_s":1,"links":{"BO":{"inlet_psi":1,"angle_deg":1,"spool_in":0.2},)"
                       R"("BU":{"inlet_psi":1,"angle_deg":1,"spool_in":0.2}}})"));
