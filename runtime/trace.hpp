@@ -31,7 +31,7 @@ struct PlaceLeft {
 /// 1. Notices come in the order of their times. An operation that takes no time begins and ends with two notices of the
 ///    same time.
 /// 2. Processes, channels and their data may be destroyed after the call; processes that wait exist until they
-///    continue. continue.
+///    continue.
 class TraceSink {
 public:
     /// From a moment on a process does something else:
