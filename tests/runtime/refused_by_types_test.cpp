@@ -60,7 +60,7 @@ static_assert(!std::constructible_from<Output<double>, Output<int>> &&
               !std::constructible_from<Input<double>, Input<int>>);
 static_assert(!std::constructible_from<Output<int>, Channel<int>&>); // .out() states which end is meant
 
-// A channel cannot be copied or moved, so no end can refer to a moved channel.
+// Channels cannot be copied or moved, so a program cannot use one that was moved from.
 static_assert(!std::copy_constructible<Channel<int>> && !std::move_constructible<Channel<int>>);
 static_assert(!std::is_copy_assignable_v<Channel<int>> && !std::is_move_assignable_v<Channel<int>>);
 static_assert(!std::copy_constructible<std::array<Channel<int>, 2>>);

@@ -359,7 +359,7 @@ TEST_CASE("hundreds of channels on a torus of 256 processors and a hypercube of 
 
 namespace {
 
-/// Channels from each processor to the one `hop` places further on, by the shortest path.
+/// Has a channel from each processor to every other one, along a shortest path.
 class AllToAll {
 public:
     explicit AllToAll(const Graph& graph) : machine_(graph), nodes_(graph.nodes), channels_(graph.nodes) {
