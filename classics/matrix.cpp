@@ -1,4 +1,4 @@
-// Multiplication by a matrix on a mesh (Hoare, Communicating Sequential Processes, CACM 21, 1978, section 6.2): each
+// Multiplication by a matrix on a mesh (Hoare, Communicating Sequential Processes, CACM 21, 1978, section 6.2). Each
 // process holds an element of the matrix. Vectors come from the west, sums from the north.
 
 #include "classics/kinds.hpp"

@@ -1,5 +1,5 @@
-// Dijkstra's dining philosophers, as Hoare tells them (Communicating Sequential Processes, 1985, section 2.5): the
-// forks are processes too, and a butler who never lets all of them sit keeps them from starving.
+// Dijkstra's dining philosophers, as in Hoare (Communicating Sequential Processes, 1985, section 2.5). The forks are
+// processes too, and a butler, who never lets all philosophers sit, prevents the deadlock.
 
 #include "classics/kinds.hpp"
 
@@ -17,7 +17,7 @@ namespace placedpar {
 
 namespace {
 
-/// A message that says nothing but that it comes: occam's `c ! ANY`. A byte on a wire.
+/// A message without content: occam's `c ! ANY`. It takes a byte on a wire.
 struct Signal {
     WireForm wire_form() const { return WireForm(1); }
 };

@@ -1,6 +1,6 @@
 // The sieve of Eratosthenes as a pipeline (Hoare, Communicating Sequential Processes, CACM 21, 1978, section 6.1; the
-// idea is McIlroy's): each process keeps the first number that it gets, a prime, and lets through what it does not
-// divide.
+// idea is McIlroy's). Each process keeps the first number that it gets, which is a prime, and passes on the numbers
+// that the prime does not divide.
 
 #include "classics/kinds.hpp"
 
@@ -21,7 +21,7 @@ void count_up(ProcessEnvironment& environment) {
     to.output({end_of_numbers});
 }
 
-/// The end of the pipeline: what comes through the last process goes nowhere.
+/// The output of a process in the pipeline. Numbers that leave the last process are dropped.
 class Onwards {
 public:
     explicit Onwards(const ProcessEnvironment& environment) : connected_(environment.connected("out")) {

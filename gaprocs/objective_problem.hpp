@@ -73,7 +73,7 @@ public:
     }
     std::optional<Objective> objective() const override { return objective_; }
 
-    /// Nothing where the string stands for no numbers.
+    /// Nothing if the string does not encode numbers.
     std::vector<double> decode(const Genome& genome) const override {
         if constexpr (of_numbers)
             return read(genome);

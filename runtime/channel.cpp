@@ -27,7 +27,7 @@ void require_can_be_given_up(const Carrier* carrier, const AnyChannel& channel) 
             fmt::format("channel {} {}: it cannot give up a message, nor be reset", channel.name(), reason));
 }
 
-void require_nobody_in(const void* end, const AnyChannel& channel) {
+void require_unused(const void* end, const AnyChannel& channel) {
     if (end)
         throw std::logic_error("channel " + channel.name() + " cannot be reset while a process is in it");
 }
@@ -117,7 +117,7 @@ bool AnyChannel::give_up_input() {
 std::uint64_t AnyChannel::reset_output() {
     require_can_be_given_up(carrier_, *this);
     own(outputter_, Kernel::here().running(), "resets");
-    require_nobody_in(message_, *this);
+    require_unused(message_, *this);
     output_out_of_order_ = false;
     return carrier_ ? carrier_->reset_output(*this) : 0;
 }
@@ -125,7 +125,7 @@ std::uint64_t AnyChannel::reset_output() {
 std::uint64_t AnyChannel::reset_input() {
     require_can_be_given_up(carrier_, *this);
     own(inputter_, Kernel::here().running(), "resets");
-    require_nobody_in(slot_, *this);
+    require_unused(slot_, *this);
     input_out_of_order_ = false;
     return carrier_ ? carrier_->reset_input(*this) : 0;
 }

@@ -19,17 +19,17 @@
 
 namespace placedpar {
 
-/// Waits for messages that begin to wait in channels: an alternation; an attempt that a message ends.
+/// Is told when messages begin to wait in channels. Alternations use it, and attempts that a message ends.
 class Listener {
 public:
-    /// A message waits in the channel, for which no process has asked.
+    /// Called when a message waits in the channel and no process has asked for it.
     virtual void message_announced() = 0;
 
 protected:
     ~Listener() = default;
 };
 
-/// Is told when its process is in the channel: an attempt.
+/// Is told when the process of an attempt is in the channel.
 class AttemptObserver {
 public:
     virtual void entered() = 0;
@@ -40,59 +40,60 @@ protected:
 
 /// A channel of any protocol: synchronous, unbuffered, from one process to one other.
 ///
-/// The processes at its ends do not know whether it is soft or hard. On a soft channel the process that arrives second
-/// copies the message and goes on, and the first is made ready. On a hard channel a carrier takes the message along a
-/// link.
+/// The processes at its ends need not know whether it is soft or hard. On a soft channel, the process that arrives
+/// second copies the message and continues, and the first is made ready. On a hard channel, a carrier takes the message
+/// along a link.
 ///
-/// 1. It is put on a carrier, if at all, before it is used.
-/// 2. Each end has one owner: a process at the outermost level with the components of its PARs, one after the other.
-///    When another one uses the end, or two components of one PAR do, or one while another is at it, it throws
-///    std::logic_error.
-/// 3. Processes on two executives need a carrier between them; without one it throws std::logic_error.
-/// 4. It belongs to one simulation and outlives its run.
+/// 1. A channel is put on a carrier before it is used, or never.
+/// 2. Each end has one owner: a process at the outermost level, including the components of its PARs, one after
+///    another. The channel throws std::logic_error if another process uses the end, if two components of one PAR do, or
+///    if one does while another is still using it.
+/// 3. Processes on two executives need a carrier between them; without one, the channel throws std::logic_error.
+/// 4. A channel belongs to one simulation and outlives its run.
 class AnyChannel {
 public:
-    /// A process that used an end of a channel. It may have ended since, and its object be gone; its outermost
-    /// ancestor's object lasts until the end of the simulation.
+    /// A process that used an end of a channel. It may have ended since, and its object may be gone; the object of its
+    /// outermost ancestor lasts until the end of the simulation.
     struct User {
         const Process* process = nullptr;
         const Process* outermost = nullptr;
-        std::uint32_t ordinal = nobody; ///< of the process, which no other of its simulation has, dead or alive
-        static constexpr std::uint32_t nobody = 0xffffffff;
+        std::uint32_t ordinal = no_process; ///< the process's number, unique in its simulation
+        static constexpr std::uint32_t no_process = 0xffffffff;
     };
 
     explicit AnyChannel(std::string name) : name_(std::move(name)), identity_(new_identity(name_)) {}
-    /// A hard channel: occam's PLACE ... AT. `Channel<int> there("there", link.from_a_to_b())`. The carrier outlives
-    /// it.
+    /// Makes a hard channel, occam's PLACE ... AT: `Channel<int> there("there", link.from_a_to_b())`. The carrier
+    /// outlives it.
     AnyChannel(std::string name, Carrier& on) : AnyChannel(std::move(name)) { put_on(on); }
     virtual ~AnyChannel() = default;
     AnyChannel(const AnyChannel&) = delete;
     AnyChannel& operator=(const AnyChannel&) = delete;
 
     const std::string& name() const { return name_; }
-    /// For histories: another for each channel, and the same in each run. REQUIRES: those that are made before the run
-    /// have names of their own.
+    /// Identifies the channel in histories: different for each channel, and the same in each run. REQUIRES: channels
+    /// made before the run have different names.
     std::uint64_t identity() const { return identity_; }
     virtual std::type_index protocol() const = 0;
-    /// Makes the channel hard. Throws std::logic_error while a process is in it. REQUIRES: no process has used it
-    /// yet; the carrier outlives it.
+    /// Makes the channel hard. Throws std::logic_error while a process is in it. REQUIRES: no process has used it yet;
+    /// the carrier outlives it.
     void put_on(Carrier&);
 
-    /// The process that used this end last, null if none did. It may only be looked at while it is in the channel.
+    /// Returns the last process that used this end, null if none did. Use the pointer only while that process is in the
+    /// channel.
     const Process* outputter() const { return outputter_.process; }
     const Process* inputter() const { return inputter_.process; }
     /// Return the last user of each end, which may have ended.
     const User& last_outputter() const { return outputter_; }
     const User& last_inputter() const { return inputter_; }
-    /// Says beforehand which process will use an end, so that a deadlock before its first communication can name it.
-    /// Throws std::logic_error when it is another's already. REQUIRES: it exists until the end of the simulation.
+    /// Declares which process will use an end, so that a deadlock before its first communication can name it. Throws
+    /// std::logic_error if another process owns the end. REQUIRES: the process exists until the end of the simulation.
     void expect_outputter(const Process&);
     void expect_inputter(const Process&);
 
     // For alternations.
     /// Whether an input would find a message.
     bool message_waits() const { return carrier_ ? carrier_->message_waits(*this) : message_ != nullptr; }
-    /// The process has a guard on the channel. Throws std::logic_error when it does not own the end.
+    /// Notes that the process has a guard on the channel. Throws std::logic_error if the process does not own the end.
     void own_input(const Process& process) {
         own(inputter_, process, "inputs from");
         if (input_out_of_order_)
@@ -100,41 +101,43 @@ public:
     }
     /// Marks the input end as guarded, or not. No other process may use a guarded end.
     void note_guard(bool there) { inputter_inside_ = there; }
-    /// From now on a message is announced.
+    /// Announces messages to the listener from now on.
     void enable(Listener& listener) { listener_ = &listener; }
     void disable() { listener_ = nullptr; }
 
     // For attempts (runtime/recovery.hpp).
-    /// The next output (input) is this attempt's, until it is null. Throws std::logic_error when the channel cannot
-    /// give up a message.
+    /// Lets the attempt observe the next output (input), until called with null. Throws std::logic_error if the
+    /// channel's carrier cannot give up a message.
     void attempt_output(AttemptObserver*);
     void attempt_input(AttemptObserver*);
-    /// The process that is in the channel to output (input) goes on without; false if the message has come over.
+    /// Lets the process in output (input) continue without the message. Returns false if the message has already been
+    /// transferred.
     bool give_up_output();
     bool give_up_input();
-    /// Clears the end after that. Throws std::logic_error when the running process does not own the end, or a process
-    /// is in it. Returns how many bytes of the message had come over; of a soft channel none.
+    /// Clears the end after a message was given up. Throws std::logic_error if the running process does not own the
+    /// end, or a process is in it. Returns how many bytes of the message had been transferred; always 0 on a soft
+    /// channel.
     std::uint64_t reset_output();
     std::uint64_t reset_input();
 
     // For reports.
-    /// A process is in the channel to output (input), and the message has not come over.
+    /// Whether a process is in output (input), and its message has not been transferred.
     bool output_waits() const { return message_ != nullptr; }
     bool input_waits() const { return slot_ != nullptr; }
 
-    /// The process that is in the channel to output (input) waits for ever, whatever its partner does.
+    /// Whether the process in output (input) waits for ever, whatever its partner does.
     bool output_is_lost() const { return carrier_ && carrier_->output_is_lost(*this); }
     bool input_is_lost() const { return carrier_ && carrier_->input_is_lost(*this); }
-    /// The other end has left this one in a message: Carrier::output_must_be_reset.
+    /// Whether the other end has given up a message in which this end still is: Carrier::output_must_be_reset.
     bool output_must_be_reset() const { return carrier_ && carrier_->output_must_be_reset(*this); }
     bool input_must_be_reset() const { return carrier_ && carrier_->input_must_be_reset(*this); }
-    /// Other channels that keep the process in output waiting: Carrier::held_up_by.
+    /// Returns other channels that keep the outputting process waiting: Carrier::held_up_by.
     std::vector<const AnyChannel*> held_up_by() const {
         return carrier_ ? carrier_->held_up_by(*this) : std::vector<const AnyChannel*>{};
     }
 
-    /// What the messages of a channel between routers are, which are packets: whose, and whether the one that is being
-    /// output now is an acknowledge. No channel for one whose messages are its own.
+    /// For a channel between routers: which user channel its current packet belongs to, and whether the packet is an
+    /// acknowledge. The channel is null if messages are its own.
     struct PacketPayload {
         const AnyChannel* channel = nullptr;
         bool acknowledges = false;
@@ -145,21 +148,21 @@ public:
     // For carriers.
     /// Hands the outputter's message to the inputter. REQUIRES: both are in the channel.
     void hand_over();
-    /// Whether the message in this channel is that in the other one; nothing where messages of its protocol cannot be
-    /// compared (SameMessage). REQUIRES: a process is in output in both.
+    /// Whether the messages waiting in both channels are equal; nothing if messages of this protocol cannot be compared
+    /// (SameMessage). REQUIRES: a process is in output in both.
     std::optional<bool> has_message_of(const AnyChannel& other) const {
         return protocol() == other.protocol() ? are_same(message_, other.message_) : false;
     }
-    /// Tells the listener, if there is one, that a message waits for which no process has asked.
+    /// Tells the listener, if there is one, that a message waits and no process has asked for it.
     void announce() {
         if (listener_)
             listener_->message_announced();
     }
 
 protected:
-    // What a communication does is inlined where a program communicates, but for what waits or seldom happens. A
-    // process begins to output (input). Then it either finds its partner in a soft channel, copies the message and
-    // parts from it; or it waits, on a hard channel always, in whose carrier the partner may be there already.
+    // The common path of a communication is inlined into the program; waiting and rare cases are not. A process begins
+    // to output (input). If its partner waits in a soft channel, it copies the message and completes the communication.
+    // Otherwise it waits. On a hard channel it always waits, even if the partner is already in the carrier.
 
     void begin_output(Process& self, const WireForm& form) {
         if (ReplayLog* history = self.kernel().begin_operation(self)) [[unlikely]]
@@ -186,15 +189,16 @@ protected:
             return soft_partner(self, message_, input_out_of_order_, input_attempt_, "inputs from");
         return message_;
     }
-    /// The second process has come to a soft channel: tells those that are to know.
+    /// Notifies observers when the second process has arrived at a soft channel.
     void meet(Process& self) {
         const Executive *own = self.executive(), *other = waiting_->executive();
         if (own != other && own && other) [[unlikely]]
             refuse_without_carrier(self, *waiting_);
         note_communication(self.kernel());
     }
-    /// The second process has copied the message: it pays for the copy, during which no other process may use its end,
-    /// and its partner goes on. An output of one word has paid for its copy already.
+    /// Completes the communication for the second process, which has copied the message: it pays for the copy, during
+    /// which no other process may use its end, and its partner continues. An output of one word has paid for its copy
+    /// already.
     void part_from_inputter(Process& self, const WireForm& form) {
         const Executive* executive = self.executive();
         bool pays = executive && !executive->costs().is_one_word(form);
@@ -231,7 +235,8 @@ protected:
 
 private:
     static std::uint64_t new_identity(const std::string& name);
-    /// A process is at an end of the channel for as long as this exists, and its message, or slot for one, in a place.
+    /// While it exists, a process is at an end of the channel, with its message, or the slot for one, at a fixed
+    /// address.
     class Inside {
     public:
         explicit Inside(bool& flag, void** place = nullptr, void* mine = nullptr) : flag_(flag), place_(place) {
@@ -257,7 +262,8 @@ private:
 
     void note_output(ReplayLog&, const WireForm&) const;
     void note_input(ReplayLog&) const;
-    /// What the channel's operations cost the process here; null if they cost nothing, or the carrier charges them.
+    /// Returns the costs of the channel's operations for the process; null if they are free or the carrier charges
+    /// them.
     const OperationCosts* soft_costs(const Process& self) const {
         const Executive* executive = self.executive();
         return executive && !carrier_ ? &executive->costs() : nullptr;
@@ -298,22 +304,22 @@ private:
     [[noreturn]] void refuse_without_carrier(const Process& self, const Process& other) const;
     [[noreturn]] void refuse_unreset(const Process& self, const char* verb) const;
 
-    // In the order of use, in lines of the cache: what each communication needs, ...
+    // The members are in the order of use, in lines of the cache: first what each communication needs, ...
     Carrier* carrier_ = nullptr;             ///< null if the channel is soft
     void* message_ = nullptr;                ///< set while an outputter is in the channel
     void* slot_ = nullptr;                   ///< set while an inputter is
     Process* waiting_ = nullptr;             ///< on a soft channel, the first to arrive
-    const WireForm* waiting_form_ = nullptr; ///< of its message, if it is the outputter
-    Listener* listener_ = nullptr;           ///< for an inputter that sleeps on several channels
-    bool is_particular_ = false;       ///< it is hard, or an attempt is at one of its ends: one question does for both
-    bool outputter_inside_ = false;    ///< a process outputs, until its program goes on
-    bool inputter_inside_ = false;     ///< the same, or has a guard on the channel
-    bool output_out_of_order_ = false; ///< a message was given up at that end, which must be reset
+    const WireForm* waiting_form_ = nullptr; ///< of the waiting process's message, if it outputs
+    Listener* listener_ = nullptr;           ///< set by an inputter that waits on several channels
+    bool is_particular_ = false;             ///< the channel is hard, or has an attempt at an end: one test covers both
+    bool outputter_inside_ = false;          ///< a process is in output
+    bool inputter_inside_ = false;           ///< a process is in input, or has a guard on the channel
+    bool output_out_of_order_ = false;       ///< a message was given up at that end, and the end must be reset
     bool input_out_of_order_ = false;
     User outputter_, inputter_;
 
     // ... and what few do.
-    AttemptObserver* output_attempt_ = nullptr; ///< null if the outputter waits as long as it takes
+    AttemptObserver* output_attempt_ = nullptr; ///< null if the outputter waits without limit
     AttemptObserver* input_attempt_ = nullptr;
     PacketPayload payload_;
     std::string name_;
@@ -325,13 +331,14 @@ class Channel;
 
 namespace detail {
 
-/// Whether C++ would make one of the other, and lose what it says: a number's fraction, whatever a pointer points to.
+/// Whether C++ would convert one type to the other but lose information: a number's fraction, or what a pointer points
+/// to.
 template <class From, class To>
 concept Loses = (std::floating_point<From> && std::integral<To>) || (std::is_pointer_v<From> && std::same_as<To, bool>);
 
 } // namespace detail
 
-/// Throws std::logic_error: an end that was made by itself belongs to no channel.
+/// Throws std::logic_error: an end that was default-constructed belongs to no channel.
 [[noreturn]] void refuse_end_without_channel();
 
 /// occam's `c ! x`: the only end that can output.
@@ -361,7 +368,7 @@ class Input {
 public:
     Input() = default;
     T input(const SourceLocation& where = SourceLocation::current()) const { return own().input(where); }
-    /// For attempts: the slot stays empty when the message is given up.
+    /// For attempts: if the message is given up, the slot stays empty.
     void input_into(std::optional<T>& slot, const SourceLocation& where) const { own().input_into(slot, where); }
     AnyChannel& channel() const { return own(); }
     explicit operator bool() const { return channel_ != nullptr; }
@@ -373,7 +380,7 @@ private:
     Channel<T>* channel_ = nullptr;
 };
 
-/// An end of a channel of any protocol, as a process declares that it will use it.
+/// An end of a channel of any protocol, for declaring that a process will use it.
 class DeclaredEnd {
 public:
     template <class T>
@@ -400,7 +407,7 @@ public:
 
     Output<T> out() & { return Output<T>(*this); }
     Input<T> in() & { return Input<T>(*this); }
-    /// The ends of a channel that is gone at the end of the statement.
+    /// Deleted: a temporary channel is destroyed at the end of the statement, so its ends would dangle.
     Output<T> out() && = delete;
     Input<T> in() && = delete;
     std::type_index protocol() const override { return typeid(T); }

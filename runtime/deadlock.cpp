@@ -31,7 +31,7 @@ const Process* who_is(const AnyChannel::User& user, const Processes& living) {
 std::string path_of(const AnyChannel::User& user, const Processes& living) {
     const Process* process = who_is(user, living);
     if (!process)
-        return "nobody yet";
+        return "none yet";
     return process->path() + (process->ended() ? " (has ended)" : "");
 }
 

@@ -22,13 +22,13 @@ struct StuckProcess {
 /// A channel on which a process waits for a partner that never comes.
 struct StuckChannel {
     std::string name;
-    std::string outputter, inputter; ///< paths; "nobody yet" for an end that was never used
+    std::string outputter, inputter; ///< paths, or a placeholder for an end that was never used
     std::string waiting;             ///< "outputter" or "inputter"
     std::string netlist = "";        ///< "farm.cfs:20", where it is connected; "" without a netlist
 };
 
-/// Which process waits for which when a simulation can go no further. It holds no addresses, so that two reports of the
-/// same deadlock are equal.
+/// Shows which process waits for which when a simulation can go no further. It holds no addresses, so that two reports
+/// of the same deadlock are equal.
 struct Deadlock {
     std::vector<std::string> cycle; ///< paths, each waiting for the next and the last for the first; may be empty
     /// Why processes wait although their partners are ready: "a, b: until c is output, too"; "a: until in resets its
@@ -37,7 +37,7 @@ struct Deadlock {
     std::vector<StuckProcess> processes;
     std::vector<StuckChannel> channels;
 
-    /// The cycle, what is held up, then the table of processes and the table of channels.
+    /// Returns the cycle and what is held up, then the table of processes and the table of channels.
     std::string text() const;
 };
 

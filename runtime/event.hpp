@@ -68,7 +68,8 @@ private:
         Time time;
         std::uint64_t order; ///< priority in the upper 8 bits, insertion or rank below
         Event* event;
-        /// Compared as one number, since the processor cannot foresee the outcome of a branch. Times are not negative.
+        /// Both parts are compared as one number, since the host processor cannot predict such a branch. Times are not
+        /// negative.
         __extension__ unsigned __int128 key() const {
             return static_cast<decltype(key())>(static_cast<std::uint64_t>(time.count())) << 64 | order;
         }

@@ -88,7 +88,7 @@ void Kernel::heed_operations() {
             fmt::format("process {} computes for ever without any time passing", hot_.running->path()));
 }
 
-Kernel::Kernel() { hot_.rare_conditions.set(RareConditions::nobody_left); }
+Kernel::Kernel() { hot_.rare_conditions.set(RareConditions::no_process_left); }
 Kernel::~Kernel() = default;
 
 void Kernel::add(Process& p) {
@@ -96,13 +96,13 @@ void Kernel::add(Process& p) {
     p.slot_ = population_.all.size();
     population_.all.push_back(&p);
     if (population_.of_the_program++ == 0)
-        hot_.rare_conditions.clear(RareConditions::nobody_left);
+        hot_.rare_conditions.clear(RareConditions::no_process_left);
 }
 
 /// Counts out a process that has ended, or that is not part of the program.
 void Kernel::count_out() {
     if (--population_.of_the_program == 0)
-        hot_.rare_conditions.set(RareConditions::nobody_left);
+        hot_.rare_conditions.set(RareConditions::no_process_left);
 }
 
 void Kernel::remove(Process& p) {
@@ -123,7 +123,7 @@ void Kernel::tell_and_make_ready(Process& p) {
 }
 
 inline bool Kernel::over() const {
-    return hot_.rare_conditions.any_of(RareConditions::nobody_left | RareConditions::failed |
+    return hot_.rare_conditions.any_of(RareConditions::no_process_left | RareConditions::failed |
                                        RareConditions::at_the_limit | RareConditions::interrupted);
 }
 

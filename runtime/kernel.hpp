@@ -55,7 +55,7 @@ struct Failure {
 /// decides, and no wall clock is read, so a simulation is deterministic.
 ///
 /// The work is over when no process is ready and no event is due, and also when every process of the program has ended,
-/// even if the machine could go on. So is the run then, unless processes have asked to go on after the work.
+/// even if the machine could continue. The run then ends too, unless processes have asked to continue after the work.
 ///
 /// 1. A kernel is used by one thread; only interrupt() may be called from elsewhere.
 /// 2. It runs once, and no other kernel runs on its thread meanwhile.
@@ -71,10 +71,10 @@ public:
     Kernel(const Kernel&) = delete;
     Kernel& operator=(const Kernel&) = delete;
 
-    /// The kernel that this thread is running; null outside a run.
+    /// Returns the kernel that this thread is running; null outside a run.
     static Kernel* current() { return current_; }
-    /// The kernel that runs the caller. Throws std::logic_error when the caller is not a process: outside a
-    /// run it is not possible to communicate, compute or wait.
+    /// Returns the kernel that runs the caller. Throws std::logic_error if the caller is not a process: outside a run,
+    /// a program cannot communicate, compute or wait.
     static Kernel& here() {
         if (!current_ || !current_->hot_.running)
             refuse_outside_a_run();
@@ -82,7 +82,7 @@ public:
     }
 
     Time now() const { return hot_.now; }
-    /// The process whose program is being executed.
+    /// Returns the process whose program is being executed.
     Process& running() const { return *hot_.running; }
     /// Returns the process whose program is being executed; null while an event happens, or the kernel begins a
     /// communication for a process.
@@ -156,8 +156,9 @@ public:
     /// It may be called from a Boost fiber. The thread's other fibers rest meanwhile; afterwards they are scheduled
     /// round robin, even if another algorithm was in use before.
     Ending run(Time limit, Observer);
-    /// Runs ready processes in an order drawn from the seed instead of the order in which they became ready: another of
-    /// the program's possible courses, to find what depends on order. Executives share themselves out as before.
+    /// Runs ready processes in an order drawn from the seed, instead of the order in which they became ready. This is
+    /// another possible execution of the program, which can show a dependence on the order. The scheduling of
+    /// executives does not change.
     void shuffle(std::uint64_t seed) {
         shuffle_.emplace(seed, "ready queue");
         hot_.rare_conditions.set(RareConditions::shuffled);
@@ -165,9 +166,9 @@ public:
     /// Ends the run before the next process or event. May be called from a signal handler or another thread.
     void interrupt() { hot_.rare_conditions.set(RareConditions::interrupted); }
 
-    /// The process that ended the run by throwing, if one did.
+    /// Returns the process that ended the run by throwing, if there is one.
     const std::optional<Failure>& who_failed() const { return end_.who_failed; }
-    /// Every process of the program that exists and has not ended, in order of creation.
+    /// Returns every process of the program that has not ended, in order of creation.
     std::vector<const Process*> living() const;
 
 private:
@@ -229,7 +230,7 @@ private:
     struct Population {
         std::vector<Process*> all; ///< in no order
         std::size_t of_the_program =
-            0; ///< processes of the program that have not ended; if 0: RareConditions::nobody_left
+            0; ///< processes of the program that have not ended; if 0: RareConditions::no_process_left
         std::uint32_t next_ordinal = 0;
     };
     /// What processes run on.

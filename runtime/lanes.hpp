@@ -14,9 +14,9 @@
 
 namespace placedpar {
 
-/// One number for each of eight individuals, side by side in registers of `width` doubles. Code that is written for
-/// double works for it too, and gives each lane the bits that the lane would have alone: every operation rounds once.
-/// Comparisons are those of std::max and std::min. Made and used in the Work of in_vectors(), so that it is compiled
+/// One number for each of eight individuals, side by side in registers of `width` doubles. Code written for double
+/// works for it too, and each lane gets the bits that it would have alone: every operation rounds once. Comparisons are
+/// those of std::max and std::min. Create and use Lanes only in the Work of in_vectors(), so that the code is compiled
 /// for that width.
 template <std::size_t width>
 class Lanes {
@@ -41,7 +41,8 @@ public:
         });
         return result;
     }
-    // Not trivial, so that Lanes are passed in memory: code compiled for another width looks for them there too.
+    // The copy is not trivial, so that Lanes are passed in memory, where code compiled for another width also expects
+    // them.
     [[gnu::always_inline]] Lanes(const Lanes& other) { *this = other; }
     [[gnu::always_inline]] Lanes& operator=(const Lanes& other) {
         each([&](std::size_t i) { registers_[i] = other.registers_[i]; });
@@ -49,7 +50,7 @@ public:
     }
 
     [[gnu::always_inline]] std::array<double, count> numbers() const {
-        const Lanes copy = *this; // so that these lanes can stay in registers until now
+        const Lanes copy = *this; // lets these lanes stay in registers until here
         std::array<double, count> numbers;
         std::memcpy(numbers.data(), copy.registers_, sizeof registers_);
         return numbers;
@@ -108,7 +109,7 @@ public:
         return result;
     }
 
-    // One lane after the other: not every processor has an instruction for these.
+    // Done lane by lane, since not every processor has an instruction for it.
     friend Lanes floor(const Lanes& x) {
         return x.one_by_one([](double each) { return std::floor(each); });
     }
@@ -146,7 +147,7 @@ private:
         return Lanes(results);
     }
 
-    // a > b ? a : b, a < b ? a : b; where GCC 12 finds no instruction for it, it is named.
+    // The results are a > b ? a : b and a < b ? a : b. Where GCC 12 does not find the instruction, the code names it.
     [[gnu::always_inline]] static void take_greater(const Register& a, const Register& b, Register& result) {
         result = a > b ? a : b;
     }
@@ -186,7 +187,8 @@ private:
     }
 #endif
 
-    // GCC aligns wide registers to 16 where the target has none, but counts on more where it has.
+    // For widths that the target lacks, GCC aligns registers to 16 bytes, but code for a target with that width expects
+    // more.
     alignas(sizeof(double) * width) Register registers_[count / width];
 };
 

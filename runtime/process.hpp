@@ -19,16 +19,16 @@ class Kernel;
 class Process;
 class Worker;
 
-/// What a computation is made of: where its code can be left, in cycles of its executive, at least 1 each; and what of
-/// it lies outside of the chip.
+/// The shape of a computation's code: where the code can be left, in cycles of its executive, at least 1 each; and how
+/// many of its words lie outside the chip.
 struct CodeShape {
-    /// From one descheduling point (`j`, `lend`) to the next: at the end of its timeslice a low-priority process gives
-    /// way there.
+    /// Distance between descheduling points (`j`, `lend`), where a low-priority process yields at the end of its
+    /// timeslice.
     Cycles between_points{1};
-    /// Cycles of an instruction, whose end an interrupt waits for. A division of integers takes 39 (databook).
+    /// Cycles of an instruction; an interrupt waits for its end. A division of integers takes 39 (databook).
     Cycles instruction{1};
-    /// Words of code fetched, and of data read or written, outside of the chip. The cycles of the computation count
-    /// each such access as on the chip; the executive adds the difference.
+    /// Words of code fetched, and of data read or written, outside the chip. The computation's cycles count each as an
+    /// access on the chip; the executive adds the difference.
     std::int64_t words_outside = 0;
 };
 
@@ -60,7 +60,8 @@ enum class Activity {
 };
 static_assert(static_cast<int>(Activity::stopped) == 10 && static_cast<int>(Activity::arbitrating) < 16);
 
-/// Whether a process that does this waits for a partner, its timer, its components, the end of the work, or nothing.
+/// Whether a process with this activity waits for a partner, its timer, its components, the end of the work, or
+/// nothing.
 constexpr bool is_waiting(Activity activity) { return activity >= Activity::delayed && activity <= Activity::stopped; }
 
 /// A PAR: how many of its components still run, and the process that waits for them.
@@ -68,11 +69,11 @@ struct Join {
     std::size_t components_left;
     Process& parent;
     std::size_t components = components_left;
-    std::uint32_t first_ordinal = 0; ///< of its components, which follow each other
+    std::uint32_t first_ordinal = 0; ///< of the first component; the others follow
 };
 
-/// A communication for which a process first computes: what it does when that is over, in place of its program. So it
-/// takes one switch of contexts and not two.
+/// A communication that begins after a computation. The kernel performs it instead of resuming the program, which saves
+/// a context switch.
 class Communication {
 public:
     Communication() = default;
@@ -84,9 +85,9 @@ protected:
 
 private:
     friend class Process;
-    /// At the process's turn. Returns whether the process waits, and has called Process::begin_wait then; else its
-    /// program goes on. The kernel calls it as it does events, on the stack of any process, which is also
-    /// Kernel::running then: it does not wait in any other way.
+    /// Called at the process's turn. Returns whether the process waits; it has then called Process::begin_wait.
+    /// Otherwise its program continues. The kernel calls it like an event, on the stack of any process, with
+    /// Kernel::running set to this process: it must not wait in any other way.
     virtual bool begin(Process&) noexcept = 0;
 };
 
@@ -124,7 +125,7 @@ public:
     bool ended() const { return activity_ == Activity::ended; }
     /// Returns whether the process has had a turn. REQUIRES: it has not ended.
     bool has_begun() const { return worker_ != nullptr; }
-    /// Makes it a part of the machine instead of the program: a run does not wait for it to end.
+    /// Makes the process part of the machine instead of the program: a run does not wait for its end.
     void serve_machine();
     bool serves_machine() const { return machine_; }
     /// Makes the process record its actions in the history, or repeat those in it. REQUIRES: the process has not begun;
@@ -164,8 +165,8 @@ public:
     void compute_and_communicate(Communication&, Cycles);
     /// For a communication: the process waits from now on until it is made ready. Notes for reports why and where.
     void begin_wait(Activity, const AnyChannel*, const SourceLocation&);
-    /// Waits for the components of its PAR. It runs the last one itself where it has an executive for this: that one is
-    /// not ready yet then.
+    /// Waits for the components of its PAR. If it has an executive, it runs the last component itself, which must not
+    /// be ready yet.
     void wait_for_components(Process& last, const SourceLocation&);
     /// Notes a delay that took no wait, since the kernel could pass the time (Kernel::pass_time). REQUIRES: this
     /// process is running.
@@ -185,10 +186,10 @@ private:
     void goes_on();
     void stands_still();
 
-    // In the order of use, in few lines of the cache: what each of its turns and waits needs, ...
+    // The members are in the order of use, in few lines of the cache: first what each turn and wait needs, ...
     Kernel& kernel_;
     Worker* worker_ = nullptr;              ///< the fiber that runs its body; null before its first turn
-    const std::byte* stack_ends_ = nullptr; ///< where its stack was left; null if that was not noted
+    const std::byte* stack_ends_ = nullptr; ///< end of the used part of its stack; null if not noted
     Executive* executive_;                  ///< null if it is not placed
     Process* next_ = nullptr;               ///< the next in the queue in which it stands
     Priority priority_;
@@ -197,9 +198,9 @@ private:
     bool awaits_timer_ = false;
     bool may_give_up_ = false;
     bool machine_ = false;                        ///< it serves the machine
-    bool communicates_ = false;                   ///< it waits in a communication that it has begun
-    Communication* communication_ = nullptr;      ///< which it begins at its next turn; null: its program goes on
-    const AnyChannel* awaited_channel_ = nullptr; ///< of its last wait, if that was for one
+    bool communicates_ = false;                   ///< it waits in a communication that has begun
+    Communication* communication_ = nullptr;      ///< begins at its next turn; null: its program continues
+    const AnyChannel* awaited_channel_ = nullptr; ///< of its last wait, if that was for a single channel
     SourceLocation where_;                        ///< where in its program it last waited
     Process* outermost_ = this;                   ///< see outermost()
     // For a process at the outermost level, which counts for itself and its components:
@@ -211,11 +212,11 @@ private:
 
     // ... and what few do.
     ReplayLog* history_ = nullptr;
-    std::span<const AnyChannel* const> alternatives_; ///< while it waits for several
+    std::span<const AnyChannel* const> alternatives_; ///< set while it waits for several channels
     std::string name_;
     std::size_t index_ = 0;
     Body body_;
-    std::size_t slot_ = 0; ///< where the kernel lists it
+    std::size_t slot_ = 0; ///< its place in the kernel's list
     Join* join_ = nullptr; ///< the PAR of which it is a component
     unsigned times_unwound_ = 0;
 };

@@ -24,8 +24,8 @@ public:
     requires(sizeof...(Bytes) >= 1 && sizeof...(Bytes) <= most_parts) constexpr WireForm(Bytes... bytes)
         : bytes_{length(bytes)...}, parts_(sizeof...(Bytes)) {}
 
-    /// Returns the form with a tag put first, a byte that is a communication of its own. Throws std::length_error
-    /// beyond most_parts.
+    /// Returns the form preceded by a tag, which is a byte and a communication of its own. Throws std::length_error if
+    /// this exceeds most_parts.
     constexpr WireForm behind_tag() const {
         if (parts_ == most_parts)
             throw std::length_error("a variant of a message has 3 parts at most, behind its tag");
@@ -61,7 +61,7 @@ template <class T>
 inline constexpr bool has_wire_form = requires(const T& message) {
     { message.wire_form() } -> std::same_as<WireForm>;
 };
-/// Tells whether the bytes of a value are the whole value: it holds no address of memory that the other process lacks.
+/// Whether the bytes of a value are the whole value, without addresses that mean nothing to the other process.
 template <class T>
 inline constexpr bool is_plain =
     std::is_trivially_copyable_v<T> && !std::is_pointer_v<T> && !std::is_member_pointer_v<T> &&
@@ -75,10 +75,10 @@ inline constexpr bool is_message<std::variant<Variants...>> = (is_message<Varian
 
 } // namespace detail
 
-/// What a channel can carry: values of a fixed size, counted arrays of them, variants, and types that say what they are
-/// on a wire. Processes share no memory: pointers, references, spans and views are none, nor is what varies in size
-/// without saying so, such as std::string. They are moved without throwing: often in an event, where no process would
-/// be told.
+/// Types that a channel can carry: values of a fixed size, counted arrays of them, variants, and types with a
+/// wire_form(). Processes share no memory, so pointers, references, spans and views are excluded. So are types of
+/// variable size without a wire_form(), such as std::string. Messages must be movable without throwing, since events
+/// often move them and have no process to report to.
 template <class T>
 concept Protocol = std::is_object_v<T> && std::same_as<T, std::remove_cv_t<T>> && !std::is_array_v<T> &&
                    std::is_nothrow_move_constructible_v<T> && detail::is_message<T>;
@@ -101,8 +101,8 @@ requires detail::is_plain<T> WireForm wire_form(const std::vector<T>& message) {
     return WireForm(4u, message.size() * sizeof(T));
 }
 
-/// occam's variant protocol, `PROTOCOL P CASE ...`: a tag says which it is, and each variant weighs what it is. An
-/// empty struct is a variant that is nothing but its tag.
+/// occam's variant protocol, `PROTOCOL P CASE ...`: a tag says which alternative follows, and each has its own size. An
+/// empty struct is an alternative that consists only of its tag.
 template <class... Variants>
 WireForm wire_form(const std::variant<Variants...>& message) {
     auto form = []<class T>(const T& variant) {

@@ -8,14 +8,14 @@ namespace placedpar {
 class RareConditions {
 public:
     enum Circumstance : unsigned {
-        nobody_left = 1,  ///< every process of the program has ended
-        failed = 2,       ///< a process or an observer has thrown
-        at_the_limit = 4, ///< the next event lies behind the time limit
-        interrupted = 8,  ///< the run was interrupted from outside
-        unwinding = 16,   ///< the run is over, and its processes are unwound
-        histories = 32,   ///< a process keeps a history
-        shuffled = 64,    ///< the ready queue is shuffled
-        unguarded = 128   ///< some stacks have no guard page
+        no_process_left = 1, ///< every process of the program has ended
+        failed = 2,          ///< a process or an observer has thrown
+        at_the_limit = 4,    ///< the next event lies behind the time limit
+        interrupted = 8,     ///< the run was interrupted from outside
+        unwinding = 16,      ///< the run is over, and its processes are unwound
+        histories = 32,      ///< a process keeps a history
+        shuffled = 64,       ///< the ready queue is shuffled
+        unguarded = 128      ///< some stacks have no guard page
     };
 
     /// Ignores `histories`: only processes that keep a history test that bit.

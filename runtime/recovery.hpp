@@ -15,15 +15,17 @@ namespace placedpar {
 // OutputOrFail, with a time-out (.t) or with a channel whose message ends the attempt (.c), and Reinitialise; in C
 // ChanInTimeFail, ChanOutTimeFail, ChanInChanFail, ChanOutChanFail and ChanReset.
 //
-// 1. A channel may be soft, or hard and alone on its direction of a link, at whose end may be a link adapter. One that
-//    travels in packets throws std::logic_error, as the toolset has it of virtual channels; and so does one that is
-//    broadcast, or leads through the memory of a bus master.
-// 2. A message that is given up never comes. One that the sender gave up may have come all the same, when only the
-//    acknowledge of its last byte was lost.
-// 3. The end of a hard channel at which a message was given up must be reset before it is used again; else it throws
-//    std::logic_error. In the middle of a message the other end must be reset as well: until then nothing comes over.
-// 4. On a soft channel nothing is left behind, and reset changes nothing.
-// 5. They cost what the communication costs, and OperationCosts::attempt; a reset costs OperationCosts::reset_channel.
+// 1. A channel may be soft, or hard and alone on its direction of a link, at whose end a link adapter may be. A channel
+//    that travels in packets throws std::logic_error, as the toolset does for virtual channels. So does a broadcast
+//    channel, and one through the memory of a bus master.
+// 2. A message that was given up is never received later. However, a message that the sender gave up may already have
+//    been received, if only the acknowledge of its last byte was lost.
+// 3. If a message was given up at an end of a hard channel, that end must be reset before it is used again; otherwise
+//    it throws std::logic_error. If this was in the middle of a message, the other end must be reset as well; until
+//    then nothing is transferred.
+// 4. A soft channel keeps nothing of the message, and a reset changes nothing.
+// 5. An attempt costs the communication's usual cycles and OperationCosts::attempt; a reset costs
+//    OperationCosts::reset_channel.
 
 /// One communication that may be given up, by the running process on its stack.
 class Attempt final : Event, Listener, AttemptObserver {

@@ -9,7 +9,7 @@ namespace placedpar {
 /// A place in the program, by which reports name the statement that waits. It is not std::source_location, which Clang
 /// before version 15 cannot compile: a program may be compiled by another compiler than the rooms that it links.
 struct SourceLocation {
-    const char* file = "";  ///< as the compiler was told of it
+    const char* file = "";  ///< as passed to the compiler
     std::uint32_t line = 0; ///< 0 if no place is known
 
     /// Returns the place of the call; as a default argument of a function, the place where that function is called.

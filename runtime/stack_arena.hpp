@@ -25,9 +25,9 @@ struct Stack {
     bool has_overflowed() const;
 };
 
-/// The memory of many stacks, reserved in large pieces, of which the operating system gives what is touched. A thread
-/// keeps the first piece of an arena for its next one, whose stacks are guarded and touched already: of short runs that
-/// would be a tenth.
+/// The memory of many stacks, reserved in large pieces; the operating system provides pages when they are touched. A
+/// thread keeps the first piece of an arena for its next one. The stacks in it are already guarded and touched, which
+/// would otherwise take a tenth of a short run's time.
 class StackArena {
 public:
     StackArena() = default;
@@ -35,15 +35,15 @@ public:
     StackArena(const StackArena&) = delete;
     StackArena& operator=(const StackArena&) = delete;
 
-    /// It lasts as long as the arena. What it holds is of no use, but its zone is all zeros. It is guarded from
-    /// Linux 6.13 on; before, the first 16,000 are. Throws std::bad_alloc.
+    /// Returns a stack that lasts as long as the arena. Its content is undefined, but its zone is all zeros. From Linux
+    /// 6.13 on all stacks are guarded, before that only the first 16,000. Throws std::bad_alloc.
     Stack allocate();
     bool all_guarded() const { return all_guarded_; }
 
 private:
     struct Piece {
         std::byte* memory = nullptr;
-        std::size_t guarded = 0; ///< stacks, from the first on
+        std::size_t guarded = 0; ///< number of guarded stacks, which come first
     };
     struct Kept;
     static Kept& kept();

@@ -12,13 +12,13 @@ struct StackUser {
     bool is_component;        ///< the stack belongs to a component of its PAR, not to the process itself
 };
 
-/// While one exists, a process of the simulation that runs on this thread cannot overflow its stack without being named
-/// on standard error before the program ends by SIGSEGV. Other faults go where they went before. It does nothing under
-/// AddressSanitizer, which has its own report.
+/// While it exists, a stack overflow of a process on this thread is reported on standard error, with the process's
+/// name, before the program ends by SIGSEGV. Other faults are passed on to the previous handler. It does nothing under
+/// AddressSanitizer, which prints its own report.
 class StackOverflowWatch {
 public:
-    /// Called in a signal handler, for an address where a fault was: the owner of the stack that overflowed there, if
-    /// any.
+    /// Returns the owner of the stack that overflowed at the address of a fault, if there is one. It is called in a
+    /// signal handler.
     using WhoOverflowed = std::optional<StackUser> (*)(const void* address);
 
     explicit StackOverflowWatch(WhoOverflowed);
@@ -27,7 +27,7 @@ public:
     StackOverflowWatch& operator=(const StackOverflowWatch&) = delete;
 
 private:
-    std::vector<char> handler_stack_; ///< empty where the thread had one already
+    std::vector<char> handler_stack_; ///< empty if the thread had one already
 };
 
 /// Reports on standard error that the owner has used up its stack. May be called from a signal handler.

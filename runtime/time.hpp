@@ -39,7 +39,7 @@ constexpr Time times(std::int64_t n, Time each) { return clamped(WideInteger{n} 
 /// `t + by`, at most Time::max(). REQUIRES: t >= 0.
 constexpr Time later(Time t, Time by) { return by > Time::max() - t ? Time::max() : t + by; }
 
-/// What duration_of does, for one frequency and without dividing by it each time, which takes 128 bits.
+/// Computes duration_of for one frequency, without its division of 128 bits.
 class Clock {
 public:
     /// REQUIRES: hertz > 0.
@@ -58,8 +58,9 @@ public:
 private:
     std::int64_t hertz_;
     Time cycle_;                                                           ///< rounded down
-    std::int64_t left_ = 1'000'000'000'000 % hertz_;                       ///< of a cycle then, in picoseconds / hertz
-    std::int64_t most_ = (Time::max().count() - hertz_ / 2) / (left_ + 1); ///< cycles for which 64 bits are enough
+    std::int64_t left_ = 1'000'000'000'000 % hertz_;                       ///< the rest of a cycle, in picoseconds /
+                                                                           ///< hertz
+    std::int64_t most_ = (Time::max().count() - hertz_ / 2) / (left_ + 1); ///< most cycles for which 64 bits are enough
 };
 
 constexpr double in_milliseconds(Time t) { return static_cast<double>(t.count()) * 1e-9; }

@@ -22,37 +22,38 @@ void wait_for(Time how_long, const SourceLocation& = SourceLocation::current());
 /// state: the run's time, its trace and its limit are those of the work.
 void wait_until_work_is_over(const SourceLocation& = SourceLocation::current());
 
-// What occam does with readings of a clock of 32 bits, which wraps round: at high priority after 71 minutes and 35
-// seconds, at low after 76 hours. A T2's clocks have 16 bits, as its words; a Timer knows, and does the same with them.
+// occam's arithmetic for readings of a 32-bit clock, which wraps round after 71 minutes and 35 seconds at high
+// priority, and after 76 hours at low. A T2's clocks have 16 bits, like its words; Timer applies the same rules to
+// them.
 
 /// `a PLUS b`
 constexpr std::int32_t plus(std::int32_t a, std::int32_t b) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
 }
-/// `a MINUS b`: the ticks from b to a, if they are fewer than half of a round.
+/// `a MINUS b`: the ticks from b to a, if they are fewer than half a round.
 constexpr std::int32_t minus(std::int32_t a, std::int32_t b) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
-/// `a AFTER b`: whether a is later, if they are less than half of a round apart.
+/// `a AFTER b`: whether a is later than b, if they are less than half a round apart.
 constexpr bool is_after(std::int32_t a, std::int32_t b) { return minus(a, b) > 0; }
 
-/// occam's TIMER: the clock that the running process's executive shows to processes of its priority. Readings have the
-/// bits of its word: 32, or 16 in a T2, where one is a number from -32768 to 32767, and the clock wraps round after
-/// 65.5 ms at high priority, 4.19 s at low. Of numbers that a program gives, too, only so many bits count.
+/// occam's TIMER: the clock that the running process's executive shows to processes of its priority. A reading has the
+/// bits of a word: 32, or 16 in a T2. There it is a number from -32768 to 32767, and the clock wraps round after 65.5
+/// ms at high priority, 4.19 s at low. Numbers given by a program are reduced to the same bits.
 class Timer {
 public:
-    /// The period of the running process's clock. That of a process that is not placed is a microsecond.
+    /// Returns the period of the running process's clock; a microsecond if the process is not placed.
     Time tick() const;
     /// Returns the bits of a clock reading: 32 for a process that is not placed.
     int bits() const;
-    /// `timer ? t`: whole ticks since the start of the run, of which the clock has the lowest bits.
+    /// `timer ? t`: the lowest bits of the number of whole ticks since the start of the run.
     std::int32_t read() const;
     /// `a PLUS b`, `a MINUS b` and `a AFTER b` in words of the running process's executive.
     std::int32_t plus(std::int32_t a, std::int32_t b) const;
     std::int32_t minus(std::int32_t a, std::int32_t b) const;
     bool is_after(std::int32_t a, std::int32_t b) const { return minus(a, b) > 0; }
-    /// The moment at which the clock's reading becomes later than `ticks`; one that is not to come if it is later
-    /// already. Until then `timer ? AFTER ticks` waits.
+    /// Returns the time at which the clock's reading becomes later than `ticks`, which is how long `timer ? AFTER
+    /// ticks` waits. If the reading is later already, returns a time that is not in the future.
     Time moment_after(std::int32_t ticks) const;
     /// `timer ? AFTER ticks`.
     void wait_after(std::int32_t ticks, const SourceLocation& = SourceLocation::current()) const;

@@ -8,7 +8,7 @@
 
 namespace placedpar {
 
-/// A place begins to be used: a direction of a link by a channel, a bus or a track of a device by what occupies it.
+/// A place begins to be used: a direction of a link by a channel, or a bus or a device's track by its current subject.
 struct PlaceTaken {
     const std::string& place;
     const std::string& subject;          ///< the channel, what the bus carries, or a master that waits for the bus
@@ -28,9 +28,9 @@ struct PlaceLeft {
 /// The log of a run: each process and each place does one thing from one notice on until the next. The calls come while
 /// the run goes on; a sink must change nothing.
 ///
-/// 1. Notices come in the order of their times. The beginning and the end of an operation that takes no time are two
-///    notices of the same time.
-/// 2. Processes, channels and what they refer to may be destroyed after the call; those that wait exist until they
+/// 1. Notices come in the order of their times. An operation that takes no time begins and ends with two notices of the
+///    same time.
+/// 2. Processes, channels and their data may be destroyed after the call; processes that wait exist until they
 ///    continue.
 class TraceSink {
 public:
@@ -47,7 +47,7 @@ public:
     ///   moving            it computes by moving words over a bus, the waiting for it included;
     ///   ended             its last notice.
     virtual void turns(const Process&, Activity, Time) = 0;
-    /// A message is handed over, from the channel's outputter to its inputter.
+    /// A message is transferred from the channel's outputter to its inputter.
     virtual void communicated(const AnyChannel&, Time) = 0;
     virtual void takes(const PlaceTaken&, Time now) = 0;
     virtual void leaves(const PlaceLeft&, Time now) = 0;

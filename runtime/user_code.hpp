@@ -4,8 +4,8 @@
 
 namespace placedpar {
 
-/// For a handler of all exceptions around code that a program adds to the house's: what() of the exception, the text
-/// that was thrown, or that it is neither. What ends a process, Unwinding and ReplayDivergence, is thrown on.
+/// Returns the text of the current exception: what(), a thrown string, or a remark that it is neither. For handlers
+/// around code that a program adds to PlacedPar. Unwinding and ReplayDivergence, which end a process, are rethrown.
 std::string what_was_thrown();
 
 } // namespace placedpar

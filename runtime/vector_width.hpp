@@ -6,16 +6,17 @@
 
 namespace placedpar {
 
-// One program for every processor: what gains from wide registers is compiled for each width, and the widest that the
-// processor has is taken while it runs. INVARIANT: all widths give the same bits. No width may therefore contract a
-// multiplication and an addition into one rounding: compile it with -ffp-contract=off.
-// Rejected: Google Highway and the like, whose functions can only be called from code that is marked for their target,
-// so that a user's plain struct could not be evaluated in wide registers.
+// One program serves every processor: code that gains from wide registers is compiled for each width, and the widest
+// that the processor has is chosen at run time. INVARIANT: all widths give the same bits. No width may therefore
+// contract a multiplication and an addition into one rounding: compile with -ffp-contract=off.
+// Rejected: Google Highway and similar libraries. Their functions can be called only from code marked for their target,
+// so a user's plain struct could not be evaluated in wide registers.
 
-/// Doubles that a register holds: with SSE2 or another processor's own, AVX2 and AVX-512.
+/// Doubles in a register: SSE2 or another processor's own registers, AVX2, AVX-512.
 inline constexpr std::array<std::size_t, 3> vector_widths{2, 4, 8};
 
-/// What a register of that width holds. Not one template: GCC 12 miscompiles vectors whose size depends on a parameter.
+/// A register of that width. It is not one template, since GCC 12 miscompiles vectors whose size depends on a
+/// parameter.
 template <std::size_t width>
 struct Registers;
 template <>
@@ -34,10 +35,10 @@ struct Registers<8> {
     typedef std::uint64_t Words __attribute__((vector_size(64)));
 };
 
-/// The greatest of vector_widths that this processor has.
+/// Returns the greatest of vector_widths that this processor has.
 std::size_t widest_vector_width();
 
-/// The width in use: the widest, unless a test or a benchmark has said otherwise.
+/// Returns the width in use: the widest, unless a test or a benchmark has set another.
 std::size_t vector_width();
 /// Sets the width in use. Throws std::invalid_argument if the width is not in vector_widths, or exceeds the widest one
 /// that the processor has.
@@ -51,7 +52,7 @@ void use_vector_width(std::size_t width);
 #define PLACEDPAR_AVX512 gnu::noinline
 #endif
 
-/// Calls `work.operator()<width>()` compiled for the width in use, with all that can be inlined into it.
+/// Calls `work.operator()<width>()`, compiled for the width in use together with everything inlined into it.
 template <class Work>
 [[gnu::flatten]] void in_vectors_of_2(const Work& work) {
     work.template operator()<2>();

@@ -23,7 +23,7 @@ TABLE = TOP / "tests" / "fingerprints.csv"
 
 
 def report(program, row):
-    """What the program prints for the row, on either stream."""
+    """Returns what the program prints for the row, on either stream."""
     command = [program, "run", row["netlist"], *row["arguments"].split()]
     done = subprocess.run(command, cwd=TOP, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=300,
                           check=False)
@@ -31,13 +31,13 @@ def report(program, row):
 
 
 def fingerprint(printed):
-    """The fingerprint in a report, or the whole report if there is none."""
+    """Returns the fingerprint in a report, or the whole report if there is none."""
     found = re.search(r"^fingerprint: ([0-9a-f]+)$", printed, re.MULTILINE)
     return found[1] if found else printed
 
 
 def compare(program, row, reference):
-    """What is different, "" if nothing is. The row gets the program's fingerprint."""
+    """Returns the difference, "" if there is none. The row gets the program's fingerprint."""
     name = f"{row['netlist']} {row['arguments']}"
     printed, wanted = report(program, row), row["fingerprint"]
     row["fingerprint"] = fingerprint(printed)

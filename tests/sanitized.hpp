@@ -2,14 +2,14 @@
 
 namespace placedpar::test {
 
-// Sanitizers make a test some ten times as slow: what is tried there by the hundred, other builds try by the thousand.
+// Sanitizers make a test about ten times as slow, so sanitized builds run fewer cases.
 #ifdef PLACEDPAR_SANITIZED
 inline constexpr bool sanitized = true;
 #else
 inline constexpr bool sanitized = false;
 #endif
 
-/// Of cases that are counted: under sanitizers every n-th, else each.
+/// Selects the cases to run: every n-th under sanitizers, otherwise all.
 class EveryNth {
 public:
     explicit EveryNth(int n) : n_(n) {}

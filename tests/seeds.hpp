@@ -15,11 +15,11 @@ namespace placedpar::test {
 /// The seed that the environment variable PLACEDPAR_SEED asks for; null if it asks for none.
 inline const char* seed_asked_for() { return std::getenv("PLACEDPAR_SEED"); }
 
-/// Whether a test runs all of its cases: then it can judge how many of them did what.
+/// Whether a test runs all of its cases, and so may judge the totals.
 inline bool all_seeds() { return !seed_asked_for(); }
 
-/// Of a test that draws its cases: as many as it says, or the one that is asked for. A case that fails says by
-/// `INFO(test::replay(seed))` how it alone is run again.
+/// Returns the seeds of a random test: `count` of them, or only the one in PLACEDPAR_SEED. With
+/// `INFO(test::replay(seed))`, a failing case prints the command that repeats it.
 inline std::vector<std::uint64_t> seeds(std::size_t count, std::uint64_t first = 0) {
     if (const char* one = seed_asked_for())
         return {std::strtoull(one, nullptr, 10)};
@@ -28,12 +28,12 @@ inline std::vector<std::uint64_t> seeds(std::size_t count, std::uint64_t first =
     return all;
 }
 
-/// "again: PLACEDPAR_SEED=17 build/release/tests/runtime/test_runtime -tc='random traffic ...'"
+/// Returns "again: PLACEDPAR_SEED=17 build/release/tests/runtime/test_runtime -tc='random traffic ...'".
 inline std::string replay(std::uint64_t seed) {
     const auto& options = *doctest::getContextOptions();
     std::string name = options.currentTest->m_name;
     for (char& each : name)
-        if (each == ',' || each == '\'') // doctest takes a comma for the end of a name; ? is any character
+        if (each == ',' || each == '\'') // doctest ends a name at a comma; ? stands for any character
             each = '?';
     return fmt::format("again: PLACEDPAR_SEED={} {} -tc='{}'", seed, options.binary_name.c_str(), name);
 }

@@ -7,7 +7,8 @@
 
 namespace placedpar {
 
-/// The CRC-64 (ECMA-182, as xz has it) of texts, which are told apart from the same bytes divided otherwise.
+/// Returns the CRC-64 (ECMA-182, as in xz) of several texts. The same bytes divided into other texts give another
+/// result.
 template <typename... Texts>
 std::int64_t checksum_of(const Texts&... texts) {
     boost::crc_optimal<64, 0x42F0E1EBA9EA3693, 0xFFFFFFFFFFFFFFFF, 0xFFFFFFFFFFFFFFFF, true, true> crc;

@@ -6,11 +6,11 @@
 
 namespace placedpar {
 
-/// "1 process", "2 processes"; without a plural of its own, "2 wires".
+/// Returns "1 process", "2 processes"; without a plural of its own, "2 wires".
 std::string counted(std::size_t count, std::string_view one, std::string_view more = "");
-/// "1 byte", "2 bytes", "1 ms", "1.5": the unit in the plural, if it is a word of four letters or more; "" for none.
+/// Returns "1 byte", "2 bytes", "1 ms", "1.5". A unit of four letters or more gets a plural; "" means no unit.
 std::string with_unit(double value, std::string_view unit);
-/// "a channel", "an input": by the first letter, in lower case.
+/// Returns "a channel", "an input", by the noun's first letter, in lower case.
 std::string with_article(std::string_view noun);
 
 } // namespace placedpar

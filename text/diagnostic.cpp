@@ -13,10 +13,10 @@ namespace {
 
 constexpr std::size_t widest_excerpt = 160;
 
-/// A byte that continues a UTF-8 character.
+/// Whether a byte continues a UTF-8 character.
 bool within_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
-/// `before`, which stands left of the caret, with every character a blank.
+/// Returns `before`, the text left of the caret, with every character replaced by a blank.
 std::string caret_line(std::string_view before) {
     std::string result;
     for (char c : before)
@@ -25,7 +25,7 @@ std::string caret_line(std::string_view before) {
     return result + painted(Paint::caret, "^") + "\n";
 }
 
-/// Where the part of a long line begins that is shown, so that the caret is about in its middle.
+/// Returns where the excerpt of a long line begins, such that the caret is near its middle.
 std::size_t excerpt_start(std::string_view line, std::size_t caret) {
     if (line.size() <= widest_excerpt || caret <= widest_excerpt / 2)
         return 0;

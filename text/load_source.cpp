@@ -22,14 +22,15 @@ bool is_text(char c) {
     return byte >= 0x20 ? byte != 0x7f : (c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v');
 }
 
-/// Bells, backspaces and escape sequences get into texts that a terminal has shown.
+/// Whether a byte occurs only in binary files. Bells, backspaces and escape sequences are allowed, since texts copied
+/// from a terminal have them.
 bool is_of_binary_file(char c) { return !is_text(c) && c != '\a' && c != '\b' && c != '\x1b'; }
 
 Diagnostic problem_at(const File& file, std::size_t line, std::size_t column, std::string message) {
     return {.severity = Severity::error, .message = std::move(message), .location = {file, line, column}};
 }
 
-/// The first byte that no text holds.
+/// Reports the first byte that cannot be in a text.
 std::optional<Diagnostic> binary_problem(const File& file) {
     const std::string& text = file->text();
     auto odd = std::ranges::find_if_not(text, is_text);
@@ -44,7 +45,7 @@ std::optional<Diagnostic> binary_problem(const File& file) {
                           : "the control character " + byte + " does not belong in a text: remove it");
 }
 
-/// The first line that is too long.
+/// Reports the first line that is too long.
 std::optional<Diagnostic> long_line_problem(const File& file) {
     const std::string& text = file->text();
     std::size_t number = file->first_line();
@@ -76,13 +77,13 @@ std::string why_not_a_file(const std::filesystem::path& path) {
     if (status.type() == std::filesystem::file_type::none || status.type() == std::filesystem::file_type::unknown)
         return "the file cannot be read: " + error.message();
     bool can_be_read = status.type() == std::filesystem::file_type::regular ||
-                       status.type() == std::filesystem::file_type::fifo; // as a shell's <(...) is
+                       status.type() == std::filesystem::file_type::fifo; // such as a shell's <(...)
     return can_be_read ? "" : "this is neither a file nor a pipe";
 }
 
 LoadedSource check_source(std::string shown_path, std::string text, std::size_t first_line) {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-    constexpr char end_of_file_in_dos = '\x1a'; // Ctrl-Z, often with what was in the disk's block before
+    constexpr char end_of_file_in_dos = '\x1a'; // Ctrl-Z, often followed by old data of the disk's block
     if (text.starts_with(byte_order_mark))
         text.erase(0, byte_order_mark.size());
     if (auto end = text.find(end_of_file_in_dos); end != std::string::npos)
@@ -108,11 +109,11 @@ LoadedSource read_source(std::istream& in, const std::string& shown_path) {
     }
     if (in.bad())
         return refused(shown_path, "the file cannot be read to its end");
-    text.shrink_to_fit(); // it is kept for as long as one of its lines may have to be shown
+    text.shrink_to_fit(); // the text is kept as long as one of its lines may be shown
     return check_source(shown_path, std::move(text));
 }
 
-/// An empty standard input is a mistake, not an empty text: the command before a pipe has failed, or there is no pipe.
+/// Reads standard input. If it is empty, that is an error: the command before the pipe has failed, or there is no pipe.
 LoadedSource read_standard_input(const std::string& shown_path) {
     LoadedSource read = read_source(std::cin, shown_path);
     bool nothing = read.problems.empty() && read.file->text().empty();

@@ -10,12 +10,12 @@
 
 namespace placedpar {
 
-/// Bounds that keep rubbish from costing time: far above what a text written by hand, or generated, needs.
+/// Limits that keep invalid input from costing time: far above what a written or generated text needs.
 inline constexpr std::size_t largest_source_bytes = 16 * 1024 * 1024;
 inline constexpr std::size_t longest_source_line = 10000; ///< bytes, without the line's end
 
 struct LoadedSource {
-    std::shared_ptr<const SourceFile> file; ///< never null: also a text that is refused can be shown
+    std::shared_ptr<const SourceFile> file; ///< never null, since a refused text is shown as well
     std::vector<Diagnostic> problems;       ///< errors, without hints; empty: the text is good
 };
 

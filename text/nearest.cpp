@@ -10,12 +10,12 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t longest_word = 64; // the distance takes time with the square of it
+constexpr std::size_t longest_word = 64; // the time for the distance grows with its square
 
-/// In so many places a misspelt word may differ from what is meant: a third, rounded.
+/// Returns how many places of a misspelt word may differ from the right one: a third, rounded.
 std::size_t most_edits(std::string_view word) { return (word.size() + 1) / 3; }
 
-/// The only candidate that begins with what was typed; "" where there are several, or little was typed.
+/// Returns the only candidate that begins with the typed text; "" if there are several, or if too little was typed.
 std::string completed(std::string_view typed, const std::vector<std::string>& candidates) {
     std::string found;
     for (const auto& candidate : candidates)
@@ -60,7 +60,7 @@ std::string nearest_name(std::string_view wanted, const std::vector<std::string>
         return "";
     auto wanted_lower = lower_case(wanted);
     std::string best;
-    std::pair best_distance(most_edits(wanted) + 1, std::size_t{0}); // the second counts capitals as well
+    std::pair best_distance(most_edits(wanted) + 1, std::size_t{0}); // the second counts case as well
     for (const auto& candidate : candidates) {
         if (candidate.size() > longest_word || candidate == wanted)
             continue;

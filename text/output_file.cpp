@@ -24,9 +24,9 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& path, int error) { refuse(path, std::strerror(error)); }
 
-/// The end of a chain of symbolic links, whether it is there or not.
+/// Returns the end of a chain of symbolic links, whether it exists or not.
 fs::path follow_links(const fs::path& path) {
-    constexpr int most_links = 40; // as many as Linux follows
+    constexpr int most_links = 40; // the same limit as in Linux
     fs::path end = path;
     std::error_code error;
     for (int links = 0; fs::is_symlink(end, error); ++links) {
@@ -37,13 +37,13 @@ fs::path follow_links(const fs::path& path) {
     return end;
 }
 
-/// Permissions bind root, too, who could write every file.
+/// Whether the file's permissions allow writing. They are respected even for root, who could write every file.
 bool may_write(const fs::path& path, const struct stat& file) {
     constexpr mode_t by_anybody = S_IWUSR | S_IWGRP | S_IWOTH;
     return (file.st_mode & by_anybody) != 0 && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
 }
 
-/// Where the content goes in the end. Throws when that is a folder or must not be written.
+/// Returns the final destination of the content. Throws if it is a folder or must not be written.
 fs::path destination_of(const fs::path& path) {
     if (is_standard_stream(path))
         return path;
@@ -56,13 +56,13 @@ fs::path destination_of(const fs::path& path) {
     return there && !S_ISREG(file.st_mode) ? path : follow_links(path);
 }
 
-/// A device, a pipe: something that a file must not take the place of.
+/// Whether the destination is a device or a pipe, which must not be replaced by a file.
 bool is_written_as_it_goes(const fs::path& destination) {
     std::error_code error;
     return is_standard_stream(destination) || fs::is_other(destination, error);
 }
 
-/// Closing it leaves the descriptor open.
+/// Returns a stream to the descriptor; closing the stream leaves the descriptor open.
 std::FILE* stream_to(int descriptor) {
     int copy = ::dup(descriptor);
     return copy < 0 ? nullptr : ::fdopen(copy, "wb");
@@ -149,7 +149,7 @@ void require_writable(const fs::path& path) {
     if (takes_standard_output(path))
         refuse(path, "standard output goes there; choose another name");
     if (!is_written_as_it_goes(destination_of(path)))
-        OutputFile file(path); // which its end removes
+        OutputFile file(path); // removed again by the destructor
 }
 
 void require_apart(std::span<const fs::path> outputs, const fs::path& input) {

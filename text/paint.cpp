@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-/// Set before anything is printed, and only read from then on.
+/// Set before anything is printed, and only read afterwards.
 bool errors_painted = false, output_painted = false;
 
 /// The parameters of ECMA-48's Select Graphic Rendition: 1 bold, 31 red, 32 green, 33 yellow, 36 cyan.
@@ -29,8 +29,8 @@ const char* rendition(Paint paint) {
     return "";
 }
 
-/// Stands in painted() for the begin of a colour's sequence, until it is printed. It is drawn anew in each run, so that
-/// no text from outside can have it: not even one that was made to look like paint.
+/// Marks the beginning of a colour's sequence in painted() until it is printed. The mark is random in each run, so that
+/// no text from outside can contain it, even if made to look like paint.
 const std::string& mark() {
     static const std::string drawn = [] {
         std::random_device device;
@@ -39,8 +39,8 @@ const std::string& mark() {
     return drawn;
 }
 
-/// Calls `take` with each stretch of the text between marks, and `at_mark` between them. The latter are not looked for
-/// where nothing is painted.
+/// Calls `take` with each stretch of the text between marks, and `at_mark` between them. If nothing is painted, it does
+/// not look for marks.
 template <class Take, class AtMark>
 void between_marks(std::string_view text, Take take, AtMark at_mark) {
     std::size_t next = std::string_view::npos;
@@ -52,7 +52,7 @@ void between_marks(std::string_view text, Take take, AtMark at_mark) {
     take(text);
 }
 
-/// escaped(), but for ends of lines.
+/// Escapes the text, but keeps its newlines.
 std::string escaped_lines(std::string_view text) {
     std::string result;
     for (std::size_t end; (end = text.find('\n')) != std::string_view::npos; text.remove_prefix(end + 1))
@@ -87,7 +87,7 @@ std::string escaped_but_paint(std::string_view text) {
 
 std::string unpainted(std::string_view text) {
     std::string result;
-    bool painted = false; // what follows a mark begins with a rendition's parameters and an m
+    bool painted = false; // after a mark come the rendition's parameters and an m
     auto take = [&](std::string_view part) { result += part.substr(painted ? part.find('m') + 1 : 0); };
     between_marks(text, take, [&] { painted = true; });
     return result;

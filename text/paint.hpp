@@ -11,13 +11,13 @@ enum class Paint { error, warning, note, place, caret, heading, success, failure
 
 enum class PaintedStream { errors, output };
 
-/// From now on what goes to the stream is coloured, or is not; at first nothing is. Only the program decides it, once
-/// at its start: a test, or a program around a room, reads plain text.
+/// Turns colours on the stream on or off; at first they are off. Only the program calls this, once at its start: a
+/// test, or a program that uses a room, gets plain text.
 void set_painted(PaintedStream, bool painted);
 
-/// The text with marks of the colour around it, for as long as its stream is painted; else the text. Lines' ends and
-/// blanks at the start stay outside. Only escaped_but_paint() makes colours of the marks, so that no text from outside,
-/// whatever it holds, is taken for one.
+/// Returns the text between marks of the colour if its stream is painted, otherwise the text alone. Newlines, and
+/// blanks at the start, stay outside. Only escaped_but_paint() turns marks into colours, so that text from outside
+/// cannot contain any.
 std::string painted(Paint, std::string_view text);
 
 /// escaped(), but for ends of lines and the colours that painted() has put around texts: as terminals may have what is

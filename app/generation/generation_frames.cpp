@@ -108,7 +108,7 @@ VertexLegend walk_legend() {
     return {{VertexLook::member, "of the population"},
             {VertexLook::parent, "parent; thick links: the space between mates"},
             {VertexLook::offspring, "new offspring"},
-            {VertexLook::empty, "nobody"}};
+            {VertexLook::empty, "no individual"}};
 }
 
 } // namespace placedpar

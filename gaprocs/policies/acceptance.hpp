@@ -26,8 +26,7 @@ struct IslandPopulation {
     const Representation* representation = nullptr; ///< binary strings where it is null
 };
 
-/// The place of each immigrant: the index of the individual that it replaces, or nothing where it is turned
-/// away.
+/// Each immigrant's place: the index of the individual that it replaces, or nothing if it is turned away.
 using Places = std::vector<std::optional<std::size_t>>;
 
 // Each policy assigns places to the immigrants, one after the other. No two immigrants of an exchange get the same
@@ -87,7 +86,7 @@ struct OffspringAcceptance {
                       RandomStream& random) const;
 };
 
-/// A struct of a program's own with a call operator as those above: the places that it gives are checked.
+/// A user-defined struct with a call operator like those above. The places that it returns are checked.
 class OwnAcceptance : public OwnPolicy {
 public:
     template <class Policy>
@@ -99,7 +98,7 @@ private:
     std::function<Places(const IslandPopulation&, std::span<const Individual>, RandomStream&)> choose_;
 };
 
-/// The policy that says which individual an immigrant replaces.
+/// The policy that selects the individual that an immigrant replaces.
 class Acceptance
     : public OneOf<Acceptance, WorstAcceptance, RandomAcceptance, AlikeAcceptance, OffspringAcceptance, OwnAcceptance> {
 public:

@@ -51,7 +51,7 @@ struct TournamentEmigration {
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };
 
-/// A struct of a program's own with `count` and a call operator as those above: whom it chooses is checked.
+/// A user-defined struct with `count` and a call operator like those above. Its choice is checked.
 class OwnEmigration : public OwnPolicy {
 public:
     template <class Policy>
@@ -63,7 +63,7 @@ private:
     std::function<std::vector<std::size_t>(std::span<const double>, RandomStream&)> choose_;
 };
 
-/// The policy that says which individuals leave an island, and how many.
+/// The policy that selects the individuals that leave an island, and their number.
 class Emigration : public OneOf<Emigration, BestEmigration, RandomEmigration, TournamentEmigration, OwnEmigration> {
 public:
     using OneOf::OneOf;

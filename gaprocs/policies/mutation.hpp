@@ -102,8 +102,8 @@ struct SwapMutation {
                     RandomStream& random) const;
 };
 
-/// The places from here to another, across the end where that comes before, are turned round: of a closed tour, two
-/// edges change. One number.
+/// Reverses the places from this one to another, across the end if the other comes first. In a closed tour this changes
+/// two edges. Draws one number.
 struct InversionMutation {
     static constexpr std::string_view name = "inversion", about = "the places from one to another are turned round",
                                       source = "the 2-opt step of G. Croes, 1958";

@@ -66,7 +66,7 @@ private:
         std::vector<std::string> all;
         for (std::size_t island : islands)
             all.push_back(instance(island).name);
-        return all.empty() ? "nobody" : fmt::format("{}", fmt::join(all, ", "));
+        return all.empty() ? "no island" : fmt::format("{}", fmt::join(all, ", "));
     }
     void refuse(std::string about, std::string message, std::string hint = "") {
         complaints_.push_back({index_, std::move(about), std::move(message), std::move(hint)});

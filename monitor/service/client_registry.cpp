@@ -27,9 +27,9 @@ Client* ClientRegistry::join(Client& client) {
 }
 
 const std::set<Client*>& ClientRegistry::of(const std::string& machine) const {
-    static const std::set<Client*> nobody;
+    static const std::set<Client*> no_clients;
     auto found = of_machine_.find(machine);
-    return found == of_machine_.end() ? nobody : found->second;
+    return found == of_machine_.end() ? no_clients : found->second;
 }
 
 Client* ClientRegistry::control_of(const std::string& machine) const {

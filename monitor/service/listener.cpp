@@ -44,7 +44,7 @@ Caller caller_of(Listener::Socket& socket) {
     error_code error;
     auto end = socket.remote_endpoint(error);
     if (error)
-        return {"nobody", "nobody", ""};
+        return {"unknown", "unknown", ""};
     if (end.protocol().family() == AF_UNIX) {
         ucred who{};
         socklen_t size = sizeof who;

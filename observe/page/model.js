@@ -134,7 +134,7 @@ function chainFrom(name, moment) {
 }
 
 function describe(slice) {
-  const partners = awaitedIn(slice).map(each => each.partner || "nobody yet").join(" or ");
+  const partners = awaitedIn(slice).map(each => each.partner || "none yet").join(" or ");
   switch (slice.doing) {
   case "executes": return "executes " + slice.note;
   case "carries": return "carries " + slice.note;

@@ -5,7 +5,7 @@ const escaped = text => String(text).replace(/[&<>"]/g, each => `&#${each.charCo
 const processLink = name => trackNamed.has(outermostName(name)) ? `<a class="to" data-process="${escaped(outermostName(name))}">${escaped(name)}</a>` : escaped(name);
 
 function waitText({ slice, channel, partner }, moment) {
-  const who = partner ? processLink(partner) : "nobody yet";
+  const who = partner ? processLink(partner) : "none yet";
   const what = channel ? `${slice.doing} ${slice.doing === "outputs" ? "to" : "from"} ${who} on <i>${escaped(channel)}</i>` : describe(slice);
   return `<li>${what}, since ${beginText(slice, lengthInSight())} ${endText(slice, lengthInSight())}</li>`;
 }

@@ -76,7 +76,7 @@ Shown shown(const Slice& slice) {
 
 std::string described(const Awaited& awaited) {
     return fmt::format(R"({{"channel":{},"partner":{}}})", json_text(awaited.channel),
-                       json_text(awaited.partner.empty() ? "nobody yet" : awaited.partner));
+                       json_text(awaited.partner.empty() ? "none yet" : awaited.partner));
 }
 
 /// Returns the slice's arguments: the bytes that a link carries, or the channels of a wait; "" if there are none.

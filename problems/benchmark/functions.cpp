@@ -24,14 +24,14 @@ double sum_of(std::span<const double> x, Term term) {
 
 double square(double x) { return x * x; }
 
-/// Returns a stream that depends on these numbers, and differs for others as far as 64 bits can tell them apart.
+/// Returns a stream that depends on these numbers. Other numbers give another stream, as far as 64 bits can tell.
 RandomStream stream_of(std::span<const double> x, std::uint64_t seed) {
     for (double each : x)
         seed = (seed ^ std::bit_cast<std::uint64_t>(each)) * 0x9e3779b97f4a7c15u + (seed >> 29);
     return RandomStream(seed, "noise of the quartic");
 }
 
-/// By Box and Muller.
+/// Returns a normal deviate by the method of Box and Muller.
 double normal_deviate(RandomStream random) {
     double radius = std::sqrt(-2 * std::log(1 - random.uniform()));
     return radius * std::cos(2 * std::numbers::pi * random.uniform());

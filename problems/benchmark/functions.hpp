@@ -12,9 +12,9 @@
 
 namespace placedpar {
 
-// Functions of several numbers that are to be minimised. The optimum is that of all real numbers: where it lies between
-// two codes, no string reaches it. F1 to F5 are those of K. De Jong, "An analysis of the behavior of a class of genetic
-// adaptive systems", 1975, by default with his dimensions and bits.
+// Functions of several numbers that are to be minimised. The optimum is that over all real numbers: if it lies between
+// two codes, no string reaches it. F1 to F5 are K. De Jong's ("An analysis of the behavior of a class of genetic
+// adaptive systems", 1975), by default with his dimensions and bits.
 
 /// The numbers of a function whose parameters all have the same range, low ... high.
 template <class Function>
@@ -48,7 +48,7 @@ struct Rosenbrock : OverBox<Rosenbrock> {
     double objective(std::span<const double> x) const;
 };
 
-/// The sum of the whole numbers below: -6 for each parameter at its lower end.
+/// The sum of the parameters rounded down: -6 for each parameter at its lower end.
 struct StepFunction : OverBox<StepFunction> {
     static constexpr std::string_view name = "step", about = "the sum of floors (De Jong's F3): a plateau at each step";
     static constexpr std::size_t usual_dimensions = 5, usual_bits = 10;
@@ -57,8 +57,8 @@ struct StepFunction : OverBox<StepFunction> {
     std::optional<double> optimum() const { return -6.0 * static_cast<double>(dimensions); }
 };
 
-/// The sum of i x_i^4 and a normal deviate. De Jong draws it at each evaluation; here it is drawn from the seed and the
-/// numbers themselves, so that an individual has the same noise in every evaluation. The optimum is unknown.
+/// The sum of i x_i^4 and a normal deviate. De Jong draws the deviate at each evaluation. Here it depends on the seed
+/// and the numbers themselves, so that an individual has the same noise in every evaluation. The optimum is unknown.
 struct Quartic : OverBox<Quartic> {
     static constexpr std::string_view name = "quartic",
                                       about = "the sum of i x_i^4 with noise (De Jong's F4), the same for equals";
@@ -85,7 +85,7 @@ struct Foxholes {
     }
     ParameterCoding representation() const { return {2, {-65.536, 65.536, bits}}; }
     double objective(std::span<const double> x) const;
-    /// To six digits, as it is found in the literature.
+    /// The known optimum, to six digits.
     double optimum() const { return 0.998004; }
 };
 
@@ -98,13 +98,13 @@ struct Rastrigin : OverBox<Rastrigin> {
     double objective(std::span<const double> x) const;
 };
 
-/// 418.9829 n - the sum of x_i sin(sqrt(|x_i|)): the least valley lies at 420.9687, far from the next best.
+/// 418.9829 n - the sum of x_i sin(sqrt(|x_i|)): the deepest valley lies at 420.9687, far from the second best.
 struct Schwefel : OverBox<Schwefel> {
     static constexpr std::string_view name = "schwefel",
                                       about = "Schwefel's function: the best valley is far from the next best";
     static constexpr std::size_t usual_dimensions = 10, usual_bits = 16;
     static constexpr double low = -500, high = 500;
-    /// x sin(sqrt(x)) at its greatest in the range, and where that is.
+    /// The greatest x sin(sqrt(x)) in the range, and the x where it occurs.
     static constexpr double best_term = 418.98288727243374, best_place = 420.96874635998199;
     double objective(std::span<const double> x) const;
 };

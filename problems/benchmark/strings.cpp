@@ -42,7 +42,8 @@ double Landscape::objective(const Genome& genome) const {
     return sum;
 }
 
-/// With `first` in the first k bits: bit by bit the best sum for each state of the last k bits.
+/// Returns the best sum if the first k bits are `first`, bit by bit, keeping the best for each state of the last k
+/// bits.
 double Landscape::best_from(std::size_t first) const {
     std::size_t states = std::size_t{1} << k_;
     constexpr double never = -std::numeric_limits<double>::infinity();

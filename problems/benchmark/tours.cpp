@@ -11,7 +11,8 @@ namespace placedpar {
 
 namespace {
 
-/// Along a row and back; across where both numbers are 2 or more; with one diagonal where both are odd.
+/// Returns the length of a tour along a row and back if one number is 1, otherwise around the lattice, with one
+/// diagonal if both numbers are odd.
 double shortest_on_lattice(std::size_t rows, std::size_t columns) {
     auto cities = static_cast<double>(rows * columns);
     if (std::min(rows, columns) == 1)

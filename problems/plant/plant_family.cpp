@@ -8,7 +8,7 @@ namespace placedpar {
 
 namespace {
 
-/// A plant problem, with what the plant's parameters are when its record ends.
+/// A plant problem, and the plant's parameters at the end of its record.
 template <class Problem>
 struct PlantThatEnds : Problem {
     double a1;
@@ -56,7 +56,7 @@ PlantExperiment experiment_of(const std::vector<double>& numbers) {
     return make_policy<PlantFamily>(numbers).experiment();
 }
 
-/// What chapter 5's pages search it with.
+/// Returns the settings with which chapter 5's pages search it.
 RecordAdvice advice_for(const std::vector<double>& numbers) {
     auto plant = make_policy<PlantFamily>(numbers);
     return {.trials = plant.per_sample, .bias = plant.simulated ? 100.0 : 10.0};

@@ -25,13 +25,13 @@ void validate_experiment(const PlantExperiment& experiment) {
         throw UserError(fmt::format("the plant's noise is {}, expected 0 or a positive number", experiment.noise));
 }
 
-/// Gaussian, by Box and Muller. Two numbers of the stream.
+/// Returns a Gaussian number by the method of Box and Muller. Draws two numbers.
 double gaussian(RandomStream& random) {
     double radius = std::sqrt(-2 * std::log(1 - random.uniform()));
     return radius * std::cos(2 * std::numbers::pi * random.uniform());
 }
 
-/// u(0), u(1), ...
+/// Returns the input u(0), u(1), ...
 std::vector<double> input_signal(std::size_t samples, RandomStream& random) {
     PseudoRandomBits bits(random.below(PseudoRandomBits::period));
     std::vector<double> input;
@@ -41,12 +41,12 @@ std::vector<double> input_signal(std::size_t samples, RandomStream& random) {
     return input;
 }
 
-/// A signal before whose beginning there was nothing.
+/// Returns the signal at k - delay; 0 before its beginning.
 double past(const std::vector<double>& signal, std::size_t k, std::size_t delay) {
     return k < delay ? 0 : signal[k - delay];
 }
 
-/// The plant at work, sample by sample.
+/// Simulates the plant, sample by sample.
 class PlantRun {
 public:
     PlantRun(const PlantExperiment& experiment, std::size_t samples, RandomStream& random)
@@ -64,7 +64,7 @@ public:
         return sample;
     }
 
-    /// The first sample that arrives from generation 0 on.
+    /// Returns the sample that arrives in generation 0.
     std::size_t first() const { return experiment_.settling + experiment_.window - 1; }
 
 private:

@@ -25,12 +25,11 @@ struct Pole {
 };
 Pole pole_of(double a1, double a2);
 
-/// How a1 changes during an experiment, from 1.5 in a straight line. By default as in Table 5.4, which prints a1 = -1.5
-/// + 1.0 (gen - 200), where the sign is that of A(q^-1), and the plant would not be stable for a second generation:
-/// here the way from one to the other takes as long as the table says, a1 = 1.5 - (gen - 200) / 200 until generation
-/// 400.
+/// How a1 changes during an experiment, from 1.5 in a straight line. The default is that of Table 5.4, which prints a1
+/// = -1.5 + 1.0 (gen - 200). There the sign is that of A(q^-1), and the plant would be unstable from the second
+/// generation on. Here the change takes as long as the table says: a1 = 1.5 - (gen - 200) / 200 until generation 400.
 struct PlantChange {
-    double a1 = 0.5;    ///< in the end
+    double a1 = 0.5;    ///< value at the end
     double from = 200;  ///< generation
     double lasts = 200; ///< generations; 0: at once
 
@@ -46,13 +45,13 @@ struct PlantExperiment {
     double noise = 0;               ///< standard deviation of e, which is Gaussian
     std::array<double, 2> colour{}; ///< c1, c2: white noise
     std::size_t generations = 601;  ///< in Table 5.4, 0 to 600
-    std::size_t per_sample = 3;     ///< generations between two samples; chapter 5 is silent
-    std::size_t window = 30;        ///< samples that are there at generation 0
+    std::size_t per_sample = 3;     ///< generations between two samples; chapter 5 does not state it
+    std::size_t window = 30;        ///< samples available at generation 0
     std::size_t settling = 80;      ///< samples simulated first and left out of the record
 
     /// Samples that arrive from generation 0 on. REQUIRES: per_sample > 0.
     std::size_t samples() const { return (generations + per_sample - 1) / per_sample; }
-    /// In all of the record.
+    /// Returns the number of samples in the whole record.
     std::size_t record_length() const { return window - 1 + samples(); }
 };
 
@@ -60,9 +59,9 @@ struct PlantExperiment {
 inline constexpr std::size_t plant_inputs = 6;
 inline constexpr std::size_t plant_channels = 3 + plant_inputs;
 
-/// What is measured: `window` - 1 samples before generation 0, then that of generation 0, `per_sample`, ... The stream
-/// gives the start of the input's period (one number) and two numbers a sample for the noise, if there is any.
-/// Throws UserError: no window, no generations per sample, a noise that is negative or no number.
+/// Returns the measured record: `window` - 1 samples before generation 0, then one at generation 0, `per_sample`, ...
+/// The stream supplies the start of the input's period (one number) and two numbers a sample for the noise, if there is
+/// any. Throws UserError if there is no window, no generation per sample, or if the noise is negative or not a number.
 std::vector<std::vector<double>> plant_record(const PlantExperiment& experiment, RandomStream random);
 
 } // namespace placedpar

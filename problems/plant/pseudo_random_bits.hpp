@@ -4,8 +4,8 @@
 
 namespace placedpar {
 
-/// A pseudo random binary sequence of period 127, of a shift register of seven bits (x^7 + x^6 + 1): every seven bits
-/// but seven zeros come up once in a period.
+/// A pseudo random binary sequence of period 127, from a shift register of seven bits (x^7 + x^6 + 1). In each period
+/// every pattern of seven bits but seven zeros occurs once.
 class PseudoRandomBits {
 public:
     static constexpr std::size_t period = 127;

@@ -25,10 +25,10 @@ private:
     std::string name_;
 };
 
-/// A direction between a master and the transputer of a dual-ported memory: messages go through a buffer in the memory,
-/// one at a time. The master moves its words over the bus; the transputer copies them from or to where its process
-/// wants them, and converts them where the two computers differ in the order of bytes: a 68020 is big endian, a T800
-/// little endian. Each end raises an interrupt at the other end when the other end may use the buffer.
+/// A direction between a master and the transputer of a dual-ported memory. Messages go through a buffer in the memory,
+/// one at a time. The master moves its words over the bus; the transputer copies them from or to its process's memory.
+/// It converts them if the two computers have different byte orders: a 68020 is big endian, a T800 little endian. Each
+/// end interrupts the other when the other may use the buffer.
 class MemoryLane final : public Carrier {
 public:
     /// Size of the buffer for one direction, in bytes (our choice). A longer message is moved in parts.
@@ -36,9 +36,8 @@ public:
 
     /// Which end outputs: the master, or the transputer whose memory it is.
     enum class From { master, memory };
-    /// `conversion`: cycles of the transputer for each word, 0 if both computers have the same byte order.
-    /// REQUIRES: they outlive it, and the processes at the two ends are executed by what the master and the memory
-    /// belong to.
+    /// `conversion`: cycles of the transputer for each word, 0 if both computers have the same byte order. REQUIRES:
+    /// master and memory outlive it, and execute the processes at their ends.
     MemoryLane(Kernel&, VmeMaster&, DualPortedMemory&, From, Cycles conversion);
 
     std::string why_not_given_up() const override { return "leads through the memory of a bus master"; }

@@ -8,9 +8,10 @@
 /// What the programs of the thesis's masters spend on input and output over a VMEbus.
 namespace placedpar::hardware::bus_programs {
 
-/// A Sun 3/280 at 25 MHz. Published: a host's programmed accesses to bytes reach 0.2 to 0.75 Mbyte/s, D32 reads about 1
-/// Mbyte/s, writes about 3 (a table of SGI's). Ours: within that, 1.5 us for a byte, 4 us for a word read and 1.33 us
-/// for one written, of which 310 ns are the bus's; and a tenth of a millisecond from an interrupt to the process.
+/// A Sun 3/280 at 25 MHz. Published (a table of SGI's): a host's programmed accesses to bytes reach 0.2 to 0.75
+/// Mbyte/s, D32 reads about 1 Mbyte/s, writes about 3. Ours, within these ranges: 1.5 us for a byte, 4 us for a word
+/// read and 1.33 us for one written, of which the bus takes 310 ns; and a tenth of a millisecond from an interrupt to
+/// the process.
 constexpr BusProgram sun_3_280{
     .byte_access = Cycles{30}, .read_word = Cycles{92}, .write_word = Cycles{26}, .interrupt = Cycles{2500}};
 

@@ -9,24 +9,25 @@ namespace placedpar::hardware {
 enum class Provenance {
     published,  ///< a databook, or a measurement that others have published
     workload,   ///< what a program itself costs; the netlist states it
-    calibrated, ///< set so that one figure that was measured comes out
-    ours,       ///< nothing was to be had: a choice that seems right
-    fitted      ///< to several figures that were measured
+    calibrated, ///< set so that one measured figure is reproduced
+    ours,       ///< our choice, since no source was found
+    fitted      ///< fitted to several measured figures
 };
 
 const char* name_of(Provenance);
 
-/// A constant of the model, for people who want to know where a time comes from.
+/// A constant of the model, with its origin.
 struct Constant {
     std::string_view group, name;
     double value;
     std::string_view unit;
     Provenance mark;
-    std::string_view source; ///< of what is published; what the others stand for, or were fitted to
+    std::string_view source; ///< the publication; otherwise the meaning of the choice, or the figures that it was
+                             ///< fitted to
 };
 
-/// Every constant that takes time on the machine and is not the netlist's to state, read from where the simulation
-/// takes it. Those of a group are adjacent.
+/// Returns every timing constant that a netlist does not state, read from where the simulation uses it. Constants of
+/// one group are adjacent.
 std::vector<Constant> constants();
 
 } // namespace placedpar::hardware

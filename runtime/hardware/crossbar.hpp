@@ -19,15 +19,15 @@ namespace placedpar::hardware {
 
 class Link;
 
-/// A message to the configuration link of a C004: one to three bytes. From memory of INMOS's data sheet, which is not
-/// at hand; INMOS's network checker (check.c of its `ispy`, published) sends [0][input][output] and [4], and takes the
-/// top bit of an answer of a C004B for what it is here. It sends no [3].
+/// A message to the configuration link of a C004: one to three bytes. Written from memory of INMOS's data sheet, which
+/// is not available. INMOS's network checker (check.c of its `ispy`, published) sends [0][input][output] and [4], and
+/// uses the top bit of a C004B's answer as here. It does not send [3].
 struct SwitchCommand {
     enum class Kind : std::uint8_t {
         connect_output = 0,    ///< [0][input][output]
         connect_links = 1,     ///< [1][link][link]: both ways
         enquire = 2,           ///< [2][output]: which input it is connected to
-        ready = 3,             ///< [3]: ends a configuration; what has been connected takes data from now on
+        ready = 3,             ///< [3]: ends a configuration; the new connections now carry data
         reset = 4,             ///< [4]: all outputs are disconnected
         disconnect_output = 5, ///< [5][output]
         disconnect_links = 6   ///< [6][link][link]: their outputs
@@ -45,14 +45,13 @@ struct SwitchAnswer {
     std::uint8_t byte = 0;
 };
 
-/// An IMS C004: 32 outputs, each of which puts out what comes in at an input of its own choice, or nothing. Commands
-/// set it during the run; nothing is connected before. What comes in at an input that no output has chosen is lost;
-/// ours: so is what an output puts out that is for a link other than the one it leads to, and what comes between a
-/// connection and the command 3 after it. A connection that is there already stays as it is when it is made again, and
-/// while others are made.
+/// An IMS C004 has 32 outputs. Each output repeats the data of an input of its choice, or nothing. Commands set it
+/// during the run; at the start nothing is connected. Data at an input that no output has chosen is lost. Ours: data is
+/// also lost if its output leads to another link than intended, or between a connection and the next command 3. An
+/// existing connection is unaffected when it is made again, and while others are made.
 ///
-/// It is also what executes its own logic: a process that inputs commands from the configuration link and obeys them.
-/// That takes no time, besides the link's.
+/// It also executes its own logic: a process that inputs commands from the configuration link and obeys them. This
+/// takes no time in addition to the link's.
 class Crossbar final : public Executive {
 public:
     static constexpr int links = 32;
@@ -87,7 +86,7 @@ public:
     /// from a comes first.
     std::deque<Loss> losses() const;
     std::uint64_t commands() const { return commands_; }
-    /// Made, one for each output.
+    /// Returns how many connections were made, counted at each output.
     std::uint64_t connections() const { return connections_; }
 
     Time tick(Priority) const override { return std::chrono::microseconds{1}; }
@@ -126,7 +125,7 @@ private:
 
     Kernel& kernel_;
     std::array<Choice, links> choices_{}; ///< by output
-    std::deque<SwitchedLink> ways_;       ///< they keep their places
+    std::deque<SwitchedLink> ways_;       ///< a deque, since references must stay valid
     std::uint64_t commands_ = 0, connections_ = 0;
 };
 

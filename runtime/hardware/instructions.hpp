@@ -6,8 +6,8 @@
 /// T4 notebook (pahihu/t4), checked there against INMOS's "Transputer instruction set: a compiler writer's guide".
 namespace placedpar::hardware::instructions {
 
-/// The operations of a program, compiled in line as occam's are. A communication of w words is 2w + 19 for the
-/// process that copies them, and 19 for the one that waits; an output of one word is 23 for either.
+/// Costs of a program's operations, compiled in line as occam's are. A communication of w words costs 2w + 19 for the
+/// process that copies them, and 19 for the one that waits; an output of one word costs 23 in either case.
 constexpr OperationCosts t800{
     .soft_communication = Cycles{19},    // in, out
     .soft_word_output = Cycles{23},      // outword, outbyte
@@ -29,13 +29,13 @@ constexpr OperationCosts t800{
     .disable_guard = Cycles{8},          // disc, diss
     .disable_timeout = Cycles{23},       // dist
     .alternation_end = Cycles{4},        // altend
-    // Ours: a routine that can give up starts a process that waits for the moment, or for the channel by which it is
-    // told, beside the one that communicates, and ends it: startp, tin, endp.
+    // Ours: a routine that can give up starts a second process, which waits for the time-out or for a message that ends
+    // the attempt, and then ends that process: startp, tin, endp.
     .attempt = Cycles{12 + 30 + 13},
     .reset_channel = Cycles{3}, // ours: resetch
 };
 
-/// A block move, before its words: on the chip 2 cycles each, outside of it two accesses.
+/// A block move, before its words. Each word takes 2 cycles on the chip, or two accesses outside of it.
 constexpr Cycles block_move_start{8};
 
 /// Interrupt latency from low to high priority, typical; 58 at most, 78 while the floating-point unit is busy.

@@ -23,7 +23,7 @@ namespace placedpar::hardware {
 /// register (Helios-NG sources), so the link's timing must say so, too.
 class LinkAdapter final : public BusSlave {
 public:
-    /// At that end of the link, of which the other is a transputer's. REQUIRES: the link outlives it.
+    /// The end of the link at which the adapter is; a transputer is at the other. REQUIRES: the link outlives it.
     enum class End { a, b };
     LinkAdapter(Kernel&, std::string name, Link&, End);
 
@@ -52,11 +52,11 @@ private:
 /// BusProgram::most_polls times waits for the adapter's interrupt. Each access costs the program its time and the bus a
 /// cycle.
 ///
-/// A message that is given up (runtime/recovery.hpp) the program leaves after the access that it is in.
+/// If a message is given up (runtime/recovery.hpp), the program leaves it after the current access.
 class AdapterProgram {
 public:
-    /// REQUIRES: they outlive it, no other master uses the adapter, and the processes that output by to_link() and
-    /// input by from_link() are executed by what the master belongs to.
+    /// REQUIRES: master and adapter outlive it; no other master uses the adapter; the master executes the processes
+    /// that output by to_link() and input by from_link().
     AdapterProgram(Kernel&, VmeMaster&, LinkAdapter&);
 
     /// For channels from a process on the master to one on the transputer at the other end of the link, and back.
@@ -66,7 +66,7 @@ public:
 private:
     friend class AdapterBroadcast;
 
-    /// What both have of the link, by which the transputer's end is an engine's.
+    /// What both directions need of the link, whose other end is an engine.
     struct AdapterLane : Carrier {
         AdapterLane(AdapterProgram& p, LinkDirection& l) : program(p), link(l) {}
         bool message_waits(const AnyChannel& c) const override { return link.message_waits(c); }
@@ -109,7 +109,7 @@ private:
     FromLink from_link_{*this, adapter_.from_link()};
 };
 
-/// What a program outputs as one broadcast is not one message.
+/// Thrown when the outputs to one broadcast are not the same message.
 class BroadcastError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -127,11 +127,11 @@ public:
     /// REQUIRES: at least one program, all of one master. Throws std::logic_error otherwise.
     AdapterBroadcast(Kernel&, const std::vector<AdapterProgram*>&);
 
-    /// Puts the channel on the way to the transputer of adapter number i. REQUIRES: i < adapters(); it outlives the
-    /// run.
+    /// Puts the channel on the path to the transputer of adapter number i. REQUIRES: i < adapters(); the channel
+    /// outlives the run.
     void carry(AnyChannel& channel, std::size_t i);
     std::size_t adapters() const { return lanes_.size(); }
-    /// Written so far to the end, each once for all adapters, and their bytes.
+    /// Returns the messages written completely, each counted once for all adapters, and (below) their bytes.
     std::uint64_t messages() const { return messages_; }
     std::uint64_t bytes() const { return bytes_; }
 
@@ -150,7 +150,7 @@ private:
         AdapterBroadcast& broadcast;
         AdapterProgram& program;
         AnyChannel* channel = nullptr;
-        Process* outputter = nullptr; ///< that waits until the message has been written
+        Process* outputter = nullptr; ///< waits until the message has been written
     };
     bool is_written() const { return waiting_ == lanes_.size(); }
     void require_same(const AnyChannel&, const WireForm&);
@@ -162,8 +162,8 @@ private:
     Kernel& kernel_;
     std::vector<Lane> lanes_;
     std::size_t waiting_ = 0;
-    const AnyChannel* first_ = nullptr; ///< of those that wait
-    std::optional<WireForm> form_;      ///< of its message
+    const AnyChannel* first_ = nullptr; ///< the channel that waited first
+    std::optional<WireForm> form_;      ///< of that channel's message
     std::uint64_t messages_ = 0, bytes_ = 0;
 };
 

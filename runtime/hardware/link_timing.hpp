@@ -11,12 +11,13 @@ namespace placedpar::hardware {
 /// after the start of the byte, and the next byte starts 5 to 6 after the acknowledge (D. Jeffery,
 /// comp.sys.transputer, 13 March 1989).
 ///
-/// Within those ranges two values are fitted to what was measured of whole links, at 20 Mbit/s. A byte one way takes
-/// 11.5 bit periods by the databook's table 8.1 (T805, 1740 Kbyte/s), 11.4 by K. Koontz (1.75 Mbyte/s,
-/// comp.sys.transputer, January 1991), 11.25 by the ping-pong of Poznan (2008), and 21.5 there through three
-/// switches, which leaves 11.0 without them: these contradict each other by up to 5 %, and 11.2 is within 3 % of each.
-/// Both ways a byte takes 17.0 bit periods (2350 Kbyte/s in sum): 11 and the restart. At 10 and 5 Mbit/s it takes
-/// fewer, so that part of the restart is modelled as logic that does not slow down with the link.
+/// Within those ranges, two values are fitted to measurements of whole links at 20 Mbit/s. In one direction a byte
+/// takes 11.5 bit periods by the databook's table 8.1 (T805, 1740 Kbyte/s), 11.4 by K. Koontz (1.75 Mbyte/s,
+/// comp.sys.transputer, January 1991), and 11.25 by the ping-pong of Poznan (2008). The latter measured 21.5 through
+/// three switches, which leaves 11.0 without them. These figures differ by up to 5 %, and 11.2 is within 3 % of each.
+/// In both directions at once a byte takes 17.0 bit periods (2350 Kbyte/s in sum): 11 and the restart. At 10 and 5
+/// Mbit/s it takes fewer bit periods, so part of the restart is modelled as logic that does not slow down with the
+/// link.
 struct LinkTiming {
     static constexpr std::int64_t usual_speed = 20'000'000;
     std::int64_t bits_per_second = usual_speed;

@@ -18,7 +18,7 @@ class Kernel;
 
 namespace placedpar::hardware {
 
-/// The memory in which a processor's messages lie, and whatever else its processes work on.
+/// The memory that holds a processor's messages, and the other data of its processes.
 struct Memory {
     /// Cycles of an access to a word: "external at least 3" (listing of a machine of 64 T800s); 30 Mbyte/s at 30 MHz
     /// (IMS T225 data sheet), the T212, T222 and M212 likewise.
@@ -49,7 +49,7 @@ public:
     static constexpr Time high_tick = std::chrono::microseconds{1};
     static constexpr Time low_tick = std::chrono::microseconds{64};
 
-    /// 17.5 to 30 MHz were sold.
+    /// 17.5 to 30 MHz models were sold
     static constexpr std::int64_t usual_clock = 20'000'000;
 
     /// Cycles of a switch to the next process, beyond the instruction that gives the processor up. No table has it.
@@ -64,24 +64,24 @@ public:
     Processor(Kernel&, std::string name, std::int64_t clock_hz = usual_clock, Cycles channel_call = Cycles{0},
               const Memory& = {}, Cycles switching = usual_switching);
 
-    /// One of the link's ends is this processor's: its engines use this processor's memory. REQUIRES: the link outlives
-    /// the run.
+    /// Adds a link of which one end is this processor's: that end's engines use this processor's memory. REQUIRES: the
+    /// link outlives the run.
     void has_link(Link&);
-    /// From this moment on it executes nothing; what waits for it waits for ever. That its links fall silent, too, is
-    /// their fault to state (LinkFault). REQUIRES: before the run.
+    /// Stops the processor at this time: it executes nothing more, and processes that wait for it wait for ever. Its
+    /// links need a fault of their own to fall silent (LinkFault). REQUIRES: before the run.
     void halt_at(Time moment) { halts_at_ = std::min(halts_at_, moment); }
     bool halted() const override;
 
     std::int64_t clock_hz() const { return clock_.hertz(); }
-    /// How long it has computed so far, waiting for its memory included.
+    /// Returns how long it has computed so far, including waits for its memory.
     Time time_busy() const;
-    /// How long its memory has served link engines so far, while it computed or not.
+    /// Returns how long its memory has served link engines so far, during computations or not.
     Time memory_taken_by_links();
 
     Time tick(Priority priority) const override { return priority == Priority::high ? high_tick : low_tick; }
     bool begin_computing(Process&, Cycles, const CodeShape&) override;
     void make_ready(Process&) override;
-    /// A successor of the same priority goes on in the process's place, as after startp and by endp.
+    /// A successor of the same priority takes the process's place at once, as after startp and endp.
     void leave(Process&, Process* successor) override;
 
 private:
@@ -111,28 +111,28 @@ private:
     void account(const Process&, Time worked);
     void preempt();
 
-    // In the order of use, in lines of the cache: of the first two each turn needs all.
+    // The members are in the order of use, in lines of the cache: each turn needs all of the first two lines.
     alignas(64) Turn turn_{*this};
     Kernel& kernel_;
-    Process* current_ = nullptr; ///< the process that has it
+    Process* current_ = nullptr; ///< the process that has the processor
     Time turn_began_{};
-    Time settled_at_{}; ///< up to when the current process's work of its turn has been taken from what is left
+    Time settled_at_{}; ///< the current process's work up to this time has been subtracted from what is left
 
-    std::int64_t words_settled_ = 0; ///< words_moved_by_links() then
-    // What words_moved_by_links() has counted last: of one moment it is the same, unless a part ends.
+    std::int64_t words_settled_ = 0; ///< words_moved_by_links() at that time
+    // The last result of words_moved_by_links(). For one time it does not change, unless a part ends.
     Time counted_at_{-1};
     std::uint64_t words_ = 0, ended_when_counted_ = 0;
     LinkEngineMemory engines_;
-    Time access_{};    ///< to a word of its memory
-    Time switching_{}; ///< to the next process
+    Time access_{};    ///< time of an access to a word of its memory
+    Time switching_{}; ///< time of a switch to the next process
     Time halts_at_ = Time::max();
 
-    boost::container::small_vector<Link*, 4> links_; ///< a transputer has no more
-    Process* preempted_ = nullptr;                   ///< the low-priority process that lost it to a high one
+    boost::container::small_vector<Link*, 4> links_; ///< a transputer has at most four
+    Process* preempted_ = nullptr;                   ///< the low-priority process that was pre-empted
 
     ProcessQueue high_, low_; ///< the processes that wait for the processor
-    Time dispatched_at_{};    ///< when the current low-priority process got it
-    Time busy_{};             ///< without the turn under way
+    Time dispatched_at_{};    ///< when the current low-priority process got the processor
+    Time busy_{};             ///< without the current turn
     Clock clock_;
 };
 

@@ -12,19 +12,19 @@ namespace placedpar::hardware {
 
 class LinkDirection;
 
-/// One engine of a processor's link, which a switch leads to one partner after the other. It is in one message at a
-/// time: whose?
+/// One engine of a processor's link that a switch connects with different partners, one after another. It carries one
+/// message at a time, and keeps the channel of that message.
 struct SharedEngine {
     std::string name; ///< of the link, for messages
     const AnyChannel* channel = nullptr;
 };
 
-/// A direction of a link that leads through a switch set during the run, so that other links have the same engines at
-/// their ends. Throws std::logic_error when a process uses an engine that is in a message of another channel: on the
-/// machine these would be one channel, of one process.
+/// A direction of a link through a switch that is set during the run, so that other links share the engines at its
+/// ends. Throws std::logic_error if a process uses an engine that is still in a message of another channel. On the real
+/// machine these would be one channel, with one process at each end.
 class SwitchedLane final : public Carrier {
 public:
-    /// REQUIRES: they outlive it.
+    /// REQUIRES: its arguments outlive it.
     SwitchedLane(Kernel&, LinkDirection& direction, SharedEngine& sender, SharedEngine& receiver)
         : direction_(direction), sender_(sender), receiver_(receiver) {}
 

@@ -42,7 +42,7 @@ public:
     virtual ~BusSlave() = default;
     virtual const std::string& bus_name() const = 0;
 
-    /// A period in which the slave does not respond, as a board that is pulled out of its slot.
+    /// A period in which the slave does not respond, like a board that was removed from its slot.
     struct Absence {
         Time from, until;
         std::uint64_t unanswered = 0; ///< accesses
@@ -63,16 +63,16 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// A VMEbus: its masters ask for it, one of them has it, and it moves words for the processes that the master executes.
+/// A VMEbus: its masters request it, one of them has it, and it moves words for the processes that the master executes.
 ///
 /// 1. The arbiter decides `arbitration` after the bus was asked for or given up, among all who ask then.
 /// 2. A word that is being moved is moved to its end. After it a master that releases on request gives the bus up if
 ///    another asks for it; one that releases when done does so if a higher level asks for it and the arbitration is PRI
 ///    (BCLR). The rest of its block waits for its next turn.
 /// 3. A master that releases on request keeps the bus until another master asks for it, and needs no arbitration
-/// meanwhile.
-/// 4. The words of a block follow each other without a break; one event covers the block until a request
-///    arrives that the holder must yield to. A request at the end of a word waits for the next word.
+///    meanwhile.
+/// 4. The words of a block follow each other without a break; one event covers the block until a request arrives that
+///    the holder must yield to. A request at the end of a word waits for the next word.
 class VmeBus {
 public:
     /// Throws std::logic_error unless the times of a word, a byte and the time-out are positive and that of the
@@ -121,9 +121,9 @@ private:
     std::uint64_t first_rank_;
     std::vector<VmeMaster*> masters_;
     VmeMaster* holder_ = nullptr;
-    int last_level_ = 0; ///< level of the master that had the bus last
-    Time block_began_{}; ///< the words that are under way
-    Time busy_{};        ///< time of the words before those
+    int last_level_ = 0; ///< level of the last master on the bus
+    Time block_began_{}; ///< when the current words began
+    Time busy_{};        ///< total time of earlier words
     StepEvent<&VmeBus::arbitrate> arbitrate_{*this};
     StepEvent<&VmeBus::end_block> end_block_{*this};
 };
@@ -135,7 +135,7 @@ struct VmePlace {
     Release release = Release::when_done;
 };
 
-/// What a master's program spends on programmed input and output, besides what the bus takes, in cycles of the
+/// Costs of programmed input and output to a master's program, in addition to the bus's time, in cycles of the
 /// executive's clock.
 struct BusProgram {
     Cycles byte_access{};         ///< to a register
@@ -146,7 +146,7 @@ struct BusProgram {
     std::int64_t most_polls = 32; ///< unsuccessful reads of a status register before the program waits for an interrupt
 };
 
-/// A requester: it asks for the bus for the processes of one executive, one after the other.
+/// A requester: it requests the bus for the processes of one executive, one after another.
 class VmeMaster {
 public:
     /// REQUIRES: the bus outlives it. Throws std::logic_error for a level or slot that does not exist (0 to 3, 1 to
@@ -164,7 +164,7 @@ public:
     /// executive, which stands still meanwhile. Throws BusError if no slave responds. REQUIRES: words > 0.
     void move_words(BusSlave&, std::uint64_t words);
     void access_byte(BusSlave&);
-    /// It holds the bus for so long in one cycle that cannot be left, as a device that does not let go.
+    /// Holds the bus for this time in one cycle that cannot be interrupted, like a device that does not release it.
     void hold(Time);
     /// Holds the bus until a time. If the bus is granted later than that, it is given up at once.
     void hold_until(Time);
@@ -172,7 +172,7 @@ public:
     std::uint64_t words_moved() const { return words_moved_; }
     std::uint64_t bytes_accessed() const { return bytes_accessed_; }
     std::uint64_t bus_errors() const { return bus_errors_; }
-    /// How often it was granted the bus, how long it waited for it, and how long at most.
+    /// Return how often the bus was granted, and the total and the longest wait for it.
     std::uint64_t grants() const { return grants_; }
     Time time_waited() const { return waited_; }
     Time longest_wait() const { return longest_wait_; }
@@ -180,12 +180,12 @@ public:
 private:
     friend class VmeBus;
 
-    /// Words that a process waits for.
+    /// A block of words for which a process waits.
     struct Block {
         Process& process;
         std::uint64_t words;
         Time each;
-        Time until{}; ///< of a word that ends then, if that is to come
+        Time until{}; ///< end of the current single word, if its end is still to come
         bool done = false;
     };
     void move(std::uint64_t words, Time each, Time until = {});

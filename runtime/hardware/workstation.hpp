@@ -13,9 +13,9 @@ class Kernel;
 
 namespace placedpar::hardware {
 
-/// The processor of a host computer on a bus. It runs one process at a time, each until it waits; of those that are
-/// ready, ones of high priority go first. What its operating system spends on communication is not measured, so that
-/// channels, PAR, ALT and timers take no time on it: computing does, and programmed input and output over the bus.
+/// The processor of a host computer on a bus. It runs one process at a time until that process waits; ready processes
+/// of high priority run first. The cost of communication in its operating system was not measured. Channels, PAR, ALT
+/// and timers therefore take no time on it; computing does, and programmed input and output over the bus.
 class Workstation final : public Executive {
 public:
     /// A Sun 3/280's 68020 (data sheet).

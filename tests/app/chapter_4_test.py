@@ -1,4 +1,4 @@
-"""The studies beside chapter 4's netlists say what its replays say."""
+"""Tests that the studies beside chapter 4's netlists give the same figures as its replays."""
 
 import csv
 import json
@@ -8,7 +8,7 @@ import unittest
 
 from program import EXAMPLES, placedpar
 
-SECONDS = 0.4  # of the transient of section 4.4, in which it takes 100 generations
+SECONDS = 0.4  # length of the transient of section 4.4, in which it breeds 100 generations
 GENERATIONS = 100
 
 
@@ -23,7 +23,7 @@ class Chapter4(unittest.TestCase):
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
 
     def rows(self, name):
-        """Of a study's table; what was measured is "figure"."""
+        """Returns the rows of a study's table; the measured value is "figure"."""
         study = EXAMPLES / f"{name}.toml"
         self.done("sweep", study)
         self.done("report", study, "--csv", "table.csv")
@@ -33,7 +33,7 @@ class Chapter4(unittest.TestCase):
         return [{**row, "figure": float(row[mean])} for row in rows]
 
     def cells(self, experiment):
-        """What was simulated, by reading, row and column."""
+        """Returns the simulated figures by reading, row and column."""
         self.done("replay", experiment, "--json", "cells.json")
         document = json.loads((self.folder / "cells.json").read_text(encoding="utf-8"))
         return {(part["reading"], cell["row"], cell["column"]): cell["simulated"]

@@ -1,4 +1,4 @@
-"""Colours on a terminal, and only there: the program's output is read through a pseudo-terminal."""
+"""Tests colours on a terminal, and only there, by reading the program's output through a pseudo-terminal."""
 
 import os
 import pty
@@ -15,12 +15,12 @@ COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
 
 def drained(terminal):
-    """All that was written to a terminal whose other end is closed."""
+    """Returns everything written to a terminal after its other end is closed."""
     parts = []
     while True:
         try:
             part = os.read(terminal, 65536)
-        except OSError: # how Linux says that nobody is there any more
+        except OSError: # on Linux: the other end is closed
             part = b""
         if not part:
             return b"".join(parts).decode().replace("\r\n", "\n")
@@ -28,7 +28,7 @@ def drained(terminal):
 
 
 def on_terminal(*arguments, stream, **environment):
-    """What the program writes to the stream, which is a terminal; the other one is none."""
+    """Returns what the program writes to the stream, which is a terminal; the other stream is not."""
     plain = {name: value for name, value in os.environ.items() if name not in ("NO_COLOR", "TERM")}
     terminal, end = pty.openpty()
     streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, stream: end}

@@ -1,4 +1,4 @@
-// Exit codes of what goes wrong, by commands that fail as they are told.
+// Tests exit codes of failures, with a command that fails on demand.
 
 #include "app/command.hpp"
 #include "app/program.hpp"
@@ -31,7 +31,7 @@ Action declare_failing(Options&, const std::string&) {
     };
 }
 
-/// Standard error goes to a file without a name as long as this lives.
+/// Redirects standard error to a temporary file while it exists.
 class Listener {
 public:
     Listener() { ::dup2(::fileno(file_.get()), STDERR_FILENO); }
@@ -94,7 +94,7 @@ TEST_CASE("any other exception is a defect, with an exit code of its own and the
 
 namespace {
 
-/// Of a program of that file name, with a kind of its own.
+/// Returns the outcome of a program with this file name and a kind of process of its own.
 Outcome outcome_of_program(std::string program, std::string command, const std::string& kind) {
     char* arguments[] = {program.data(), command.data()};
     Listener listener;

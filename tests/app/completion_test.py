@@ -1,4 +1,4 @@
-"""What a shell completes: the scripts of placedpar completion in bash, and in zsh where it is there."""
+"""Tests shell completion: the scripts from placedpar completion in bash, and in zsh if it is installed."""
 
 import os
 import pathlib
@@ -18,7 +18,7 @@ PARAMETERS = placedpar("parameters").stdout.splitlines()[0]
 
 
 def bash(*words):
-    """What bash's function for placedpar offers for the last of the words."""
+    """Returns what bash's function for placedpar offers for the last word."""
     script = ('source <(placedpar completion bash); COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); COMPREPLY=(); _placedpar; '
               'printf "%s\\n" "${COMPREPLY[@]}"')
     done = subprocess.run(["bash", "--norc", "-c", script, "bash", "placedpar", *words], env=ENVIRONMENT, text=True,
@@ -32,7 +32,7 @@ def options_in_help(*command):
 
 
 def typed_into(shell, *lines):
-    """What an interactive shell shows when these lines are typed, until it ends."""
+    """Returns what an interactive shell shows when these lines are typed, until it ends."""
     process, terminal = pty.fork()
     if process == 0:
         os.execvpe(shell[0], shell, ENVIRONMENT)
@@ -43,7 +43,7 @@ def typed_into(shell, *lines):
     while time.monotonic() < end and select.select([terminal], [], [], 10)[0]:
         try:
             part = os.read(terminal, 65536)
-        except OSError: # how Linux says that the shell has ended
+        except OSError: # on Linux: the shell has ended
             break
         shown += part
     os.close(terminal)

@@ -1,4 +1,4 @@
-"""placedpar explain: the critical path adds up to the run, and what changes would gain is what changed runs take."""
+"""Tests placedpar explain: the critical path adds up to the run, and predicted gains equal those of changed runs."""
 
 import collections
 import contextlib
@@ -17,7 +17,7 @@ PROGRAM = os.environ["PLACEDPAR"]
 EXAMPLES = os.environ["PLACEDPAR_EXAMPLES"]
 FIGURE_E2 = os.path.join(EXAMPLES, "thesis/figure-e2", "figure-e2.cfs")
 
-# A message of one packet, over a processor that passes it on.
+# A message of one packet passes through an intermediate processor.
 CHAIN = """
 T800 a, b, c;
 connect a.link[0] to b.link[0];
@@ -32,7 +32,7 @@ place sink on c;
 connect source.out to sink.in;
 """
 
-# Two buses, on each of which a master writes into the memory of another; the left one is slower and has more to do.
+# On each of two buses, a master writes into another's memory; the left bus is slower and carries more.
 TWO_BUSES = """
 VME (cycle = 600) left;
 VME right;
@@ -87,7 +87,7 @@ class Explain(unittest.TestCase):
         for netlist in netlists:
             with self.subTest(netlist):
                 if netlist.endswith(("thin.cfs", "tin.cfs", "genetic/own-policy/islands.cfs")):
-                    continue  # they are for programs that have more kinds than this one
+                    continue  # these netlists need a program with more kinds
                 run, document = explained(netlist, "--no-what-if")
                 self.assertIn(run.returncode, (0, 2), run.stderr)
                 moment = 0
@@ -103,7 +103,8 @@ class Explain(unittest.TestCase):
             run, document = explained(str(netlist), "--no-what-if")
         self.assertEqual(run.returncode, 0, run.stderr)
         parts = [(part["step"], part["subject"], part["end_ps"] - part["begin_ps"]) for part in document["critical_path"]]
-        # 200 cycles of routing and an instruction of 19 for each packet; of 8 bytes there, of 4 back; 50 ns a cycle.
+        # Each packet takes 200 cycles of routing and an instruction of 19. Packets have 8 bytes, acknowledges 4. A
+        # cycle is 50 ns.
         handling, instruction, packet, acknowledge = 219 * 50_000, 19 * 50_000, 4_470_000, 2_230_000
         links = ("a.link[0] -> b.link[0]", "b.link[1] -> c.link[0]", "c.link[0] -> b.link[1]", "b.link[0] -> a.link[0]")
         expected = [("computing", f"router receiver {links[3]} on a", instruction),
@@ -115,7 +116,8 @@ class Explain(unittest.TestCase):
         self.assertEqual(parts, expected)
         self.assertEqual(sum(length for _, _, length in parts), document["time_ps"])
         source = next(each for each in document["processes"] if each["process"] == "source")
-        # It is ready when the router has handled the last acknowledge, and runs when that has asked for the next.
+        # The process is ready when the router has handled the last acknowledge, and runs when the router has asked for
+        # the next packet.
         self.assertEqual(source["communicating_ps"], document["time_ps"] - sum(length for *_, length in parts[:2]) - instruction)
 
     def test_who_waits_for_a_fork_waits_for_who_has_it(self):
@@ -123,7 +125,7 @@ class Explain(unittest.TestCase):
         spent = collections.Counter()
         for part in document["critical_path"]:
             spent[part["subject"].split("[")[0]] += part["end_ps"] - part["begin_ps"]
-        self.assertGreater(spent["philosopher"], 0.9 * document["time_ps"])  # eating, or thinking; a fork is soon handed over
+        self.assertGreater(spent["philosopher"], 0.9 * document["time_ps"])  # eating or thinking; handing over a fork takes little time
         account = next(each for each in document["processes"] if each["process"] == "philosopher[0]")
         self.assertLess(account["communicating_ps"], 0.01 * document["time_ps"])
 
@@ -151,7 +153,7 @@ class Explain(unittest.TestCase):
                                                      for name, time in zip(("cycle", "bytecycle", "grant"), to[change])})
                     self.assertEqual(answer["time_ps"], time_of_what_if(netlist, answer), answer)
                     times[what] = answer["time_ps"]
-                self.assertLess(times["bus left"], document["time_ps"])  # who is done last is on it
+                self.assertLess(times["bus left"], document["time_ps"])  # the process that ends last uses this bus
                 self.assertEqual(times["bus right"], document["time_ps"])
                 self.assertLessEqual(times["all buses"], times["bus left"])
         self.assertIn("\n  bus left twice as fast: ", run.stdout)
@@ -174,7 +176,7 @@ class Explain(unittest.TestCase):
             _, document = explained(netlist)
             answers = {what["what"]: what for what in document["what_if"]}
             self.assertEqual({what: answer["set"] for what, answer in answers.items() if what.startswith("conversion")},
-                             {"conversion half": {"conversion": "2"}, "conversion none": {"conversion": "0"}})  # of 4 no tenth less
+                             {"conversion half": {"conversion": "2"}, "conversion none": {"conversion": "0"}})  # 4 cycles less a tenth would still be 4
             none = answers["conversion none"]
             self.assertLess(none["time_ps"], document["time_ps"])
             self.assertEqual(none["time_ps"], time_of_what_if(netlist, none))
@@ -192,7 +194,8 @@ class Explain(unittest.TestCase):
         spent = collections.Counter()
         for part in document["critical_path"]:
             spent[part["step"]] += part["end_ps"] - part["begin_ps"]
-        # Table in the example's page: the bus is busy 85 % of the time, so no path leads past it for more than the rest.
+        # The table in the example's page shows the bus busy 85 % of the time. A path can avoid the bus only for the
+        # remaining 15 %.
         self.assertGreater(spent["moving words"], document["time_ps"] / 2)
         slower = [what for what in document["what_if"] if what.get("time_ps", 0) > document["time_ps"] * 1.001]
         self.assertTrue(slower)
@@ -211,7 +214,7 @@ class Explain(unittest.TestCase):
         self.assertEqual(trace.tracks[0], "all of it")
         via = {track: trace.slices[track] for track in trace.tracks if trace.node_of[track] == "critical path"}
         placed = sorted((s for track, slices in via.items() if track != "all of it" for s in slices), key=lambda s: s.begin)
-        self.assertEqual([(s.begin, s.end, s.name) for s in placed], parts)  # each takes a processor or a link
+        self.assertEqual([(s.begin, s.end, s.name) for s in placed], parts)  # each part occupies a processor or a link
         for track, slices in via.items():
             for each in slices:
                 if each.name.startswith("computing: master[0] "):

@@ -1,4 +1,4 @@
-"""What the program writes, and that it writes it whole or not at all."""
+"""Tests that the program writes a file completely or not at all."""
 
 import json
 import os
@@ -121,7 +121,7 @@ class Files(unittest.TestCase):
         target = self.folder / "there" / "target.json"
         link = self.folder / "link.json"
         link.symlink_to("there/target.json")
-        for _ in range(2):  # the target is not there at first
+        for _ in range(2):  # the target does not exist the first time
             run = placedpar("run", COMMSTIME, "--set", "count=5", "--json", link)
             self.assertEqual(run.returncode, 0, run.stderr)
             self.assertTrue(link.is_symlink())
@@ -165,7 +165,7 @@ class Files(unittest.TestCase):
                           ["parameters"], ["--help"], ["run", "--help"], ["--version"], ["replay", "table-e1"],
                           ["identify", RECORD], ["record", "scenario-a"], ["record", "scenario-a", "--list"],
                           ["monitor", "--port", "0"]):
-            with open("/dev/full", "w", encoding="utf-8") as full:  # written through, never replaced
+            with open("/dev/full", "w", encoding="utf-8") as full:  # written directly, not replaced
                 run = subprocess.run([PROGRAM, *map(str, arguments)], stdout=full, stderr=subprocess.PIPE, text=True,
                                      timeout=60, check=False)
             self.assertEqual(run.returncode, 1, arguments)

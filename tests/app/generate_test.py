@@ -1,4 +1,4 @@
-"""placedpar generate: what it writes is read, checked, drawn and run; what it refuses ends with exit code 1."""
+"""Tests placedpar generate: its netlists are read, checked, drawn and run; refusals end with exit code 1."""
 
 import os
 import re
@@ -13,7 +13,7 @@ ASKED = ("pipeline --size 4", "ring --size 5", "tree --size 7", "mesh --size 2x3
 
 
 def end_of(run):
-    """When a run was over."""
+    """Returns when a run ended."""
     return re.search(r"completed at (.*)", run.stdout).group(1)
 
 
@@ -64,8 +64,8 @@ class Generate(unittest.TestCase):
                 self.assertFalse(os.path.exists(path), words)
 
     def test_the_time_for_a_check_grows_with_the_ways_to_the_host(self):
-        """Four times the islands have four times the ways, each twice as long: they take some seven times as long. Were all
-        processors asked for each way, it would be twelve times."""
+        """With four times the islands there are four times the routes, each twice as long, so the check takes some
+        seven times as long. Asking all processors for each route would take twelve times."""
         with tempfile.TemporaryDirectory() as folder:
             def seconds(path):
                 before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime

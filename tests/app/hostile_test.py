@@ -1,4 +1,4 @@
-"""Names and texts that are no UTF-8 or would move a terminal, and a standard error that nobody takes."""
+"""Tests texts that are not UTF-8 or would control a terminal, and a standard error that is never read."""
 
 import json
 import os
@@ -35,7 +35,7 @@ OURS = re.compile(rb"\x1b\[(1|1;31|1;32|1;33|1;36|32)m(.*?)\x1b\[0m", re.DOTALL)
 
 
 def clean(data):
-    """The text of bytes that no terminal is moved by, and that are UTF-8."""
+    """Returns the text of bytes that must be valid UTF-8 and must not control a terminal."""
     text = data.decode("utf-8")
     odd = [c for c in text if (ord(c) < 32 and c not in "\n\t") or 127 <= ord(c) < 160]
     if odd:
@@ -76,7 +76,7 @@ class Hostile(unittest.TestCase):
                     xml.dom.minidom.parseString(text)
 
     def on_terminal(self, *arguments):
-        """All that the program writes to a terminal, by either stream, and its exit code."""
+        """Returns everything the program writes to a terminal on both streams, and its exit code."""
         terminal, end = pty.openpty()
         parts = []
         environment = {name: value for name, value in os.environ.items() if name != "NO_COLOR"}
@@ -86,7 +86,7 @@ class Hostile(unittest.TestCase):
             try:
                 while part := os.read(terminal, 65536):
                     parts.append(part)
-            except OSError:  # how Linux says that the other end is closed
+            except OSError:  # on Linux: the other end is closed
                 pass
         os.close(terminal)
         return b"".join(parts).replace(b"\r\n", b"\n"), process.returncode
@@ -97,7 +97,7 @@ class Hostile(unittest.TestCase):
             with self.subTest(command=command):
                 shown, code = self.on_terminal(*command)
                 self.assertIn(code, (0, 1, 2, 3), shown)
-                shown = re.sub(rb"\r(\x1b\[\d+A)?\x1b\[[KJ]", b"", shown)  # how a line of progress is removed
+                shown = re.sub(rb"\r(\x1b\[\d+A)?\x1b\[[KJ]", b"", shown)  # the program removes its progress line like this
                 plain = OURS.sub(rb"\2", shown)
                 painted += plain != shown
                 clean(plain)

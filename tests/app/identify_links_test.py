@@ -1,4 +1,4 @@
-"""Several links at once, and single readings far off: no answer without a flag where it is not to be trusted."""
+"""Tests several links at once, and extreme single readings: every untrustworthy answer must have a flag."""
 
 import json
 import pathlib
@@ -25,7 +25,7 @@ class Links(unittest.TestCase):
         return path
 
     def answers(self, record, *arguments):
-        """Of each link: compliance, standard error, flags; and what is printed."""
+        """Returns compliance, standard error and flags of each link, and the printed text."""
         result = self.folder / "result.json"
         run = placedpar("identify", record, *arguments, "--json", result)
         self.assertEqual(run.returncode, 0, run.stderr)
@@ -35,8 +35,8 @@ class Links(unittest.TestCase):
         return [(link, [flag["kind"] for flag in link["flags"]] + alarms) for link in links], run.stdout
 
     def test_an_answer_that_is_off_by_more_than_a_tenth_is_flagged_in_all_but_one_of_a_hundred(self):
-        """Least squares itself is off by 7 % for the bucket in c and e, so that a few answers just beyond a tenth pass:
-        of those of these seeds one, seed 6 without noise in e."""
+        """Least squares is off by 7 % for the bucket in c and e, so a few answers just beyond 10 % go unflagged. With
+        these seeds there is one: seed 6 without noise in e."""
         silent, right, trusted = [], 0, 0
         for configuration, links in CONFIGURATIONS.items():
             for noise, seed in (("none", 1), ("none", 6), ("none", 8), ("low", 2)):

@@ -1,4 +1,4 @@
-"""Identification as the monitor does it, of whole records: movements, verdicts, real logs, pipes."""
+"""Tests identification as the monitor does it, on whole records: movements, verdicts, real logs, pipes."""
 
 import json
 import pathlib
@@ -18,7 +18,7 @@ SECONDS = 60
 
 
 def rows_of(path):
-    """The lines up to the header, and the rows below it as cells."""
+    """Returns the lines up to the header, and the rows below it as cells."""
     lines = path.read_text(encoding="utf-8").splitlines()
     header = next(i for i, line in enumerate(lines) if not line.startswith("#"))
     return lines[:header + 1], [line.split(",") for line in lines[header + 1:]]
@@ -36,7 +36,7 @@ class Movements(unittest.TestCase):
         return path
 
     def log_of(self, *machines, name="log.csv", pause_s=2.0):
-        """One record of many movements: each is a seed and settings of the measured machine."""
+        """Returns one record of many movements, each made with a seed and settings of the measured machine."""
         head, log, begin_s = [], [], 0
         for seed, *settings in machines:
             path = self.folder / "one.csv"
@@ -54,7 +54,7 @@ class Movements(unittest.TestCase):
         self.assertEqual(run.returncode, code, run.stdout + run.stderr)
         return json.loads(path.read_text(encoding="utf-8")), run
 
-    # What is found
+    # Findings
 
     def test_all_movements_of_a_record_and_what_is_said_of_the_machine(self):
         log = self.log_of(*[[seed] for seed in range(2001, 2007)])
@@ -121,7 +121,7 @@ class Movements(unittest.TestCase):
                       lambda row: row if draw.random() < 0.98 else None):
             spoiled = [row for row in map(spoil, rows) if row]
             result = self.result(self.write(head, spoiled))[0]
-            whole = result["movements"][0]["links"][0]["whole_movement"] # rows that are lost end a movement
+            whole = result["movements"][0]["links"][0]["whole_movement"] # lost rows end a movement
             self.assertAlmostEqual(whole["compliance"], TRUTH, delta=0.1 * TRUTH)
 
     def test_rates_that_are_too_slow_or_too_quick_are_refused_with_the_reason(self):
@@ -168,7 +168,7 @@ class Movements(unittest.TestCase):
             self.assertLess(offset["standard_error"], 0.005)
         self.assertAlmostEqual(boom["compliance"], TRUTH, delta=0.15 * TRUTH)
 
-    # Logs as they are
+    # Logs as control systems write them
 
     def test_a_valve_that_reads_shut_while_the_boom_rises_is_told(self):
         head, rows = rows_of(STEP)
@@ -197,11 +197,11 @@ class Movements(unittest.TestCase):
             printed, _ = run.communicate(timeout=10)
             logger.kill()
         self.assertEqual(run.returncode, 130)
-        self.assertIn("C_BOi", printed)  # what was found until then
+        self.assertIn("C_BOi", printed)  # the results up to that point
 
     @staticmethod
     def weigh(path):
-        """The exit code, the greatest memory in kilobytes, and what is printed."""
+        """Returns the exit code, the peak memory in kilobytes, and the printed text."""
         script = (f"import resource, subprocess; r = subprocess.run(['{PROGRAM}', 'identify', '{path}'], "
                   "capture_output=True, text=True); print(r.returncode, "
                   "resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss); print(r.stdout + r.stderr)")
@@ -214,7 +214,8 @@ class Movements(unittest.TestCase):
         shut, opened = rows[5][1:], [row[1:] for row in rows[30:52]]
 
         def movements(count, most=1500):
-            """So many, and rest for as long as there could have been more: the pieces of the file are as long."""
+            """Writes `count` movements, then rest up to the length of `most` movements, so that all files are equally
+            long."""
             cells = [shut] * 6 + [*opened, *[shut] * 6] * count + [shut] * 28 * (most - count)
             return self.write(head, [[f"{0.02 * i:.2f}", *row] for i, row in enumerate(cells)], f"{count}.csv")
 
@@ -241,7 +242,7 @@ class Movements(unittest.TestCase):
         short, long = self.folder / "short.csv", self.folder / "long.csv"
         write(short, 10)
         last = write(long, 60)
-        self.assertGreater(long.stat().st_size, 6 * 2 ** 20)  # several pieces
+        self.assertGreater(long.stat().st_size, 6 * 2 ** 20)  # the reader takes it in several pieces
         few, many = self.weigh(short), self.weigh(long)
         self.assertEqual((few[0], many[0]), (0, 0))
         self.assertEqual(few[2].count("C_BOi"), 10)

@@ -1,4 +1,4 @@
-"""Identification by the thesis's way: right answers, flags, what is refused, the machine-readable result, --on."""
+"""Tests identification as in the thesis: right answers, flags, refusals, the machine-readable result, --on."""
 
 import json
 import pathlib
@@ -36,13 +36,13 @@ class Identification(unittest.TestCase):
         return path
 
     def identify(self, *arguments):
-        """What is printed."""
+        """Returns the printed text."""
         run = by_thesis(*arguments)
         self.assertEqual(run.returncode, 0, run.stderr)
         return run.stdout
 
     def result(self, *arguments):
-        """What --json says."""
+        """Returns the document that --json writes."""
         path = self.folder / "result.json"
         self.identify(*arguments, "--json", path)
         return json.loads(path.read_text(encoding="utf-8"))
@@ -57,7 +57,7 @@ class Identification(unittest.TestCase):
         return run.stderr
 
     def rows(self, edit, source=STEP):
-        """A record whose rows, cells of text, are what `edit` makes of them; none: left out."""
+        """Writes a record with each row of cells changed by `edit`; rows for which it returns nothing are left out."""
         lines = []
         for line in source.read_text(encoding="utf-8").splitlines():
             row = edit(line.split(",")) if line[:1].isdigit() else line.split(",")
@@ -95,7 +95,7 @@ class Identification(unittest.TestCase):
         self.assertAlmostEqual(compliance, TRUTH, delta=0.1 * TRUTH)
         m3_per_pascal = 0.0254 ** 3 / 6894.757293168361
         self.assertAlmostEqual(si / (compliance * m3_per_pascal), 1, delta=2e-3)
-        self.assertAlmostEqual(si_error / (error * m3_per_pascal), 1, delta=0.06)  # of two digits
+        self.assertAlmostEqual(si_error / (error * m3_per_pascal), 1, delta=0.06)  # the printed error has two digits
 
     def test_a_clock_that_jitters_by_a_millisecond_changes_little(self):
         draw = random.Random(1)
@@ -140,12 +140,12 @@ class Identification(unittest.TestCase):
         gap = self.rows(lambda row: None if 0.39 < float(row[0]) < 0.45 else row)
         result = self.result(gap)
         times = [estimate["time_s"] for estimate in result["estimates"]]
-        # From the first slope after the gap, 0.5 s, the window's fifth sample is at 0.58 s.
+        # The first slope after the gap is that of 0.5 s, so the window's fifth sample is that of 0.58 s.
         self.assertEqual([time for time in times if 0.35 < time < 0.579], [])
         self.assertIn(0.58, times)
         self.assertEqual(result["warnings"][0]["message"], "3 samples are missing before this one")
 
-    # The result for machines
+    # Machine-readable results
 
     def test_json_holds_everything_and_the_same_seed_the_same_bytes(self):
         path = self.folder / "result.json"
@@ -183,7 +183,7 @@ class Identification(unittest.TestCase):
         self.assertEqual(record.read_text(encoding="utf-8"), STEP.read_text(encoding="utf-8"))
         self.assertIn("cannot be written", self.refused(STEP, "--json", self.folder / "none" / "result.json"))
 
-    # As processes of a simulated machine
+    # Searches on a simulated machine
 
     def test_the_processes_find_the_same_whatever_the_way(self):
         ways = ((), ("--rising",), ("--coding", "gray", "--elite", 1),
@@ -209,7 +209,7 @@ class Identification(unittest.TestCase):
         self.assertIn("processes search, expected one", self.refused(STEP, "--on", FIGURE_E2))
 
     def test_processes_that_do_not_find_the_same_end_with_3(self):
-        # Another crossover than identify's.
+        # This crossover is not the one that identify uses.
         other = self.file("other.cfs", """
             T800 t; workstation sun; connect sun.link[0] to t.link[0];
             process host, master;
@@ -224,7 +224,7 @@ class Identification(unittest.TestCase):
         gap = self.rows(lambda row: None if 0.39 < float(row[0]) < 0.45 else row)
         self.assertIn("processes know no gaps. --samples", self.refused(gap, "--on", CLUSTER))
 
-    # What is refused
+    # Refusals
 
     def test_wrong_options_say_what_would_be_right(self):
         for arguments, said in (

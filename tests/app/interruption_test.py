@@ -1,4 +1,4 @@
-"""A long run can be stopped, and says what it has."""
+"""Tests that a long run can be stopped and still reports its results."""
 
 import contextlib
 import json
@@ -18,7 +18,7 @@ LONG = ["run", str(EXAMPLES / "csp/commstime" / "commstime.cfs"), "--set", "coun
 
 
 def wait_until_it_listens(process, number, seconds=20):
-    """Until the program has a handler for the signal (Linux says so)."""
+    """Waits until the program has a handler for the signal, as Linux reports it."""
     for _ in range(seconds * 200):
         status = pathlib.Path(f"/proc/{process.pid}/status").read_text(encoding="ascii")
         caught = next(line.split()[1] for line in status.splitlines() if line.startswith("SigCgt"))
@@ -29,17 +29,17 @@ def wait_until_it_listens(process, number, seconds=20):
 
 
 def written_in(folder, process):
-    """How many bytes are in the files that the program has open there, whether they have a name or not."""
+    """Returns the total bytes of the program's open files in that folder, named or not."""
     sizes = [0]
     for each in pathlib.Path(f"/proc/{process.pid}/fd").iterdir():
-        with contextlib.suppress(FileNotFoundError): # it may be closed meanwhile
+        with contextlib.suppress(FileNotFoundError): # the file may be closed meanwhile
             if os.readlink(each).startswith(str(folder)):
                 sizes.append(each.stat().st_size)
     return max(sizes)
 
 
 def long_examples(folder):
-    """The examples with so many generations that an experiment takes its time."""
+    """Copies the examples with so many generations that an experiment takes long."""
     examples = pathlib.Path(folder) / "examples"
     shutil.copytree(EXAMPLES, examples)
     for name in ("thesis/table-e1/cluster.cfs", "thesis/figure-e2/software.inc"):
@@ -62,7 +62,7 @@ class Interruption(unittest.TestCase):
             self.assertIn("fingerprint: ", output)
 
     def test_a_signal_ends_a_replay_with_nothing_printed_or_written(self):
-        # At once: before the first run has begun; later: in the middle of one.
+        # Delay 0 interrupts before the first run has begun, other delays in the middle of a run.
         for experiment, number, seconds in (("table-e1", signal.SIGINT, 0), ("table-e1", signal.SIGTERM, 0.3),
                                             ("table-e2", signal.SIGTERM, 0), ("table-e2", signal.SIGINT, 0.3)):
             with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as copy:
@@ -115,12 +115,12 @@ class Interruption(unittest.TestCase):
             page.write_text("of an earlier run", encoding="utf-8")
             run = subprocess.run([PROGRAM, "run", str(FIGURE_E2), "--page", str(page)], capture_output=True, check=False,
                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192)))
-            self.assertEqual(run.returncode, -signal.SIGXFSZ) # which kills in the middle of what is written
+            self.assertEqual(run.returncode, -signal.SIGXFSZ) # the signal kills the program in the middle of a write
             self.assertEqual(os.listdir(folder), ["run.html"])
             self.assertEqual(page.read_text(encoding="utf-8"), "of an earlier run")
 
     def signal_while_it_traces(self, path, number):
-        """What it then ends with."""
+        """Returns the exit code."""
         before = path.read_bytes() if path.exists() else None
         with subprocess.Popen([PROGRAM, *LONG, "--trace", str(path)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                               text=True) as run:

@@ -1,4 +1,4 @@
-"""placedpar kinds: one, a group, all; for people and for machines."""
+"""Tests placedpar kinds: one kind, a group, all; for people and for machines."""
 
 import json
 import pathlib
@@ -22,7 +22,7 @@ def refusal(*arguments):
 
 
 def number(value):
-    """As the text form has it."""
+    """Formats the JSON entry like the text."""
     return f"{value:g}" if isinstance(value, float) and abs(value) < 1e5 else str(int(value))
 
 
@@ -253,7 +253,7 @@ class OtherNames(unittest.TestCase):
 
     def test_what_is_near_to_nothing_is_told_where_to_look(self):
         self.assertIn("placedpar run --help lists the options", refusal("run", "x.cfs", "--quux"))
-        self.assertIn("say placedpar --help", refusal("fly"))
+        self.assertIn("placedpar --help lists the commands", refusal("fly"))
         self.assertIn("there are:\n  table-2-6", refusal("replay", "everything"))
         self.assertEqual(refusal("check", "a.cfs", "b.cfs"), 'placedpar: placedpar check takes no further argument: "b.cfs"\n')
 

@@ -1,4 +1,4 @@
-"""Studies that hold their figures against known ones: what is printed, and the exit code."""
+"""Tests studies that compare their figures with known ones: the printed text and the exit code."""
 
 import pathlib
 import tempfile

@@ -1,4 +1,4 @@
-// The curve that a terminal shows.
+// Tests the curve that a terminal shows during a run.
 
 #include "app/live_curve.hpp"
 

@@ -1,4 +1,4 @@
-"""The log of the generations: a file in long form, a part of the report, bands over seeds."""
+"""Tests the log of generations: a file with one value a row, a part of the report, bands over seeds."""
 
 import csv
 import io
@@ -19,14 +19,14 @@ COLUMNS = ["seed", "generation", "time_ms", "process", "from", "quantity", "valu
 
 
 def rows_of(text):
-    """The rows of a log."""
+    """Returns the rows of a log."""
     reader = csv.DictReader(io.StringIO(text))
     assert reader.fieldnames == COLUMNS
     return list(reader)
 
 
 def values(rows, process, quantity):
-    """Of a process, over the generations."""
+    """Returns a quantity of a process, over the generations."""
     return [float(row["value"]) for row in rows if (row["process"], row["quantity"]) == (process, quantity)]
 
 
@@ -137,7 +137,7 @@ class Log(unittest.TestCase):
         self.assertTrue(5 < generations < 80)
         self.assertLessEqual(max(float(row["time_ms"]) for row in rows), 300)
         path = self.folder / "interrupted.csv"
-        for moment in range(12): # some within a run, some between two
+        for moment in range(12): # some within a run, some between two runs
             with subprocess.Popen([PROGRAM, "run", CLUSTER, "--seeds", "100000", "--yes", "--log", path],
                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
                 time.sleep(0.5 + 0.007 * moment)

@@ -1,4 +1,4 @@
-"""Networks of many forms, for what draws them."""
+"""Makes networks of many forms, for tests that draw them."""
 
 import random
 
@@ -85,7 +85,7 @@ MADE_UP = {
 
 
 def random_network(seed):
-    """Transputers whose links are wired at random; single ones and arrays."""
+    """Makes transputers with randomly wired links; single ones and arrays."""
     stream = random.Random(seed)
     names = [f"s{i}" for i in range(stream.randrange(1, 7))] + [f"t[{i}]" for i in range(stream.randrange(2, 12))]
     ends = [f"{name}.link[{link}]" for name in names for link in range(3)]

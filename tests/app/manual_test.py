@@ -1,4 +1,4 @@
-"""The manual page: what the help says, and nothing that troff or man complain of."""
+"""Tests that the manual page contains the help, and that troff and man accept it."""
 
 import re
 import subprocess
@@ -7,7 +7,7 @@ import unittest
 
 from program import placedpar
 
-OVERSTRUCK = re.compile(".\x08") # bold and underlined, on a teletype
+OVERSTRUCK = re.compile(".\x08") # bold and underlined text, as on a teletype
 
 
 def formatted(*command, page):

@@ -1,4 +1,4 @@
-"""More runs than can be meant are begun only after a question: of every command that takes a number of seeds."""
+"""Tests that each command with a number of seeds asks before it starts an implausible number of runs."""
 
 import tempfile
 import unittest

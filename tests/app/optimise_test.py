@@ -1,4 +1,4 @@
-"""placedpar optimise: the best machine of a study, whatever happens meanwhile, and what it refuses."""
+"""Tests placedpar optimise: it finds the best machine of a study despite interruptions, and refuses wrong studies."""
 
 import contextlib
 import csv
@@ -18,7 +18,7 @@ from program import EXAMPLES, PROGRAM, placedpar
 
 MACHINE = EXAMPLES / "explore/best-machine" / "machine.cfs"
 
-# Links of one transputer to another are wired beyond the four that there are: a constraint that the netlist states.
+# Some settings need more than the four links of a transputer: the netlist itself states this constraint.
 NETLIST = """
 val wires 1;
 val cycles 90000;
@@ -57,7 +57,7 @@ masters = "1..6"
 links = "1..2"
 split = ["individuals", "demand", "evaluations"]
 """
-# Only two of the eight come to an end.
+# Only two of the eight machines complete.
 MOSTLY_DEADLOCKED = """
 val a 0;
 T800 t;
@@ -70,7 +70,7 @@ place source on t;
 place sink on t;
 connect source.out to sink.in;
 """
-# Its runs take long enough to be interrupted.
+# A run takes long enough to be interrupted.
 LONG = """
 val a 1;
 T800 t;
@@ -209,11 +209,11 @@ class Found(Optimise):
 
 
 class TimeToAccuracy(unittest.TestCase):
-    TRUTH = 0.0086 # in^3/psi, of the record of "boom"
+    TRUTH = 0.0086 # in^3/psi, the boom's compliance in the record
 
     @staticmethod
     def host(samples, accuracy, *settings):
-        """What the host measured over so many samples: a longer run begins as a shorter one does."""
+        """Returns what the host measured over this many samples. A longer run begins with the same events."""
         said = placedpar("run", MACHINE, "--set", f"samples={samples}", "--set", f"accuracy={accuracy}", *settings)
         measured = re.findall(r"^host +(\S+) +(\S+)", said.stdout, re.MULTILINE)
         return {**dict(measured), "whole": said.stdout.split("completed at ")[1].split()[0]}
@@ -228,7 +228,7 @@ class TimeToAccuracy(unittest.TestCase):
                 after = float(host["accurate_after"])
                 self.assertGreaterEqual(after, since)
                 self.assertLessEqual(after, float(host["whole"]))
-            else: # it cannot have been accurate for good before the last estimates of this sample
+            else: # permanently accurate only after this sample's last estimates
                 since = float(self.host(samples, 1)["whole"]) - 45 # a sample takes 44.6 ms at most
         self.assertGreater(since, 0)
 

@@ -1,4 +1,4 @@
-"""The rows of a report stand in the order in which the netlist declares what they tell of."""
+"""Tests that a report's rows are in the order of the netlist's declarations."""
 
 import json
 import pathlib
@@ -8,7 +8,7 @@ import unittest
 
 from program import placedpar
 
-# Neither by name nor by when they end is this their order: z[0] ends last.
+# This order is neither alphabetical nor that of completion: z[0] ends last.
 NETLIST = """
 val n 12;
 T800 z, b, a;
@@ -30,14 +30,14 @@ CHANNELS = [*(f"k[{i}].out -> y[{i}].in" for i in reversed(range(12))), "m.out -
 
 
 def in_order(found, declared):
-    """Each of what was found once, as declared."""
+    """Returns each found name once, in the order of declaration."""
     once = list(dict.fromkeys(found))
     return once == [name for name in declared if name in once]
 
 
 class Order(unittest.TestCase):
     def reports(self, more, code):
-        """The text's tables by their first words, and the report for machines."""
+        """Returns the text's tables by their first words, and the JSON report."""
         with tempfile.TemporaryDirectory() as folder:
             netlist, result = pathlib.Path(folder, "order.cfs"), pathlib.Path(folder, "order.json")
             netlist.write_text(NETLIST.replace("MORE", str(more)), encoding="utf-8")

@@ -1,4 +1,5 @@
-"""The program of examples/genetic/own-policy: policies of its own in every command, and all commands but those of the thesis and the monitor."""
+"""Tests the program of examples/genetic/own-policy: its policies work in every command, and it has all commands but
+replay and monitor."""
 
 import pathlib
 import re

@@ -1,4 +1,4 @@
-"""The program of examples/csp/own-process: a kind of its own, and the whole command line for netlists."""
+"""Tests the program of examples/csp/own-process: a new kind of process, and all commands for netlists."""
 
 import json
 import pathlib

@@ -1,5 +1,5 @@
-"""What libraries would say of a mistake is said in our own words: options and keys that are given twice, files in which
-there is nothing, runs that are made already."""
+"""Tests that the program words errors itself instead of passing on a library's text: repeated options and keys, empty
+files, runs made before."""
 
 import os
 import pathlib
@@ -21,7 +21,7 @@ def commands():
 
 
 def options_with_one_value(command):
-    """Name and a value that it takes."""
+    """A name and a value that it accepts."""
     text = placedpar(command, "--help").stdout
     found = re.findall(r"^  (?:-\w,)?(--[\w-]+) ([A-Z][A-Z_:|{}a-z.,-]*)(?:=(\S+))?((?: [A-Z.]\S*)*)", text, re.MULTILINE)
     return [(name, default or VALUES.get(takes, "1")) for name, takes, default, rest in found if "..." not in rest]

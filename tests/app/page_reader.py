@@ -36,7 +36,7 @@ class Numbers:
 
 
 class Page:
-    """All slices, by number of track, and messages that a page has, in the order of time."""
+    """A page's slices, by number of track, and its messages, in the order of time."""
 
     def __init__(self, text):
         self.data = data_of(text)
@@ -69,6 +69,6 @@ class Page:
         assert min(all_of_it)[0] >= begin and max(last for _, last in all_of_it) == end
 
     def slices_of(self, name):
-        """Those of the track of a process."""
+        """Returns the slices of a process's track."""
         return self.slices[next(number for number, track in enumerate(self.run["tracks"])
                                 if track["name"] == name and track["kind"] == "process")]

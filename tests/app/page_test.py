@@ -1,4 +1,4 @@
-"""The page of a run: that it has all of the run, needs nothing else, and works in a browser."""
+"""Tests the page of a run: it shows the whole run, loads nothing from elsewhere, and works in a browser."""
 
 import html
 import html.parser
@@ -20,7 +20,8 @@ COMMSTIME = EXAMPLES / "csp/commstime" / "commstime.cfs"
 PHILOSOPHERS = EXAMPLES / "csp/philosophers" / "philosophers.cfs"
 ISLANDS = EXAMPLES / "machine/through-routing" / "islands.cfs"
 
-# What is in sight after loading and after each change of the width; the zoom has to agree, or its next step leads elsewhere.
+# The visible part after loading and after each change of the width. The zoom must agree with it, or its next step goes
+# wrong.
 WIDTHS = """
 const see = () => ({ moments: view.scale.domain(), zoomed: d3.zoomTransform(canvas).rescaleX(view.full).domain(),
                      width: view.width, room: scroller.clientWidth });
@@ -43,7 +44,7 @@ LONG = ("--set", "count=20000")  # 640,000 slices and messages in 190.8 ms
 MIDDLE = (95 * 10**9, 95 * 10**9 + 10**8)
 MOMENT = MIDDLE[0] + 5 * 10**7
 
-# Looks at the middle, and says what is drawn of it, and for whom a process waits then, when all of it is there.
+# Looks at the middle of the run. When all of it is loaded, reports the drawn shapes and the process's state there.
 LOOK = f"""
 const drawn = {{ slices: [], messages: [], shares: 0 }};
 window.drawSlice = (track, slice) => {{ drawn.slices.push([track.number, slice.begin, slice.end, slice.doing, slice.note]); }};
@@ -66,7 +67,7 @@ const asked = setInterval(() => {{
 
 
 class Loads(html.parser.HTMLParser):
-    """What a page would load from elsewhere."""
+    """Collects what a page would load from elsewhere."""
 
     def __init__(self, text):
         super().__init__()
@@ -78,7 +79,7 @@ class Loads(html.parser.HTMLParser):
 
 
 def without_the_middle(page):
-    """The page as it is when there was no room for the stretches of the middle."""
+    """Returns the page as it would be without room for the stretches of the middle."""
     data, stretches = data_of(page), re.findall(r'<script class="stretch".*?</script>\n', page)
     run = data["timeline"]
     periods = list(zip(*[iter(run["stretches"])] * 3))
@@ -111,7 +112,7 @@ class Pages(unittest.TestCase):
         return run, path.read_text(encoding="utf-8")
 
     def browse(self, address="", then=""):
-        """The page as the browser has it after its program has run, and `then` after it."""
+        """Returns the page from the browser after its program, and then `then`, has run."""
         path = self.folder / "browsed.html"
         page = (self.folder / "run.html").read_text(encoding="utf-8")
         path.write_text(page.replace("</body>", f"<script>{then}</script></body>"), encoding="utf-8")
@@ -154,7 +155,7 @@ class Pages(unittest.TestCase):
         self.assertLess(begin, data["timeline"]["end"])
 
     def part(self, *options):
-        """The page of the middle of the long run, which is short enough to have all of it at once."""
+        """Returns the page of only the middle of the long run, which is short enough to be loaded at once."""
         return self.page(COMMSTIME, *LONG, "--trace-from", f"{MIDDLE[0]}ps", "--trace-until", f"{MIDDLE[1]}ps", *options)[1]
 
     def test_a_long_run_has_every_slice_and_message(self):
@@ -241,7 +242,7 @@ class Pages(unittest.TestCase):
         self.assertTrue([text for text in said if re.search(r"\d %, the last wait since", text)])
 
     def said_of(self, address, expression):
-        """What an expression is in the page, looked at as the address says."""
+        """Returns the value of an expression in the page, opened with the view in the address."""
         page = self.browse(address, f"document.documentElement.dataset.seen = JSON.stringify({expression});")
         return json.loads(html.unescape(re.search(r'data-seen="([^"]*)"', page).group(1)))
 
@@ -283,7 +284,8 @@ class Pages(unittest.TestCase):
         self.assertEqual(len(data_of(page)["searches"]), 16)
         count = "['.band', '.curve', '.chosen-curve[d]', '#curves a', '#jumps a'].map(each => document.querySelectorAll(each).length)"
         self.assertEqual(self.said_of("process=island[3]", count), [6, 3, 3, 0, 2])
-        # Of three searches the second has ended after the first generation, the third reports every second one.
+        # Of the three searches, the second ends after the first generation, and the third reports every second
+        # generation.
         made = "(data.searches = [[[1, 0, 1, 1, 1], [2, 0, 7, 7, 1], [3, 0, 9, 9, 1]], [[1, 0, 5, 5, 1]], [[1, 0, 2, 2, 1], [3, 0, 4, 4, 1]]]" \
                ".map(generations => ({ generations })), quantileCurves.clear(), [0, 0.5, 1].map(part => quantileCurve(part).map(row => row[2])))"
         self.assertEqual(self.said_of("", made), [[1, 2, 4], [2, 5, 5], [5, 7, 9]])
@@ -303,7 +305,7 @@ class Pages(unittest.TestCase):
 
     @unittest.skipUnless(CHROMIUM, "no browser")
     def test_the_page_of_a_small_window_and_in_the_dark(self):
-        """No part is wider than 420 pixels, and all texts stand out from what is behind them."""
+        """Checks that nothing is wider than 420 pixels, and that all texts contrast with their background."""
         self.page(FIGURE_E2)
         inner = (self.folder / "run.html").read_text(encoding="utf-8").replace("</body>", """<script>
             const light = colour => { const [r, g, b] = colour.match(/[\\d.]+/g).map(Number); return (0.2126 * r + 0.7152 * g + 0.0722 * b) / 255; };
@@ -328,14 +330,14 @@ class Pages(unittest.TestCase):
 
     @unittest.skipUnless(CHROMIUM, "no browser")
     def test_no_text_is_cut_off(self):
-        """The last boxes of these drawings end near the right edge, and their shares stand beyond them."""
+        """In these drawings the last boxes end near the right edge, with their percentages to the right."""
         for netlist in (FIGURE_E2, COMMSTIME, ISLANDS, EXAMPLES / "explore/pipeline" / "pipeline.cfs", EXAMPLES / "csp/farm" / "farm.cfs"):
             self.page(netlist)
             for view, text in (("machine", "number of a link"), ("software", "of the sender's port")):
                 check_nothing_is_cut(self, self.chromium, f"{(self.folder / 'run.html').as_uri()}#view={view}", text)
 
     def test_the_time_for_a_page_grows_with_the_machine(self):
-        """Four times the islands take four to six times as long; were each to look at all others, it would be 16 times."""
+        """Four times the islands take four to six times as long; a comparison of all pairs would take 16 times."""
         def seconds(size):
             netlist = self.folder / f"torus-{size}.cfs"
             netlist.write_text(placedpar("generate", "torus", "--size", f"{size}x{size}", "--host", "node").stdout, encoding="utf-8")
@@ -388,13 +390,14 @@ class Pages(unittest.TestCase):
                         self.assertAlmostEqual(moment, begin + part * length, delta=(last - first) * length / 1000)
 
     def look(self):
-        """What LOOK says, and what stands about the chosen process and about the run."""
+        """Returns the report of LOOK, and the texts about the chosen process and the run."""
         page = self.browse("", LOOK)
         return (json.loads(html.unescape(re.search(r'data-seen="([^"]*)"', page).group(1))),
                 *(re.search(rf'id="{part}">(.*?)</{kind}>', page, re.S).group(1) for part, kind in (("chosen", "aside"), ("outcome", "p"))))
 
     def check_the_middle(self, look):
-        """`look` opens the page in a browser, and returns what LOOK says and what stands about the chosen process."""
+        """Opens the page in a browser; returns the report of LOOK, and the texts about the chosen process and the
+        run."""
         seen = []
         for page in (self.page(COMMSTIME, *LONG)[1], self.part()):
             (self.folder / "run.html").write_text(page, encoding="utf-8")

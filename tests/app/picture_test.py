@@ -1,4 +1,4 @@
-"""What placedpar show --format svg draws, read back as XML and measured."""
+"""Tests the drawing of placedpar show --format svg, read as XML and measured."""
 
 import itertools
 import json
@@ -45,7 +45,7 @@ class Box:
 
 
 def box_of(element):
-    """Of a rectangle or an ellipse."""
+    """Returns the box of a rectangle or an ellipse."""
     number = lambda name: float(element.get(name))  # noqa: E731
     if element.tag == SVG + "ellipse":
         return Box(number("cx") - number("rx"), number("cy") - number("ry"), number("cx") + number("rx"),
@@ -66,7 +66,7 @@ def text_box(element, dx=0.0, dy=0.0):
 
 
 def points_of(data):
-    """Points on a path, a few pixels apart; curves by their corners."""
+    """Returns points on a path a few pixels apart; for a curve, its corners."""
     corners = [tuple(map(float, pair)) for pair in re.findall(r"[MLQ ](-?[\d.]+) (-?[\d.]+)", data)]
     for (x, y), (to_x, to_y) in itertools.pairwise(corners) if hasattr(itertools, "pairwise") else zip(corners, corners[1:]):
         steps = int(max(abs(to_x - x), abs(to_y - y)) / 4) + 1
@@ -94,7 +94,7 @@ class Drawing:
         return box_of(next(each for each in group if each.tag in (SVG + "rect", SVG + "ellipse")))
 
     def texts_inside(self):
-        """(box, texts) of each node."""
+        """Returns (box, texts) of each node."""
         groups = [each for each in self.root.findall(f"{SVG}g") if each.get("class") == "texts"]
         for (_, _, box), group in zip(self.nodes, groups):
             yield box, [text_box(each) for each in group.iter(f"{SVG}text")]
@@ -113,6 +113,10 @@ FARM = EXAMPLES / "genetic/farms" / "farm.cfs"
 
 def xml(text):
     return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+
+
+# Examples with kinds or problems that only their own programs have, and machines whose links lead to a bus or a switch.
+OTHERS = {"own-process", "own-problem", "own-policy", "busy-bus", "figure-d1", "faults-of-a-machine", "crossbar-at-run-time"}
 
 
 class Pictures(unittest.TestCase):
@@ -140,7 +144,7 @@ class Pictures(unittest.TestCase):
         return drawing
 
     def check_parts(self, drawing, network):
-        """Each node, wire and process is there once; every channel over a wire is counted."""
+        """Checks that each node, wire and process is drawn once, and that all channels over a wire are counted."""
         self.assertEqual([node[0] for node in drawing.nodes], [node["name"] for node in network["nodes"]])
         end = lambda each: each["node"] + (f".link[{each['link']}]" if "link" in each else "")  # noqa: E731
         self.assertEqual([wire for wire, _ in drawing.wires],
@@ -164,7 +168,7 @@ class Pictures(unittest.TestCase):
             self.assertTrue(sheet.holds(each), f"{each} is not on the sheet")
 
     def check_wires(self, drawing):
-        """A wire leads from its ends to each other and through no other box but switches."""
+        """Checks that each wire connects its two ends and crosses no box but switches."""
         switches = {name for name, kind, _ in drawing.nodes if kind == "c004"}
         for wire, data in drawing.wires:
             ends = {end.split(".link")[0] for end in wire.split(" - ")}
@@ -179,7 +183,7 @@ class Pictures(unittest.TestCase):
 
     def test_the_examples(self):
         for path in sorted(EXAMPLES.glob("*/*/*.cfs")):
-            if not path.parent.name.startswith("4"): # whose kind or problem only its own program has
+            if path.parent.name not in OTHERS:
                 with self.subTest(path=path.name):
                     self.check(path)
 
@@ -196,7 +200,8 @@ class Pictures(unittest.TestCase):
                 self.check(self.path)
 
     def test_wires_of_large_machines_lead_through_no_box(self):
-        """Every point of every wire against every box, of all topologies, where they are drawn as large ones and below."""
+        """Checks every point of every wire against every box, for all topologies, on both sides of the size at which a
+        machine counts as large."""
         for arguments in LARGE:
             with self.subTest(arguments=arguments):
                 done = placedpar("generate", *arguments.split())
@@ -232,7 +237,7 @@ class Pictures(unittest.TestCase):
                 self.assertTrue(Box(box.left - 1, box.top - 1, box.right + 1, box.bottom + 1).contains(x, y), wire)
 
     def test_the_time_for_a_drawing_grows_with_the_machine(self):
-        """Four times the machine takes at most about four times as long, which the square of it would exceed by far."""
+        """Four times the machine takes at most about four times as long; quadratic time would be far more."""
         def seconds(size):
             self.path.write_text(f"val n {size};\n" + TORUS, encoding="utf-8")
             least = math.inf
@@ -379,7 +384,7 @@ class Pictures(unittest.TestCase):
         self.assertNotIn("carries channels", switched)
 
     def test_no_kind_of_device_is_drawn_in_a_style_of_texts(self):
-        """Its name is a class of its own, whatever words it is made of."""
+        """Each kind has a CSS class of its own, whatever its name."""
         text = self.shown(EXAMPLES / "machine/figure-d1" / "figure-d1.cfs", "svg")
         groups = [each.get("class").split() for each in ElementTree.fromstring(text).findall(f"{SVG}g")]
         kinds = [words[1:] for words in groups if words[0] in ("node", "legend")]

@@ -1,4 +1,4 @@
-"""The plots of the experiments: whole, well-formed, complete, the same each time."""
+"""Tests the plots of the experiments: well-formed, complete, and identical each time."""
 
 import os
 import pathlib
@@ -8,7 +8,7 @@ import xml.etree.ElementTree
 
 from program import placedpar
 
-# What the legends and titles must say.
+# Required texts of legends and titles.
 PLOTS = {
     "table-2-6": {"table-2-6": ["2030 psi", "1830 psi", "1630 psi", "thesis, 2030 psi", "thesis, 1830 psi",
                                 "thesis, 1630 psi", "40 in³/s", "50 in³/s", "60 in³/s", "+20 %", "+50 %"]},
@@ -24,7 +24,7 @@ PLOTS = {
 
 
 def texts(svg):
-    """The texts that a well-formed SVG shows."""
+    """Returns the texts of a well-formed SVG."""
     root = xml.etree.ElementTree.fromstring(svg)
     return {" ".join("".join(element.itertext()).split())
             for element in root.iter("{http://www.w3.org/2000/svg}text")}
@@ -42,7 +42,7 @@ class Plots(unittest.TestCase):
             run = placedpar("replay", experiment, "--plots", first)
             self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
             placedpar("replay", experiment, "--plots", second)
-            curves = [] if experiment == "hypercube" else [f"{name}.csv" for name in plots]  # which draws, and plots nothing
+            curves = [] if experiment == "hypercube" else [f"{name}.csv" for name in plots]  # this experiment draws a network and plots nothing
             self.assertEqual(sorted(os.listdir(first)), sorted([*curves, *(f"{name}.svg" for name in plots)]))
             for name in curves:
                 self.assertTrue((first / name).read_text(encoding="utf-8").startswith("panel,curve,x axis,x,y axis,y\n"))

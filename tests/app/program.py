@@ -1,4 +1,4 @@
-"""Runs the program under test, which the environment's PLACEDPAR names."""
+"""Runs the program under test, named by the environment variable PLACEDPAR."""
 
 import os
 import pathlib
@@ -11,13 +11,13 @@ FIGURE_E2 = EXAMPLES / "thesis/figure-e2" / "figure-e2.cfs"
 
 
 def placedpar(*arguments, environment=None, folder=None):
-    """The finished process: returncode, stdout, stderr."""
+    """Returns the finished process: returncode, stdout, stderr."""
     return subprocess.run([PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                           env={**os.environ, **(environment or {})}, timeout=120, check=False, cwd=folder)
 
 
 def fingerprint(output):
-    """The fingerprint that a run printed."""
+    """Returns the fingerprint that a run printed."""
     for line in output.splitlines():
         if line.startswith("fingerprint: "):
             return line.split()[1]

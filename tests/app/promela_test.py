@@ -1,4 +1,4 @@
-"""placedpar show --format promela: what Spin finds of the model is what runs do."""
+"""Tests placedpar show --format promela: Spin's verdict on the model agrees with runs."""
 
 import pathlib
 import random
@@ -14,7 +14,7 @@ PHILOSOPHERS = EXAMPLES / "csp/philosophers" / "philosophers.cfs"
 
 
 def can_get_stuck(netlist, *settings):
-    """Whether Spin finds an end in which a process still waits."""
+    """Whether Spin finds an end state in which a process still waits."""
     with tempfile.TemporaryDirectory() as folder:
         model = placedpar("show", netlist, "--format", "promela", *settings)
         assert model.returncode == 0, model.stderr
@@ -33,12 +33,13 @@ def runs_that_get_stuck(netlist, *settings):
 
 
 def random_network(seed):
-    """Producers, buffers and consumers in a line or a ring, that pass one or two packets, not all the same number."""
+    """Makes producers, buffers and consumers in a line or a ring. Each passes one or two packets, not all the same
+    number."""
     chance = random.Random(seed)
     middle = [chance.choice(("csp.identity", "csp.prefix", "csp.successor")) for _ in range(chance.randint(1, 4))]
     ring = chance.random() < 0.5
     kinds = middle if ring else ["csp.producer", *middle, "csp.consumer"]
-    lines = ["workstation w;"]  # where nothing takes time, so that order is a matter of chance
+    lines = ["workstation w;"]  # nothing takes time on a workstation, so any order of events is possible
     for number, kind in enumerate(kinds):
         lines += [f"process p{number}; use \"{kind}\" for p{number}; place p{number} on w;",
                   f"p{number} (count = {chance.randint(1, 2)});"]
@@ -50,7 +51,8 @@ def random_network(seed):
 @unittest.skipUnless(shutil.which("spin") and shutil.which("cc"), "Spin is not installed")
 class Models(unittest.TestCase):
     def check_agreement(self, netlist, *settings):
-        """Spin looks at every course: where it finds no stuck end no run may get stuck; else one of many does."""
+        """Spin explores every order of events. If it finds no deadlock, no run may deadlock; otherwise one of many runs
+        must."""
         stuck = can_get_stuck(netlist, *settings)
         runs = runs_that_get_stuck(netlist, *settings)
         self.assertEqual(runs > 0, stuck, f"{runs} of {SHUFFLES} runs get stuck")

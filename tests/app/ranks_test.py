@@ -1,4 +1,4 @@
-"""mpirun placedpar sweep: the same results with any number of ranks, whichever of them dies."""
+"""Tests mpirun placedpar sweep: the results do not depend on the number of ranks, even if one dies."""
 
 import os
 import pathlib
@@ -14,20 +14,20 @@ from sweep_test import InFolder, rows
 
 MPIRUN = shutil.which("mpirun")
 MODULE = pathlib.Path(PROGRAM).with_name("placedpar_mpi.so")
-# As root and on fewer cores than ranks, as in CI; isolated: no other machine is asked for.
+# For CI: run as root, with more ranks than cores, and on this machine only.
 ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_plm": "isolated"}
 STUDY = ["sweep", str(FIGURE_E2), "slaves=0..3", "master.trials=3", "--measure", "master.T_exe"]
 
 
 def ranks_of(mpirun):
-    """{rank: process id} of those that it has started."""
+    """Returns {rank: process id} of the ranks that mpirun has started."""
     found = {}
     for folder in pathlib.Path("/proc").glob("[0-9]*"):
         try:
             parent = int((folder / "stat").read_text(encoding="utf-8").rsplit(")", 1)[1].split()[1])
             environment = (folder / "environ").read_bytes().split(b"\0") if parent == mpirun.pid else []
         except OSError:
-            continue  # it has ended meanwhile
+            continue  # the process has ended meanwhile
         found.update({int(each.split(b"=")[1]): int(folder.name) for each in environment
                       if each.startswith(b"OMPI_COMM_WORLD_RANK=")})
     return found
@@ -49,7 +49,7 @@ class Ranks(InFolder):
         try:
             return len(rows(self.folder / name))
         except sqlite3.OperationalError:
-            return 0  # there is no table yet
+            return 0  # the table does not exist yet
 
     def test_any_number_of_ranks_makes_the_same(self):
         self.study(f"""
@@ -105,7 +105,7 @@ class Ranks(InFolder):
             os.kill(ranks_of(mpirun)[1], signal.SIGTERM)
             errors = self.finish(mpirun, code=130)
         self.assertIn("the same command goes on from them", errors)
-        self.assertTrue(100 < self.kept("left") < 120, self.kept("left")) # the others went on
+        self.assertTrue(100 < self.kept("left") < 120, self.kept("left")) # the other ranks continued
         self.finish(self.start(2, *STUDY, "--seeds", 30, "--results", "left"))
         self.assertEqual(len(rows(self.folder / "left")), 120)
 

@@ -1,4 +1,4 @@
-"""Files of the real tool: from DOS, along an include path, with kinds in the place of their programs."""
+"""Tests files as the original tool used them: from DOS, on an include path, with kinds in place of their programs."""
 
 import json
 import pathlib

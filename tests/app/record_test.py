@@ -1,4 +1,4 @@
-"""Records: what the program writes, that it can be made again, and what it says of records that are wrong."""
+"""Tests records: their content, that they are reproducible, and messages about wrong options."""
 
 import json
 import pathlib
@@ -13,14 +13,14 @@ SCENARIOS = ("scenario-a", "scenario-b", "two-links", "links", "excavator")
 
 
 def record(*arguments):
-    """The record that the program prints."""
+    """Returns the record that the program prints."""
     run = placedpar("record", *arguments)
     assert run.returncode == 0, run.stderr
     return run.stdout
 
 
 def columns(text):
-    """The values of a record by column name."""
+    """Returns the values of a record by column name."""
     lines = [line for line in text.splitlines() if not line.startswith("#")]
     rows = [[float(cell) for cell in line.split(",")] for line in lines[1:]]
     return {name.split(" [")[0]: [row[i] for row in rows] for i, name in enumerate(lines[0].split(","))}
@@ -33,7 +33,7 @@ class Records(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def refused(self, *arguments):
-        """What the program says of wrong use."""
+        """Returns the message about wrong use."""
         run = placedpar(*arguments)
         self.assertEqual(run.returncode, 1, run.stderr)
         self.assertEqual(run.stdout, "")
@@ -133,7 +133,7 @@ class Records(unittest.TestCase):
             self.assertTrue(all(line.split(",")[3].strip('"') in ("thesis", "fitted", "ours") for line in lines[1:]))
             path = self.folder / "machine.csv"
             path.write_text(listed, encoding="utf-8")
-            if scenario != "scenario-b":  # whose machine takes the place of any other
+            if scenario != "scenario-b":  # its machine replaces any other
                 self.assertEqual(record(scenario, "--machine", path), record(scenario, "--set", "boom.mass=1234"))
 
     def test_wrong_use_says_what_would_be_right(self):

@@ -1,4 +1,4 @@
-"""The experiments of the thesis: figures, tolerances, the record for machines."""
+"""Tests the experiments of the thesis: figures, tolerances, the JSON record."""
 
 import contextlib
 import json
@@ -25,11 +25,11 @@ def replay(experiment, folder, *arguments, environment=None):
 
 
 def runs_in(kept):
-    """What a study has kept so far."""
+    """Returns the runs that a study has stored so far."""
     try:
         with contextlib.closing(sqlite3.connect(kept)) as file:
             return file.execute("SELECT settings, seed, figures FROM runs ORDER BY settings, seed").fetchall()
-    except sqlite3.OperationalError:  # there are no tables yet
+    except sqlite3.OperationalError:  # no tables yet
         return []
 
 
@@ -146,7 +146,7 @@ class Replay(unittest.TestCase):
     def test_kept_runs_of_islands_are_read_as_they_were_made(self):
         kept = pathlib.Path(self.folder) / "kept"
         _, alone = replay("pga-4", self.folder, "--seeds", 2)
-        for _ in range(2):  # made and kept, then read
+        for _ in range(2):  # runs are made and stored, then read
             _, document = replay("pga-4", self.folder, "--seeds", 2, "--resume", kept)
             self.assertEqual(document["cells"], alone["cells"])
             self.assertEqual(len(runs_in(kept)), 2 * 8)
@@ -191,7 +191,7 @@ class Replay(unittest.TestCase):
             self.assertEqual(len(cells), columns)
             for cell in cells:
                 self.assertEqual((cell["thesis"], cell["unit"], cell["tolerance_percent"]), (0.0086, "in^3/psi", 10))
-        # A seed whose four islands end 10.3 % too low: the table's times are good, the identification is not.
+        # With this seed all four islands end 10.3 % too low: the table's times are right, the identification is not.
         run, document = replay("table-e2", self.folder, "--seed", 2)
         self.assertEqual(run.returncode, 3, run.stdout)
         missed = [(c["row"], c["column"]) for c in document["cells"]
@@ -206,7 +206,7 @@ class Replay(unittest.TestCase):
         self.assertAlmostEqual(chain, 1.89, delta=0.06)
         self.assertAlmostEqual(cell("what the thesis computed: 628 bytes over a link"), 0.4, delta=0.05)
         self.assertLess(star, 0.8 * chain)
-        self.assertGreater(star, 2 * 0.4)  # a link each does not make it .4 ms
+        self.assertGreater(star, 2 * 0.4)  # even a link for each slave is far from .4 ms
         sweep = next(each for each in document["other_readings"] if each["reading"].startswith("C_time2"))
         times = {(c["row"], c["column"]): c["simulated"] for c in sweep["cells"]}
         for slaves in (4, 5, 6, 8, 10, 12, 15):
@@ -283,10 +283,10 @@ class Replay(unittest.TestCase):
 
 
 class Identification(unittest.TestCase):
-    """How often the compliance comes within 10 % of the truth; the pages of the examples say it of 150 seeds."""
+    """Tests how often the compliance is within 10 % of the truth; the examples' pages state it for 150 seeds."""
 
     def errors(self, netlist, process, seeds, *settings):
-        """In percent, by seed."""
+        """Returns the error in percent, by seed."""
         errors = {}
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "run.json"

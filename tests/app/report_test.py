@@ -1,4 +1,4 @@
-"""What the report of a run says, and does not say."""
+"""Tests which facts the report of a run states, and which it omits."""
 
 import json
 import pathlib

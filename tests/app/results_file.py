@@ -1,4 +1,4 @@
-"""Files of results that another program changed and gave checksums again."""
+"""Makes files of results that another program has changed and given valid checksums."""
 
 import contextlib
 import sqlite3
@@ -6,7 +6,7 @@ import sqlite3
 
 @contextlib.contextmanager
 def opened(path):
-    """A database, closed in the end."""
+    """Opens a database, and closes it at the end."""
     with contextlib.closing(sqlite3.connect(path)) as database:
         database.text_factory = lambda text: text.decode("utf-8", "surrogateescape")  # names of files are bytes
         with database:
@@ -14,7 +14,8 @@ def opened(path):
 
 
 def checksum(*texts):
-    """Of text/checksum.hpp: CRC-64 of ECMA-182, each text behind its length; signed, as SQLite has it."""
+    """Returns the checksum of text/checksum.hpp: CRC-64 of ECMA-182, each text after its length; signed, as in
+    SQLite."""
     crc = 2 ** 64 - 1
     for text in map(lambda each: each.encode("utf-8", "surrogateescape"), texts):
         for byte in len(text).to_bytes(8, "little") + text:
@@ -26,7 +27,7 @@ def checksum(*texts):
 
 
 def renew_checksums(database):
-    """As if PlacedPar had written what is there."""
+    """Renews all checksums, as if PlacedPar had written the content."""
     total = count = 0
     texts = "".join(f"{checksum(path, text) % 2 ** 64:016x}"
                     for path, text in database.execute("SELECT path, text FROM texts ORDER BY place"))

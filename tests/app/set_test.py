@@ -1,4 +1,4 @@
-"""--set as its users meet it: what it reaches, what the report and the manifest say, and what is refused."""
+"""Tests --set: the elements it reaches, the report, the manifest, and refusals."""
 
 import json
 import pathlib
@@ -18,7 +18,7 @@ class Set(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def changed(self, netlist, old, new):
-        """The netlist with one text in the place of another."""
+        """Returns the netlist with one text replaced."""
         text = netlist.read_text(encoding="utf-8").replace("../", str(netlist.parent.parent) + "/")
         self.assertIn(old, text)
         path = self.folder / "changed.cfs"
@@ -26,7 +26,7 @@ class Set(unittest.TestCase):
         return path
 
     def check(self, *settings, netlist=CLUSTER):
-        """The network's hash."""
+        """Returns the network's hash."""
         run = placedpar("check", netlist, *(word for each in settings for word in ("--set", each)))
         self.assertEqual(run.returncode, 0, run.stderr)
         return run.stdout.split("hash ")[1]
@@ -44,7 +44,7 @@ class Set(unittest.TestCase):
                                   ("split=demand", 'val split "individuals"', 'val split "demand"'),
                                   ("master.split=demand", "split = split", 'split = "demand"')):
             given = self.changed(CLUSTER, old, new)
-            if setting == "linkspeed=10M":  # of the workstation, too
+            if setting == "linkspeed=10M":  # the workstation has this attribute too
                 given.write_text(given.read_text(encoding="utf-8").replace("workstation sun", "workstation (linkspeed = 10M) sun"),
                                  encoding="utf-8")
             self.assertEqual(self.check(setting), self.check(netlist=given), setting)
@@ -138,7 +138,7 @@ class Set(unittest.TestCase):
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertIn("set: linkspeed = 10M", run.stdout)
         fixed = self.changed(CLUSTER, "population = population", "population = 60")
-        run = placedpar("identify", RECORD, "--way", "thesis", "--on", fixed)  # as ever, the netlist's own value is not set aside unasked
+        run = placedpar("identify", RECORD, "--way", "thesis", "--on", fixed)  # without a question, the netlist's own value is kept
         self.assertEqual(run.returncode, 1)
         self.assertIn("identify searches with 120", run.stderr)
         run = placedpar("identify", RECORD, "--way", "thesis", "--on", fixed, "--set", "master.population=120")

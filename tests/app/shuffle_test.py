@@ -1,4 +1,4 @@
-"""placedpar run --shuffle: another course of the same network, which the same number gives again."""
+"""Tests placedpar run --shuffle: another order of the same network's events, reproducible by its number."""
 
 import json
 import pathlib
@@ -7,7 +7,7 @@ import unittest
 
 from program import CLUSTER, FIGURE_E2, fingerprint, placedpar
 
-# On a workstation nothing takes time: which of two pairs communicates first is a matter of order alone.
+# Nothing takes time on a workstation, so only the order decides which pair communicates first.
 PAIRS = """workstation w; process p; process q; process c; process d;
 use "csp.producer" for p; use "csp.producer" for q; use "csp.consumer" for c; use "csp.consumer" for d;
 p (count = 5); q (count = 5); c (count = 5); d (count = 5);

@@ -1,4 +1,4 @@
-"""Standard input and output as files, and readers that go before the end."""
+"""Tests standard input and output as files, and readers that close early."""
 
 import json
 import os
@@ -65,7 +65,7 @@ class Streams(unittest.TestCase):
         run = self.fed('#include "machine.inc"\n', "check", "-", folder=self.folder)
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertIn("<standard input>: 1 processor, 0 connections, ", run.stdout)
-        (self.folder / "-").write_text("T800 u;\n", encoding="utf-8")  # a file that is called so
+        (self.folder / "-").write_text("T800 u;\n", encoding="utf-8")  # a file named "-"
         run = self.fed('#include "machine.inc"\n', "check", "./-", folder=self.folder)
         self.assertIn("./-: 1 processor, ", run.stdout)
 
@@ -137,7 +137,7 @@ class Streams(unittest.TestCase):
 
 
 class ReadersThatGo(unittest.TestCase):
-    """As `head` does: before anything is printed, so that nothing depends on who is faster."""
+    """Readers close the pipe, as `head` does, but before anything is printed, so that speed does not matter."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -145,7 +145,7 @@ class ReadersThatGo(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def unread(self, *arguments):
-        """Exit code, and what it says on standard error."""
+        """Returns the exit code and standard error."""
         reader, writer = os.pipe()
         os.close(reader)
         run = subprocess.run([PROGRAM, *map(str, arguments)], stdout=writer, stderr=subprocess.PIPE, text=True, timeout=60,

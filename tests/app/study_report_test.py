@@ -1,4 +1,4 @@
-"""placedpar report: what is known of a study, as a table, a plot and a page."""
+"""Tests placedpar report: a study as a table, a plot and a page."""
 
 import json
 import unittest
@@ -19,7 +19,7 @@ class Report(InFolder):
         self.assertIn("all with master.trials = 10", lines)
         header, *table = [line.split(",") for line in (self.folder / "table.csv").read_text().splitlines()]
         self.assertEqual(header[:4], ["slaves", "runs", "ended", "max(master.best_fitness) mean"])
-        self.assertEqual([row[0] for row in table], ["0", "2", "10"]) # as numbers
+        self.assertEqual([row[0] for row in table], ["0", "2", "10"]) # in numerical order
         for row in table:
             values = self.best()[row[0]]
             mean = sum(values) / 3
@@ -44,7 +44,7 @@ class Report(InFolder):
         header, *table = [line.split(",") for line in (self.folder / "table.csv").read_text().splitlines()]
         self.assertEqual(header[3], "relative max(master.best_fitness) mean")
         best = self.best()
-        for row in table:  # each divided by that of the same seed
+        for row in table:  # each divided by the value of the same seed
             ratios = [one / other for one, other in zip(best[row[0]], best["2"])]
             self.assertAlmostEqual(float(row[3]), sum(ratios) / 3, 12)
             self.assertEqual([float(row[5]), float(row[6])], [min(ratios), max(ratios)])

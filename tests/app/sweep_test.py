@@ -1,4 +1,4 @@
-"""placedpar sweep: what a study's runs come to, kept whatever happens, the same however they were made."""
+"""Tests placedpar sweep: results of a study's runs survive interruptions and do not depend on how they are made."""
 
 import contextlib
 import fcntl
@@ -25,20 +25,20 @@ LONG = ["sweep", str(FIGURE_E2), "slaves=0..3", "--seeds", "12", "--measure", "m
 
 
 def rows(path):
-    """All that is kept."""
+    """Returns all stored rows."""
     with opened(path) as database:
         return list(database.execute("SELECT * FROM runs ORDER BY settings, seed"))
 
 
 def figures(path, name):
-    """{settings: figure} of the first seed."""
+    """Returns {settings: figure} of the first seed."""
     with opened(path) as database:
         return {settings: json.loads(text)[name][0] for settings, text in
                 database.execute("SELECT settings, figures FROM runs WHERE seed = 1")}
 
 
 def figures_of(path):
-    """The names of all."""
+    """Returns all names."""
     with opened(path) as database:
         return sorted({name for text, in database.execute("SELECT figures FROM runs") for name in json.loads(text)})
 
@@ -77,7 +77,7 @@ class Sweep(InFolder):
         with opened(self.folder / "figure-e2.sqlite") as database:
             texts = dict(database.execute("SELECT path, text FROM texts"))
         self.assertEqual(texts[str(FIGURE_E2)], FIGURE_E2.read_text(encoding="utf-8"))
-        self.assertEqual(len(texts), 4) # with what it includes
+        self.assertEqual(len(texts), 4) # the netlist and its included files
 
     def test_it_makes_the_same_on_any_number_of_workers_and_after_any_number_of_deaths(self):
         dumps = []
@@ -93,7 +93,7 @@ class Sweep(InFolder):
             try:
                 killed.append(len(rows(self.folder / "killed.sqlite")))
             except sqlite3.OperationalError:
-                killed.append(0) # before there was a table
+                killed.append(0) # killed before there was a table
         self.assertEqual(killed, sorted(killed))
         self.assertTrue(any(0 < count < 48 for count in killed), killed)
         self.sweep(*LONG[1:], "--results", "killed.sqlite")
@@ -162,7 +162,7 @@ class Sweep(InFolder):
         self.sweep(COMMSTIME, "count=10,20,1000000000", "--until", "1ms")
         report = placedpar("report", "commstime.cfs", "--relative-to", "count=10", folder=self.folder).stdout.splitlines()
         self.assertEqual([line.split()[2] for line in report[5:8]][::2], ["1", "-"])
-        self.assertIn("ended so: 1 run", report[2])
+        self.assertIn("ended in the same way: 1 run", report[2])
 
     def test_a_deadlock_a_refusal_and_a_stop_are_results(self):
         self.assertRegex(self.sweep(COMMSTIME, "count=10,1000000000,-1", "--until", "1ms"),
@@ -225,10 +225,10 @@ class BadInput(InFolder):
         self.assertEqual(len(rows(self.folder / "study.sqlite")), 4)
         reported = placedpar("report", "study.toml", "--relative-to", "linkspeed=5000k", "--relative-to", "slaves=1.0", folder=self.folder)
         self.assertIn("relative to linkspeed = 5M, slaves = 1\n", reported.stdout, reported.stderr)
-        self.study(head + '[set]\nlinkspeed = [5000000, "20M"]\nslaves = "1..3"\n')  # and its runs are there in part
+        self.study(head + '[set]\nlinkspeed = [5000000, "20M"]\nslaves = "1..3"\n')  # some of its runs exist already
         self.assertEqual([line.split() for line in self.report("study.toml").splitlines()[3:]],
                          [["5000000", "1", "1", "8"], ["5000000", "3", "1", "16"], ["20M", "1", "1", "8"], ["20M", "3", "1", "16"]])
-        self.sweep("study.toml")  # those that are spelled otherwise are not counted twice
+        self.sweep("study.toml")  # runs with another spelling of the settings are not counted twice
         self.assertEqual(self.report("study.toml").splitlines()[0], f"{FIGURE_E2}: 6 runs of 6 combinations")
 
     def test_nothing_is_relative_to_what_no_run_has(self):
@@ -244,7 +244,7 @@ class BadInput(InFolder):
             self.assertEqual((done.returncode, done.stdout), (1, ""))
             self.assertIn(said, done.stderr)
         placed = placedpar("report", "figure-e2.cfs", "--relative-to", "master.trials=5", folder=self.folder)
-        self.assertEqual(placed.returncode, 0, placed.stderr)  # what all have
+        self.assertEqual(placed.returncode, 0, placed.stderr)  # the elements that all combinations have
 
     def test_a_file_that_is_wrong_is_shown_where(self):
         for text, message in (
@@ -283,7 +283,8 @@ class BadInput(InFolder):
         self.assertRegex(self.sweep(*many, code=1), r"1,000,000,000 runs of about \S+ s, \d+ \w+ on \d+ cores?; --yes begins")
 
     def test_nothing_large_is_run_before_the_question(self):
-        # The last combination has 4,000 transputers; every hundredth, and more than a thousand at first, are refused.
+        # The last combination has 4,000 transputers. One combination in a hundred is refused, as are more than a
+        # thousand at the start.
         many = FIGURE_E2, "slaves=0..999", "population=1..1000", "master.trials=1..1000"
         self.assertIn("1,000,000,000 runs of about", self.sweep(*many, code=1))
 
@@ -334,7 +335,7 @@ class BadInput(InFolder):
             resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, 100_000))
 
         done = subprocess.run([PROGRAM, *LONG], cwd=self.folder, capture_output=True, text=True, check=False,
-                              preexec_fn=little_room, restore_signals=False) # SIGXFSZ stays ignored: an error is told
+                              preexec_fn=little_room, restore_signals=False) # SIGXFSZ stays ignored, so the error is reported
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("the runs that it has are kept, and the same command goes on from them", done.stderr)
         kept = rows(self.folder / "figure-e2.sqlite")
@@ -352,7 +353,7 @@ class BadInput(InFolder):
 
 
 class Question(InFolder):
-    """Whether to begin with a billion runs, asked on the terminal that the program is controlled by."""
+    """Tests the question before a billion runs, asked on the program's controlling terminal."""
 
     def setUp(self):
         super().setUp()
@@ -368,11 +369,11 @@ class Question(InFolder):
             self.told += os.read(self.terminal, 4096)
 
     def end(self, code):
-        """What is told after the question. What is kept is whole: the two runs that say how long one takes, since
-        others with other seeds may take less than the first."""
+        """Returns the output after the question. The stored runs are complete: two were made to estimate the time of a
+        run, since other seeds may be quicker than the first."""
         said = len(self.told)
         self.assertEqual(self.process.communicate(timeout=20)[0], b"")
-        with contextlib.suppress(OSError): # how Linux says that nobody is there any more
+        with contextlib.suppress(OSError): # on Linux: the other end is closed
             while part := os.read(self.terminal, 4096):
                 self.told += part
         self.assertEqual(self.process.returncode, code, self.told)
@@ -400,7 +401,7 @@ class Question(InFolder):
         self.assertEqual(self.end(code=0), b"\r\n")
 
     def test_ctrl_c_is_an_interruption(self):
-        os.write(self.terminal, b"y\x03") # the beginning of an answer is none
+        os.write(self.terminal, b"y\x03") # an unfinished answer does not count
         self.ends_interrupted()
 
     def test_sigint_is_an_interruption(self):

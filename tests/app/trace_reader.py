@@ -23,7 +23,7 @@ def picoseconds(microseconds):
 
 
 class JsonTrace:
-    """What a trace says: its tracks by name in the order in which they are drawn, slices by track, arrows, the end."""
+    """A trace's content: its tracks by name in drawing order, slices by track, arrows, the end."""
 
     REQUIRED = {"X": {"name", "cat", "ts", "dur"}, "B": {"name", "cat", "ts"}, "s": {"name", "cat", "id", "ts"},
                 "f": {"name", "cat", "id", "ts", "bp"}, "i": {"name", "cat", "ts", "s"}, "M": {"name", "args"}}
@@ -76,7 +76,7 @@ class JsonTrace:
             Slice(begin, end, event["name"], event["cat"], event.get("args", {}), event["ph"] == "B"))
 
     def check_track(self, name, slices):
-        """They come in order, do not overlap, and last."""
+        """Checks that the slices are in order, do not overlap, and have a length."""
         for each in slices:
             assert each.begin < each.end or each.open, (name, each)
             assert each.end <= self.end, (name, each)
@@ -108,14 +108,14 @@ class JsonTrace:
         return [each for each in self.slices[track] if each.category == category]
 
     def processes(self):
-        """Their tracks, without those of components."""
+        """Returns the tracks of processes, without those of components."""
         return [t for t in self.tracks if "/" not in t and not t.startswith("processor ") and " -> " not in t]
 
     def components(self, process):
         return [t for t in self.tracks if t == process or t.startswith(process + "/")]
 
     def waiting(self, process):
-        """How long neither the process nor a component of its PARs computed, or waited for its processor only."""
+        """Returns how long neither the process nor a component of its PARs computed or was ready."""
         lives = [s for t in self.components(process) for s in self.slices[t]]
         if not lives:
             return 0
@@ -124,7 +124,7 @@ class JsonTrace:
 
 
 def measure(intervals):
-    """How much time is in any of them."""
+    """Returns the total time covered by the intervals."""
     covered, until = 0, None
     for begin, end in sorted(intervals):
         if until is None or begin > until:
@@ -137,7 +137,7 @@ def measure(intervals):
 
 
 class VcdTrace:
-    """The wires of a value change dump, by path: (time, value) at each change."""
+    """Returns the wires of a value change dump, by path: (time, value) at each change."""
 
     IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_$]*\Z")
     CODE = re.compile(r"[!-~]+\Z")
@@ -217,6 +217,6 @@ class VcdTrace:
         self.end = time
 
     def on(self, path):
-        """When a wire is 1."""
+        """Returns the intervals in which a wire is 1."""
         wire = self.wires[path] + [(self.end, 0)]
         return [(a[0], b[0]) for a, b in zip(wire, wire[1:]) if a[1] == 1]

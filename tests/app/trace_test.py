@@ -1,4 +1,4 @@
-"""What a trace shows of a run: that it is all there, in its place, and agrees with the report."""
+"""Tests that a trace shows the whole run, each part in its place, and agrees with the report."""
 
 import json
 import os
@@ -30,7 +30,7 @@ class Traces(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def run_traced(self, netlist, *options, ending="json", exit_code=0):
-        """The finished process, its report for machines and the path of its trace."""
+        """Returns the finished process, its JSON report and the path of its trace."""
         trace, report = self.folder / f"trace.{ending}", self.folder / "report.json"
         run = placedpar("run", netlist, "--trace", trace, "--json", report, *options)
         self.assertEqual(run.returncode, exit_code, run.stderr)
@@ -53,7 +53,7 @@ class Traces(unittest.TestCase):
         self.assertEqual(trace.components("slave[0][0]"),
                          ["slave[0][0]" + c for c in ("", "/0", "/0/0", "/0/1", "/1")])
         exchanges = [s for s in trace.slices["master[0]"] if s.name == "waits for its components"]
-        self.assertGreater(len(exchanges), 20)  # so often the two tracks were used again
+        self.assertGreater(len(exchanges), 20)  # the two tracks were reused this often
 
     def test_tracks_come_in_the_order_of_the_netlist(self):
         netlist = self.netlist("""T800 z; T800 a; connect z.link[0] to a.link[3]; process q; process p; process c;
@@ -71,7 +71,7 @@ class Traces(unittest.TestCase):
         self.assertEqual(trace.node_of["host"], "sun workstation")
         self.assertEqual(trace.node_of["host/3"], "sun workstation")
         self.assertEqual(trace.node_of["slave[2][1]/0"], "t[2][2] T800")
-        self.assertNotIn("processor sun", trace.tracks)  # processes there take no time
+        self.assertNotIn("processor sun", trace.tracks)  # processes on a workstation take no time
 
     def test_slices_add_up_to_the_report(self):
         for netlist in (COMMSTIME, CLUSTER, FIGURE_E2, self.netlist(SHARED_LINK)):
@@ -85,7 +85,7 @@ class Traces(unittest.TestCase):
                 self.assertEqual(sum(s.arguments["bytes"] for s in carried), link["bytes"])
                 byte = 550_000  # picoseconds: eleven bits at 20 Mbit/s
                 self.assertAlmostEqual(sum(s.arguments["bytes"] for s in carried) * byte / trace.end, link["occupied"], 12)
-                for each in carried:  # its bytes fit, and follow each other closely
+                for each in carried:  # each slice has time for its bytes, with only small gaps between them
                     self.assertGreaterEqual(each.end - each.begin, each.arguments["bytes"] * byte)
                     self.assertLess(each.end - each.begin, each.arguments["bytes"] * 2 * byte)
             for process in report["processes"]:
@@ -102,7 +102,7 @@ class Traces(unittest.TestCase):
         for name, intervals in executed.items():
             computed = [(s.begin, s.end) for s in trace.of_category(name, "compute")]
             self.assertEqual(measure(intervals + computed), measure(intervals), name)
-            # The rest is what it takes to interrupt another, while the process still waits.
+            # The rest is the time to interrupt another process, during which this one still waits.
             waited = [(s.begin, s.end) for s in trace.of_category(name, "wait")]
             self.assertEqual(measure(intervals + computed + waited), measure(computed + waited), name)
             self.assertLess(measure(intervals) - measure(computed), 0.1 * measure(intervals), name)
@@ -128,9 +128,9 @@ class Traces(unittest.TestCase):
         self.assertGreater(len(alternations), 50)
         either = [s for s in alternations[10:] if s.name == "alternates: input from slave[0]/0/1 or master/1"]
         self.assertGreater(len(either), 30)
-        # The master's own evaluator is the first to be done in a generation.
+        # The master's own evaluator finishes first in each generation.
         self.assertLessEqual({s.name for s in alternations[10:]} - {either[0].name},
-                             {"alternates: input from slave[0]/0/1",  # and at first, of the other end:
+                             {"alternates: input from slave[0]/0/1",  # at first, the next name, from the other end:
                               "alternates: input from slave[0]/0/1 or share of master done"})
         for each in either:
             self.assertEqual(each.category, "wait")
@@ -296,7 +296,7 @@ class Traces(unittest.TestCase):
         self.assertEqual((trace.begin, trace.end), (100_000_000, 200_000_000))
         self.assertIn("machine.t_0_T800.busy", trace.wires)
         self.assertIn("machine.t_0_T800.a_0.computes", trace.wires)
-        self.assertIn("machine.t_0_T800.a_0_2.computes", trace.wires)  # a[0] and a_0 are both
+        self.assertIn("machine.t_0_T800.a_0_2.computes", trace.wires)  # the tracks of a[0] and a_0 get different names
         self.assertTrue(trace.on("machine.t_0_T800.busy"))
 
     def test_processes_of_the_machine_are_drawn(self):

@@ -1,4 +1,4 @@
-"""A run that is stopped: the report is of what was done until then, and that is the same as without a stop."""
+"""Tests a run that is stopped at a time: its report is that of a full run up to then."""
 
 import json
 import pathlib
@@ -20,7 +20,7 @@ class Until(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def run_with_files(self, netlist, *options):
-        """The finished process, its report for machines, its trace."""
+        """Returns the finished process, its JSON report, its trace."""
         report, trace = self.folder / "report.json", self.folder / "trace.json"
         run = placedpar("run", netlist, "--json", report, "--trace", trace, *options)
         self.assertEqual(run.returncode, 0, run.stderr)

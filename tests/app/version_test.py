@@ -1,4 +1,4 @@
-"""What placedpar --version says, and how the build finds the commit."""
+"""Tests the output of placedpar --version, and how the build finds the commit."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""A run that is watched: on a pseudo-terminal, and where there is none."""
+"""Tests watching a run: on a pseudo-terminal, and without one."""
 
 import fcntl
 import os
@@ -17,7 +17,7 @@ UP = re.compile(r"\r\x1b\[(\d+)A\x1b\[J")
 
 
 class Terminal:
-    """Standard error of a program that is watched."""
+    """A terminal that shows the standard error of a watched program."""
 
     def __init__(self, columns, *arguments, kind="xterm"):
         self.terminal, end = pty.openpty()
@@ -29,15 +29,15 @@ class Terminal:
         self.text = b""
 
     def modes(self):
-        """What the terminal is told to do, such as echo."""
+        """Returns the terminal's modes, such as echo."""
         return termios.tcgetattr(self.terminal)
 
     def read(self, until=lambda text: False):
-        """Until the program has ended, or the text is so."""
+        """Reads until the program has ended, or until(text) is true."""
         while not until(self.text.decode(errors="ignore")):
             try:
                 part = os.read(self.terminal, 65536)
-            except OSError: # how Linux says that nobody is there any more
+            except OSError: # on Linux: the other end is closed
                 part = b""
             if not part:
                 break
@@ -45,7 +45,7 @@ class Terminal:
         return self.text.decode().replace("\r\n", "\n")
 
     def end(self):
-        """All that was written, and the report."""
+        """Returns all output, and the report."""
         text = self.read()
         report = self.process.stdout.read().decode()
         self.process.stdout.close()
@@ -54,7 +54,7 @@ class Terminal:
 
 
 def screen_after(text):
-    """The lines that a terminal shows, which knows no more than the program uses."""
+    """Returns the lines on a terminal that understands only the control sequences that the program uses."""
     lines = [""]
     for part in re.split(r"(\r\x1b\[\d+A\x1b\[J|\n)", text):
         if up := UP.fullmatch(part):
@@ -84,7 +84,7 @@ class Watched(unittest.TestCase):
         begin = time.monotonic()
         text, _ = Terminal(80, CLUSTER, "--seeds", "5").end()
         seconds = time.monotonic() - begin
-        drawn = len(UP.findall(text)) + 5 # the first of each seed replaces nothing
+        drawn = len(UP.findall(text)) + 5 # the first drawing of each seed replaces nothing
         self.assertLessEqual(drawn, 10 * seconds + 3 * 5)
         self.assertEqual(len([line for line in screen_after(text) if "generation 80:" in line]), 5)
 
@@ -98,7 +98,7 @@ class Watched(unittest.TestCase):
         self.assertEqual(terminal.process.wait(timeout=60), 130)
         self.assertEqual(terminal.modes(), terminal.before)
         self.assertTrue(text.endswith("\n"))
-        self.assertNotIn("\x1b", UP.sub("", text)) # it only goes up and clears: nothing stays switched on
+        self.assertNotIn("\x1b", UP.sub("", text)) # the program only moves up and clears, so nothing stays switched on
         self.assertIn("interrupted", report)
 
     def test_where_there_is_no_terminal_it_says_lines(self):

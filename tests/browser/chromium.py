@@ -11,7 +11,7 @@ import tempfile
 
 CHROMIUM = shutil.which("chromium")
 
-# So much time passes for a page's programs once it is loaded, at once.
+# A page's programs get this much virtual time after loading, and it passes at once.
 VIRTUAL_MS = 3000
 SECONDS = 100  # for an answer
 
@@ -21,7 +21,7 @@ class Chromium:
         self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         commands, self.commands = os.pipe()
         self.answers, answers = os.pipe()
-        # Not sh: that of Debian redirects file descriptors of one digit only.
+        # The shell is not sh: Debian's redirects only file descriptors of one digit.
         self.process = subprocess.Popen(
             ["bash", "-c", f'exec "$@" 3<&{commands} 4>&{answers}', "bash", CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu",
              f"--user-data-dir={self.profile.name}", "--remote-debugging-pipe"],
@@ -49,7 +49,7 @@ class Chromium:
         return json.loads(text)
 
     def command(self, method, session=None, **parameters):
-        """The result; what happened until then is in `events`."""
+        """Returns the command's result. Events that arrive before it are appended to `events`."""
         self.count += 1
         sent = {"id": self.count, "method": method, "params": parameters, **({"sessionId": session} if session else {})}
         os.write(self.commands, json.dumps(sent).encode() + b"\0")
@@ -60,7 +60,7 @@ class Chromium:
         return found["result"]
 
     def wait_for(self, method, session, said):
-        """What the page said on the console meanwhile is added to `said`."""
+        """Waits for the event. What the page writes on the console meanwhile is added to `said`."""
         while True:
             event = self.events.popleft() if self.events else self.message()
             if event.get("sessionId") != session:
@@ -71,11 +71,12 @@ class Chromium:
                 return
 
     def visit(self, address, dark=False):
-        """The page after its programs have run, as HTML, and what they said on the console."""
+        """Returns the page as HTML after its programs have run, and what they wrote on the console."""
         return self.value_in(address, "document.documentElement.outerHTML", dark)
 
     def value_in(self, address, expression, dark=False, width=1300):
-        """What an expression of JavaScript is in a page after its programs have run, and what they said on the console."""
+        """Returns the value of a JavaScript expression in a page after its programs have run, and their console
+        output."""
         target = self.command("Target.createTarget", url="about:blank")["targetId"]
         try:
             return self.value_in_target(target, address, expression, dark, width)

@@ -2,8 +2,9 @@
 
 WIDTHS = 1400, 420  # in pixels: a screen, a telephone
 
-# A text is cut off where it reaches beyond a box that hides what overflows (a drawing does), or left or right beyond the window.
-# What scrolls is reached, and stands for its texts; a line that ends in an ellipsis says itself that it is not whole.
+# A text is cut off if it reaches beyond a box that hides overflow (as a drawing does), or beyond the window's left or
+# right edge. A scrolling box can show all of its texts, so only the box itself is checked. A line with an ellipsis is
+# accepted: it shows that text is missing.
 CUT_TEXTS = r"""
 (() => {
   const cut = [], texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
@@ -36,7 +37,7 @@ CUT_TEXTS = r"""
 
 
 def check_nothing_is_cut(test, chromium, address, text):
-    """Fails where a text of the page is cut off at either width; `text` must be among those that are seen."""
+    """Fails if a text of the page is cut off at either width; `text` must be among the visible texts."""
     for width in WIDTHS:
         with test.subTest(address=address, width=width):
             found, _ = chromium.value_in(address, CUT_TEXTS, width=width)

@@ -96,7 +96,7 @@ TEST_CASE("a balancer that deals to idle workers is quicker than one that deals 
         CHECK(turn.measured("worker[0]", "tasks") == 60 / workers);
         CHECK(milliseconds(idle) <= milliseconds(turn));
     }
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) // the lengths of the tasks are the seed's
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) // the seed decides the lengths of the tasks
         CHECK(milliseconds(run_farm("idle", 4, seed)) < 0.9 * milliseconds(run_farm("turn", 4, seed)));
     CHECK(milliseconds(run_farm("idle", 4)) < milliseconds(run_farm("idle", 1)) / 3.5);
 }
@@ -105,7 +105,7 @@ TEST_CASE("a bounded buffer never holds more than it may, and delivers everythin
     for (int capacity : {1, 5, 10}) {
         RunReport report = run_buffer(capacity);
         CHECK(report.result.ending == Ending::completed);
-        CHECK(report.measured("buffer", "most_held") == capacity); // the producer is quicker
+        CHECK(report.measured("buffer", "most_held") == capacity); // the producer is faster than the consumer
         CHECK(report.measured("consumer", "last_number") == 99);
     }
     CHECK(run_buffer(1000).measured("buffer", "most_held") < 100);

@@ -21,7 +21,7 @@ CLASS = re.compile(r"^Class (placedpar::.*)\n +size=(\d+) align=(\d+)\n +base si
 
 
 def layouts(compiler, flags, source):
-    """The sizes and the alignment of each type."""
+    """Returns the size and the alignment of each type."""
     with tempfile.TemporaryDirectory() as folder:
         dump = pathlib.Path(folder, "classes")
         subprocess.run([compiler, *flags, "-fsyntax-only", f"-fdump-lang-class={dump}", "-x", "c++", "-"],

@@ -39,7 +39,7 @@ PROLOGUE = """#include "app/program.hpp"
 
 
 def pages(tree):
-    """Every document, relative to the tree."""
+    """Returns every document, relative to the tree."""
     found = {path for pattern in ("*.md", "docs/**/*.md", "examples/**/README.md", "*/README.md") for path in tree.glob(pattern)}
     return sorted(path.relative_to(tree) for path in found)
 
@@ -65,7 +65,7 @@ def source_of(page, number, found):
 
 
 def wrong_cpp(tree, compiler, of_pages):
-    """What the compiler says of all C++ blocks together; nothing where they are right."""
+    """Returns what the compiler says of all C++ blocks together; "" if all are right."""
     includes, bodies = [], []
     for number, (page, found) in enumerate(of_pages):
         more, body = source_of(page, number, found)
@@ -84,7 +84,7 @@ def stands_beside(tree, page, text):
 
 
 def wrong_in(command, text):
-    """What a program says of a text in a file, where it does not accept it."""
+    """Returns what a program prints about a text in a file if it does not accept it."""
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "block"
         path.write_text(text)
@@ -106,7 +106,7 @@ def is_used(tree, page, name):
 
 
 def wrong_block(tree, programs, page, words, text):
-    """What is wrong with a block that is not C++; "" where nothing is."""
+    """Returns what is wrong with a block that is not C++; "" if nothing is."""
     language = words[0] if words else ""
     if len(words) == 2:
         wrong = "" if is_used(tree, page, words[1]) else f"no command of the page uses {words[1]}"
@@ -123,7 +123,7 @@ def wrong_block(tree, programs, page, words, text):
 
 
 def wrong_blocks(tree, programs, compiler):
-    """All that is wrong, with its place."""
+    """Returns all faults, each with its place."""
     wrong, of_pages = [], []
     for page in pages(tree):
         cpp = []

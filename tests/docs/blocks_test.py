@@ -1,4 +1,4 @@
-"""The checker of code blocks must see what is wrong with one."""
+"""Tests that the checker of code blocks finds each fault."""
 
 import pathlib
 import shutil
@@ -10,7 +10,7 @@ import blocks
 
 
 def wrong(page, name="docs/guides/page.md", **files):
-    """What is said of a tree with one page; without a compiler, C++ blocks are only taken out."""
+    """Returns the faults found in a tree with one page; without a compiler, C++ blocks are only extracted."""
     with tempfile.TemporaryDirectory() as folder:
         tree = pathlib.Path(folder)
         (tree / name).parent.mkdir(parents=True)

@@ -31,7 +31,7 @@ SECONDS = 120
 
 @dataclasses.dataclass
 class Command:
-    """A command of a document, with what should come of it."""
+    """A command of a document, with the expected exit code and output."""
 
     line: int
     text: str
@@ -65,7 +65,7 @@ def fenced_blocks(text):
 
 
 def commands(first, lines):
-    """The commands of one console block."""
+    """Returns the commands of one console block."""
     found = []
     for number, line in enumerate(lines, first):
         if line.startswith("$ "):
@@ -86,7 +86,7 @@ def commands(first, lines):
 
 
 def steps(text):
-    """What a reader of the document does, in order."""
+    """Returns what a reader of the document does, in order."""
     for first, info, lines in fenced_blocks(text):
         words = info.split()
         if words == ["console"]:
@@ -96,13 +96,13 @@ def steps(text):
 
 
 def matches(expected, printed):
-    """Whether the printed lines are the expected ones, where an expected line "..." is any number of lines."""
+    """Whether the printed lines match the expected ones; an expected line "..." matches any number of lines."""
     lines = [r"(?:.*\n)*" if line == "..." else re.escape(line) + "\n" for line in expected]
     return re.fullmatch("".join(lines), "".join(line + "\n" for line in printed)) is not None
 
 
 def execute(command, tree, environment):
-    """Exit code and printed lines of a command; None instead of the code when it does not end."""
+    """Returns exit code and printed lines of a command; the code is None if the command does not end in time."""
     try:
         done = subprocess.run(["bash", "-c", command.text], cwd=tree, env=environment, text=True, errors="replace",
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -113,7 +113,7 @@ def execute(command, tree, environment):
 
 
 def failure(command, exit_code, printed):
-    """A text that says what is wrong, or nothing."""
+    """Returns a text that says what is wrong, or nothing."""
     if exit_code is None:
         return f"does not end within {SECONDS} s"
     if exit_code != command.exit_code:
@@ -124,7 +124,7 @@ def failure(command, exit_code, printed):
 
 
 def renewed(expected, printed):
-    """The printed lines as a document shows them: all, or as many as it has shown before a last "..."."""
+    """Returns the printed lines as a document shows them: all, or as many as it showed before a final "..."."""
     if "..." not in expected:
         return printed
     if expected.index("...") == len(expected) - 1:
@@ -133,7 +133,7 @@ def renewed(expected, printed):
 
 
 def with_output(text, printed):
-    """The text of a document with the outputs of its commands replaced; printed: pairs of command and lines."""
+    """Returns the document with the outputs of its commands replaced; printed: pairs of command and lines."""
     lines = text.splitlines()
     for command, output in reversed(printed):
         start = command.line + command.text.count("\n")
@@ -142,13 +142,13 @@ def with_output(text, printed):
 
 
 def run_command(command, tree, environment):
-    """Exit code and printed lines of a command, and what is wrong with them, if anything is."""
+    """Returns exit code and printed lines of a command, and what is wrong with them, if anything."""
     exit_code, printed = execute(command, tree, environment)
     return exit_code, printed, failure(command, exit_code, printed)
 
 
 def run(document, tree, programs, run_command=run_command):
-    """Does what the document says in the tree; the number of failures, and the document as the program would have it."""
+    """Does what the document says; returns the number of failures, and the document with the program's output."""
     environment = dict(os.environ, PATH=f"{programs}{os.pathsep}{os.environ['PATH']}", LC_ALL="C.UTF-8")
     text = (tree / document).read_text()
     done, failures, other = 0, 0, []
@@ -168,12 +168,12 @@ def run(document, tree, programs, run_command=run_command):
 
 
 def names_the_tree(text):
-    """Whether a command of the document is given all of the tree, as `.`."""
+    """Whether a command of the document takes the whole tree, `.`, as an argument."""
     return any("." in step.text.split() for step in steps(text) if isinstance(step, Command))
 
 
 def copy_for(document, source, tree):
-    """Copies to the tree what the document's commands need of the source."""
+    """Copies the source files that the document's commands need into the tree."""
     if names_the_tree((source / document).read_text()):
         shutil.copytree(source, tree, ignore=shutil.ignore_patterns(".git", "build"))
         return

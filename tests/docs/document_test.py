@@ -1,4 +1,4 @@
-"""The runner of documents must see what is wrong with one."""
+"""Tests that the runner of documents finds each fault."""
 
 import contextlib
 import io
@@ -14,7 +14,7 @@ def console(*lines):
 
 
 def outcome(text):
-    """The number of failures of a document, what is said about them, and the document mended."""
+    """Returns a document's number of failures, the messages about them, and the mended document."""
     with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()) as said:
         tree = pathlib.Path(folder)
         (tree / "page.md").write_text(text)

@@ -31,7 +31,7 @@ PUNCTUATION = re.compile(r"[^\w -]")
 
 
 def blocks_and_prose(text):
-    """The lines inside fenced blocks, and pairs of number and line outside of them."""
+    """Returns the lines inside fenced blocks, and (number, line) of each line outside them."""
     fenced, blocks, prose = False, [], []
     for number, line in enumerate(text.splitlines(), 1):
         if line.startswith("```"):
@@ -44,7 +44,7 @@ def blocks_and_prose(text):
 
 
 def words_of(line):
-    """A line of prose without code, targets of links, tags, and numbers that name something."""
+    """Returns a line of prose without code, link targets, tags, and numbers that name something."""
     for pattern in (r"`[^`]*`", r"\]\([^)]*\)", r"<[^>]*>"):
         line = re.sub(pattern, " ", line)
     return line
@@ -55,7 +55,7 @@ def numbers_in(text):
 
 
 def is_printed(figure, printed):
-    """Whether a printed number, or one in percent, rounds to the figure."""
+    """Whether a printed number, taken as it is or as a percentage, rounds to the figure."""
     decimals = len(figure.partition(".")[2])
     half = 0.5 * 10.0**-decimals * (1 + 1e-9)
     value = float(figure)
@@ -63,14 +63,14 @@ def is_printed(figure, printed):
 
 
 def printed_by(text):
-    """The numbers in a page's blocks of code and between its backquotes."""
+    """Returns the numbers in a page's code blocks and between its backquotes."""
     blocks, prose = blocks_and_prose(text)
     return numbers_in("\n".join([*blocks, *(code for _, line in prose for code in re.findall(r"`([^`]*)`", line))]))
 
 
 def unprinted(text, printed_at=lambda target: []):
-    """Yields (line number, figure) for each figure in the prose that the page's outputs do not have, nor those of a page
-    that its line links to: printed_at(target) are the numbers there."""
+    """Yields (line number, figure) for each figure in the prose that neither the page's outputs contain nor those of a
+    page that its line links to. printed_at(target) returns the numbers of that page."""
     printed = printed_by(text)
     for number, line in blocks_and_prose(text)[1]:
         words = NAMED.sub(" ", words_of(line))
@@ -81,7 +81,7 @@ def unprinted(text, printed_at=lambda target: []):
 
 
 def listed_figures(text):
-    """What figures.txt says: {page: {figure: source}}. A source that begins with "$ " is a command."""
+    """Returns the content of figures.txt: {page: {figure: source}}. A source that begins with "$ " is a command."""
     pages, page = {}, None
     for number, line in enumerate(text.splitlines(), 1):
         if not line.strip() or line.startswith("#"):
@@ -97,7 +97,7 @@ def listed_figures(text):
 
 
 def linked_numbers(page, tree):
-    """A function from a link's target to the numbers that the page there prints."""
+    """Returns a function from a link's target to the numbers that the page there prints."""
     def numbers(target):
         path = (tree / page).parent / target.partition("#")[0]
         return printed_by(path.read_text(encoding="utf-8")) if path.suffix == ".md" and path.is_file() else []
@@ -105,7 +105,7 @@ def linked_numbers(page, tree):
 
 
 def figure_faults(page, text, listed, printed_at=lambda target: []):
-    """What is wrong with the figures of a page: those without a source, and listed ones that are not needed."""
+    """Returns faults in the figures of a page: those without a source, and listed ones that are not needed."""
     found = list(unprinted(text, printed_at))
     faults = [f"{page}:{number}: {figure} is in no output of the page, and figures.txt names no source for it"
               for number, figure in found if figure not in listed]
@@ -116,7 +116,7 @@ def figure_faults(page, text, listed, printed_at=lambda target: []):
 
 
 def anchors(text):
-    """The anchors that a Markdown page's headings have."""
+    """Returns the anchors of a Markdown page's headings."""
     _, prose = blocks_and_prose(text)
     headings = [re.sub(r"^#+\s+", "", line) for _, line in prose if re.match(r"#+\s", line)]
     plain = [re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading) for heading in headings]
@@ -124,7 +124,7 @@ def anchors(text):
 
 
 def link_faults(page, text, tree):
-    """The links of a page to files and headings that do not exist."""
+    """Returns the page's links to files and headings that do not exist."""
     faults = []
     for number, line in blocks_and_prose(text)[1]:
         for target in TARGET.findall(re.sub(r"`[^`]*`", "", line)):
@@ -140,8 +140,8 @@ def link_faults(page, text, tree):
 
 
 def named_file_faults(page, text, tree, names, listed=()):
-    """The files that a page names between backquotes and that are neither in the tree, nor in a block of the page, nor
-    listed; names are those of all files of the tree. X.cpp stands for any file."""
+    """Returns files that the page names in backquotes but that are not in the tree, in a block of the page, or in the
+    list. `names` are all files of the tree; X.cpp stands for any file."""
     blocks, prose = blocks_and_prose(text)
     written = "\n".join([*blocks, *(code for _, line in prose for code in re.findall(r"`([^`]* [^`]*)`", line))])
     faults = []
@@ -155,7 +155,7 @@ def named_file_faults(page, text, tree, names, listed=()):
 
 
 def command_faults(listed, tree, programs):
-    """The figures that the commands of figures.txt do not print."""
+    """Returns the figures that the commands of figures.txt do not print."""
     environment = dict(os.environ, PATH=f"{programs}{os.pathsep}{os.environ['PATH']}", LC_ALL="C.UTF-8")
     faults, printed = [], {}
     for page, figures in listed.items():

@@ -1,4 +1,4 @@
-"""The check of figures and links must see what is wrong with a page."""
+"""Tests that the check of figures and links finds each fault of a page."""
 
 import contextlib
 import io

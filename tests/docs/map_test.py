@@ -1,4 +1,4 @@
-"""The map of the house and the pages of the rooms name functions with their files: each must be where they say."""
+"""Tests that each function named in the rooms' pages is in the file that the page gives for it."""
 
 import pathlib
 import re
@@ -6,19 +6,20 @@ import unittest
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 NAMED = re.compile(r"`([A-Za-z_][\w:]*(?:\(\))?)` \(`([\w/]+\.[ch]pp)`\)")
-# What may stand between the parentheses of a function that is defined and its body.
+# Text that may stand between the closing parenthesis of a function's definition and its body.
 BEFORE_BODY = re.compile(r"\s*(const)?\s*(noexcept)?\s*(override)?\s*(try|:[^;]*)?\s*\{")
 
 
 def named(page):
-    """Pairs of a function or a class and the file that a page says it is in; paths are of the top, or of the page's room."""
+    """Yields (name, file, path as written) of each function or class that a page places in a file. Paths start at the
+    top folder or at the page's room."""
     text = re.sub(r"\s+", " ", page.read_text(encoding="utf-8"))
     for name, path in NAMED.findall(text):
         yield name, next((folder / path for folder in (TOP, page.parent) if (folder / path).is_file()), None), path
 
 
 def after_parentheses(text, start):
-    """The text after those that open just before `start`."""
+    """Returns the text after the parenthesis that closes the one just before `start`."""
     depth = 1
     while depth > 0 and start < len(text):
         depth += {"(": 1, ")": -1}.get(text[start], 0)
@@ -31,7 +32,7 @@ def has_class(text, name):
 
 
 def defines(text, name):
-    """Whether a source defines this function or class: declaring it, or calling it, is not enough."""
+    """Whether a source defines this function or class; a declaration or a call is not enough."""
     *scope, last = name.split("::")
     if not scope and has_class(text, name):
         return True

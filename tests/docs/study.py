@@ -15,23 +15,23 @@ import sys
 import document
 
 SEEDS = 20
-FEWER_SEEDS = {"faults": 3, "logger-rates": 3}  # whose runs take seconds each
+FEWER_SEEDS = {"faults": 3, "logger-rates": 3}  # seconds a run
 FIGURE = re.compile(r"[+-]?(\d[\d.,]*|\.\d+)(e[+-]?\d+)?%?!?")
 FINGERPRINT = re.compile(r"fingerprint: [0-9a-f]{16}")
 JUDGED = re.compile(r"every judged cell of the first reading is within its tolerance|"
                     r"a cell of the first reading misses its tolerance")
-BOUND = re.compile(r"[<>]= #")  # whether a cell is judged may depend on the seeds, too
+BOUND = re.compile(r"[<>]= #")  # other seeds may change whether a cell is judged
 VERDICT = re.compile(r"\b(holds under this reading|does not hold|holds|undecided)\b")
 
 
 def without_figures(line):
-    """What the lines of two runs with other seeds have in common."""
+    """Returns the lines with everything that depends on the seeds replaced."""
     line = JUDGED.sub("judged", FINGERPRINT.sub("fingerprint:", line))
     return " ".join(BOUND.sub("", VERDICT.sub("?", FIGURE.sub("#", line))).split())
 
 
 def claims(lines):
-    """Name and interval of each row of the tables of claims."""
+    """Returns name and interval of each row of the tables of claims."""
     found, table = [], False
     for line in lines:
         if not line:
@@ -45,7 +45,8 @@ def claims(lines):
 
 
 def contradictions(page, printed):
-    """The claims whose intervals have nothing in common, those of few seeds taken half as wide again on either side."""
+    """Returns the claims whose intervals do not overlap; the interval of few seeds is first widened by half on each
+    side."""
     for (name, low, high), (_, page_low, page_high) in zip(claims(printed), claims(page)):
         margin = (high - low) / 2
         if high + margin < page_low or page_high < low - margin:
@@ -53,8 +54,8 @@ def contradictions(page, printed):
 
 
 def loose_failure(command, exit_code, printed):
-    """A text that says what is wrong, or nothing."""
-    if exit_code not in (0, 3):  # a figure of few seeds may miss the tolerance of many
+    """Returns a text that says what is wrong, or nothing."""
+    if exit_code not in (0, 3):  # with few seeds, a figure may miss the tolerance that many seeds keep
         return document.failure(command, exit_code, printed)
     page, lines = ([without_figures(line) for line in text] for text in (command.output, printed))
     if not document.matches(page, lines):
@@ -63,7 +64,7 @@ def loose_failure(command, exit_code, printed):
 
 
 def run_loosely(command, tree, environment):
-    """As document.run_command."""
+    """Replaces document.run_command for studies."""
     if command.text.startswith("cmp plots/"):
         return 0, [], None
     if not command.text.startswith("placedpar replay "):

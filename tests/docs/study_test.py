@@ -1,4 +1,4 @@
-"""What a study with few seeds may print instead of the figures of its page, and what it may not."""
+"""Tests which differences from its page are allowed to a study with few seeds."""
 
 import unittest
 

@@ -1,4 +1,4 @@
-"""Every table of the documents is one to a CommonMark parser, and each of its rows has as many cells as its header."""
+"""Tests that a CommonMark parser sees every table, and that each row has as many cells as the header."""
 
 import pathlib
 import re
@@ -13,12 +13,12 @@ PARSER = MarkdownIt("commonmark").enable("table")
 
 
 def cells(row):
-    """As a renderer counts them: a pipe that is not escaped ends a cell, in code too."""
+    """Counts cells as a renderer does: a pipe that is not escaped ends a cell, even in code."""
     return len(re.sub(r"\\\|", "", row.strip().strip("|")).split("|"))
 
 
 def faults(text):
-    """A line for each row that is not rendered as it is meant."""
+    """Returns a line for each row that is not rendered as intended."""
     lines, tokens = text.splitlines(), PARSER.parse(text)
     blocks = {kind: [token.map for token in tokens if token.type == kind] for kind in ("table_open", "fence", "code_block")}
     inside = lambda i, *kinds: any(first <= i < last for kind in kinds for first, last in blocks[kind])

@@ -26,7 +26,7 @@ STATED_RATE, DOUBT = 0.01, 0.01
 
 
 def misses(cell):
-    """Whether a cell of the replay's record is beyond what it is judged by."""
+    """Whether a cell of the replay's record exceeds its tolerance."""
     value = cell["simulated"]
     if "at_least" in cell or "at_most" in cell:
         low, high = cell.get("interval", (value, value))
@@ -38,14 +38,14 @@ def misses(cell):
 
 
 def missed_cells(record):
-    """Table, row and column of each."""
+    """Returns table, row and column of each cell."""
     tables = [{**record, "judged": True}] + record["other_readings"]
     return [(table["reading"].split(":")[0], cell["row"].strip(), cell["column"])
             for table in tables if table["judged"] for cell in table["cells"] if misses(cell)]
 
 
 def run(program, replay, seed, folder):
-    """The cells that a run missed."""
+    """Returns the cells that a run missed."""
     path = pathlib.Path(folder) / f"{replay}-{seed}.json"
     ended = subprocess.run([program, "replay", replay, "--seed", str(seed), "--json", str(path)],
                            capture_output=True, text=True, check=False)
@@ -58,12 +58,12 @@ def run(program, replay, seed, folder):
 
 
 def at_least(missed, runs, rate):
-    """The probability of so many misses or more."""
+    """Returns the probability of this many misses or more."""
     return 1 - sum(math.comb(runs, k) * rate ** k * (1 - rate) ** (runs - k) for k in range(missed))
 
 
 def report(replay, missed):
-    """Prints a line of the table, and the cells; `missed`: of each seed. Returns whether the rate can be as stated."""
+    """Prints a line of the table, and the cells missed by each seed. Returns whether the stated rate is plausible."""
     seeds = [seed for seed, cells in missed.items() if cells]
     print(f"{replay:24} {len(missed):5} {len(seeds):7}  {' '.join(map(str, seeds))}".rstrip())
     counts = collections.Counter(cell for cells in missed.values() for cell in cells)

@@ -1,4 +1,4 @@
-"""What the study of false misses counts."""
+"""Tests the counts of the study of false misses."""
 
 import contextlib
 import io

@@ -1,5 +1,5 @@
-// Policies in random combinations, of every known problem: as a library without a machine, and as processes on machines
-// of every placement and speed.
+// Runs random combinations of policies on every known problem: with the library alone, and as processes on machines
+// with every placement and speed.
 
 #include "explore/netlist_run.hpp"
 #include "explore/problems.hpp"
@@ -41,10 +41,10 @@ private:
     RandomStream random_;
 };
 
-/// Islands of a problem, and what netlists say of them besides their settings.
+/// The islands of a search, and what their netlists say beside the settings.
 struct Combination {
     std::string problem;
-    std::string coding, reproduction, crossover, mutation; ///< "": as is usual for the problem
+    std::string coding, reproduction, crossover, mutation; ///< "": the problem's usual policy
     std::string initial = "random";
     IslandsSettings settings;
 };
@@ -80,7 +80,7 @@ void draw_operators(Combination& all, Dice& dice) {
         all.initial = dice.one_of<const char*>({"random", "spread"});
 }
 
-/// As a process of this number draws it.
+/// Draws the island's initial strings as the process of this number draws them.
 void spread(SearchSettings& island, std::size_t number, const SearchProblem& problem, std::uint64_t seed) {
     RandomStream random(seed, fmt::format("island[{}] spread", number));
     island.initial = spread_population(island.population, problem, random);
@@ -143,7 +143,7 @@ IslandNetlist netlist_of(const Combination& all, bool recorded, Dice& dice) {
     return netlist;
 }
 
-/// On machines that differ in all that must not matter.
+/// Returns machines that differ only in what must not change the search.
 std::vector<IslandNetlist> machines(IslandNetlist netlist, Dice& dice) {
     using On = IslandNetlist::On;
     std::vector<IslandNetlist> all;
@@ -168,7 +168,7 @@ std::string all_figures(const RunReport& report, const Network& network) {
                        to_string(report.result.time), figures_text(figures_of(report, network)));
 }
 
-/// The run may be repeated with another seed, and then that one's run on the machine has the same report.
+/// Checks that a run repeated by a worker with another seed reports what a separate run with that seed reports.
 void check_repeated(const Network& network, std::uint64_t seed, const RunReport& report, Counts& counts) {
     ProblemRegistry problems = known_problems(seed), of_another = known_problems(seed + 1);
     Catalogue kinds = known_kinds(problems), kinds_of_another = known_kinds(of_another);

@@ -1,4 +1,4 @@
-// Files of the user's: what is warned of, and what is refused with its place.
+// Tests which faults in users' files cause a warning, and which are refused with their place.
 
 #include "explore/load.hpp"
 
@@ -19,7 +19,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A file with this text, which goes with it.
+/// A file with this text, deleted at the end.
 class WrittenFile {
 public:
     explicit WrittenFile(const std::string& text) { std::ofstream(path_) << text; }
@@ -34,7 +34,7 @@ private:
         std::filesystem::temp_directory_path() / fmt::format("placedpar-load-{}.txt", ::getpid());
 };
 
-/// Returns the message that reading the text throws, from the position of its first line on; "" if nothing is thrown.
+/// Returns the message that reading the text throws, without the path before the line number; "" if nothing is thrown.
 template <class Read>
 std::string refusal_from(const std::string& text, Read read) {
     const WrittenFile file(text);

@@ -1,4 +1,4 @@
-// Records are made when a process reads them, and only then.
+// Tests that a problem's record is made only when a process reads it.
 
 #include "explore/problems.hpp"
 
@@ -13,7 +13,7 @@ using namespace placedpar;
 
 namespace {
 
-/// The program's boom, with a count of how often its record is made.
+/// The program's boom problem, counting how often its record is made.
 struct CountedBoom {
     ProblemRegistry problems;
     int made = 0;

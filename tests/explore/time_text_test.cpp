@@ -33,7 +33,7 @@ TEST_CASE("fractions and powers of ten are exact, where a double would not be") 
     CHECK(picoseconds_of(".5us") == 500'000);
     CHECK(picoseconds_of("1e3us") == 1'000'000'000);
     CHECK(picoseconds_of("12.5E-2ms") == 125'000'000);
-    CHECK(picoseconds_of("1.50000000000000s") == 1'500'000'000'000);      // zeros behind a picosecond mean nothing
+    CHECK(picoseconds_of("1.50000000000000s") == 1'500'000'000'000);      // trailing zeros are ignored
     CHECK(picoseconds_of("9007199254740993ps") == 9'007'199'254'740'993); // 2^53 + 1
     for (std::int64_t each : {1, 3, 7, 999, 1'234'567})
         CHECK(picoseconds_of(fmt::format("{}.{:012}s", each, each)) == each * 1'000'000'000'000 + each);

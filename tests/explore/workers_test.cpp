@@ -78,5 +78,5 @@ TEST_CASE("what a piece of work throws is thrown when the others have ended") {
         ++done;
     };
     CHECK_THROWS_WITH_AS(run_at_once(4, work, none, [](std::size_t) {}), "the first piece", std::runtime_error);
-    CHECK(done == (count_cores() > 1 ? 3 : 0)); // a single worker ends with the piece that throws
+    CHECK(done == (count_cores() > 1 ? 3 : 0)); // a single worker stops at the piece that throws
 }

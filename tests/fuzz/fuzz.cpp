@@ -1,5 +1,5 @@
-// The program around a reader: libFuzzer calls it with one input after the other. PLACEDPAR_READER names the reader;
-// without it the names of those that there are come out, for tests/fuzz/run.py.
+// Main program of the fuzz tests: libFuzzer calls the chosen reader with one input after another. PLACEDPAR_READER
+// names the reader; without it the program prints the readers' names, for tests/fuzz/run.py.
 
 #include "tests/fuzz/reader.hpp"
 #include "text/user_error.hpp"
@@ -36,7 +36,7 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     try {
         chosen->read(std::string(reinterpret_cast<const char*>(data), size));
-    } catch (const placedpar::UserError&) { // it is refused
+    } catch (const placedpar::UserError&) { // the reader refused the input
     }
     return 0;
 }

@@ -1,4 +1,4 @@
-// The readers of rooms that are few enough to be compiled, and fuzzed for a minute, in CI.
+// Readers of the lower rooms. These are few enough to be compiled, and fuzzed for a minute, in CI.
 
 #include "hydraulics/data/parameters.hpp"
 #include "hydraulics/data/record_table.hpp"
@@ -28,7 +28,7 @@ const Catalogue& kinds() {
     return kinds;
 }
 
-/// What is printed of a network is a netlist of the same network.
+/// Reads a netlist, prints the network, and requires that the printed netlist describes the same network.
 void read_netlist(const std::string& text) {
     ReadResult result = read_netlist_text(text, kinds());
     render(result);

@@ -1,10 +1,10 @@
-// What takes libFuzzer's place where Clang is not: seeds, changed by chance. It takes libFuzzer's options:
+// Replaces libFuzzer where Clang is not installed: makes random changes to seeds. It takes libFuzzer's options:
 //
 //   PLACEDPAR_READER=NAME fuzz_ROOMS FOLDER -max_total_time=SECONDS -max_len=BYTES -artifact_prefix=PATH
 //
-// The n-th input depends on the seeds, the largest size and n alone, so what is found is found again. The input that is
-// being read lies in PATH with "input", where it stays if the reader fails on it. No input may take more than
-// a second of the processor, ten under sanitizers.
+// The n-th input depends only on the seeds, the largest size and n, so a failure can be reproduced. The input being
+// read is kept in the file PATH + "input", which remains if the reader fails. An input may take at most a second of
+// processor time, ten under sanitizers.
 
 #include "tests/sanitized.hpp"
 
@@ -34,7 +34,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_seconds = placedpar::test::sanitized ? 10 : 1; ///< of the processor, for an input
+constexpr int most_seconds = placedpar::test::sanitized ? 10 : 1; ///< processor time per input
 
 struct Told {
     fs::path seeds;
@@ -60,7 +60,7 @@ Told told(int argc, char** argv) {
     return told;
 }
 
-/// By name; the empty text is always one.
+/// Returns an empty text, then the content of the folder's files in the order of their names.
 std::vector<std::string> seeds_in(const fs::path& folder) {
     std::vector<fs::path> paths;
     for (const auto& entry : fs::directory_iterator(folder))
@@ -91,12 +91,12 @@ private:
     std::size_t below(std::size_t count) { return count == 0 ? 0 : random_() % count; }
     std::size_t place() { return below(text_.size() + 1); }
     const std::string& a_seed() { return seeds_[below(seeds_.size())]; }
-    /// Mostly short.
+    /// Returns a random piece of the text, usually of fewer than 16 bytes.
     std::string a_piece(const std::string& of) {
         const std::size_t begin = below(of.size() + 1);
         return of.substr(begin, below(below(4) == 0 ? of.size() + 1 : 16));
     }
-    /// Numbers at the ends of their types, signs of the languages, bytes that are no UTF-8.
+    /// Returns a limit of a number type, a special character of the languages, or bytes that are not UTF-8.
     std::string a_word() {
         static const char* const words[] = {"0",
                                             "-1",
@@ -151,7 +151,7 @@ private:
     std::string text_;
 };
 
-/// A file with the input that is being read, which is there when the program dies of it.
+/// Keeps the input being read in a file, so that it survives if the program dies.
 class KeptInput {
 public:
     explicit KeptInput(std::string path)
@@ -171,7 +171,7 @@ private:
     int file_;
 };
 
-/// SIGPROF ends the program when the time is over.
+/// Limits the processor time from now on: SIGPROF ends the program when it is used up. 0 removes the limit.
 void allow(int seconds) {
     const itimerval time{{0, 0}, {seconds, 0}};
     ::setitimer(ITIMER_PROF, &time, nullptr);
@@ -183,7 +183,8 @@ void read(const std::string& input) {
     allow(0);
 }
 
-/// How many inputs were read. The seeds themselves come first.
+/// Reads the seeds themselves, then changed ones, until the time is over. Returns how many inputs were read, 0 after a
+/// failure.
 std::uint64_t read_all(const Told& told, const std::vector<std::string>& seeds, KeptInput& kept) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(told.seconds);
     std::uint64_t count = 0;

@@ -16,22 +16,22 @@ LARGEST = 20_000  # bytes of a seed
 
 
 def files(*patterns):
-    """The contents of files of the tree."""
+    """Returns the contents of files of the tree."""
     return [path.read_bytes() for pattern in patterns for path in sorted(TREE.glob(pattern))]
 
 
 def matches(pattern, *patterns):
-    """What a pattern finds in files of the tree."""
+    """Returns all matches of a pattern in files of the tree."""
     return [found for text in files(*patterns) for found in re.findall(pattern.encode(), text, re.DOTALL | re.MULTILINE)]
 
 
 def texts_of(*patterns):
-    """The string literals of the tests' sources."""
+    """Returns the string literals of the tests' sources."""
     return matches(r'"((?:[^"\\\n]|\\.)+)"', *patterns)
 
 
 def rows(text, count=40):
-    """The beginning of a table."""
+    """Returns the first lines of a table."""
     return b"".join(text.splitlines(keepends=True)[:count])
 
 
@@ -65,7 +65,7 @@ SEEDS = {
 
 
 def fuzz(program, reader, seconds):
-    """Whether the reader stands it."""
+    """Whether the reader survives the input."""
     folder = pathlib.Path(program).resolve().parent / "corpora" / reader
     folder.mkdir(parents=True, exist_ok=True)
     for number, seed in enumerate(each for each in SEEDS[reader]() if len(each) <= LARGEST):

@@ -1,4 +1,5 @@
-// The readers of the monitor, of studies and of experiments. Fuzzing them is a study: all rooms have to be compiled.
+// Readers of the monitor, of studies and of experiments. Fuzzing them is a separate study, since all rooms must be
+// compiled.
 
 #include "app/command.hpp"
 #include "app/record/scenario_record.hpp"
@@ -47,7 +48,7 @@ namespace placedpar::fuzz {
 
 namespace {
 
-/// A file in memory, alone in its folder.
+/// Writes a file in memory, alone in its folder, and returns its path.
 std::string file_of(const std::string& content, const std::string& name) {
     const std::string folder = fmt::format("/dev/shm/placedpar-fuzz-{}", ::getpid());
     std::filesystem::remove_all(folder);
@@ -63,7 +64,7 @@ std::string content_of(const std::string& path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// A good file in which the input replaces bytes, three for each: two say where, one what is there instead.
+/// Replaces bytes of a good file: of each three input bytes, two choose the position and one is the new value.
 std::string patched(std::string good, const std::string& input) {
     auto byte = [&](std::size_t at) { return static_cast<unsigned char>(input[at]); };
     for (std::size_t at = 0; at + 2 < input.size(); at += 3)
@@ -91,7 +92,7 @@ void read_results(const std::string& patches) {
 void read_message(const std::string& line) {
     try {
         monitor::parse_message(line);
-    } catch (const monitor::BadMessage&) { // it is answered so
+    } catch (const monitor::BadMessage&) { // the service answers with an error
     }
 }
 
@@ -119,12 +120,13 @@ std::string made_diagnosis() {
     return text_of(identification::Diagnosis("m", identification::excavator_parameters(machine), {}, 1).state());
 }
 
-/// A machine's state, which lies within the state file: of damage to that, checksums would let none through.
+/// Reads a damaged machine state. The state is patched itself, since the state file's checksums would reject any
+/// damage.
 void read_diagnosis(const std::string& patches) {
     static const std::string good = made_diagnosis();
     try {
         text_of(monitor::state_from(boost::json::parse(patched(good, patches)), {}));
-    } catch (const std::runtime_error&) { // it is refused so
+    } catch (const std::runtime_error&) { // the state was refused
     }
 }
 
@@ -132,7 +134,7 @@ template <class Read>
 void attempt_to(Read read) {
     try {
         read();
-    } catch (const UserError&) { // it is another text
+    } catch (const UserError&) { // the text was refused
     }
 }
 
@@ -163,7 +165,7 @@ void read_population(const std::string& text) {
         attempt_to([&] { load_population(file_of(text, "population"), each); });
 }
 
-/// Hosts and passwords as browsers send them, what the service may be called, and its token.
+/// Reads hosts and passwords as browsers send them, the service's names, and its token.
 void read_names(const std::string& text) {
     monitor::host_in(text);
     monitor::from_base64(text);
@@ -177,7 +179,7 @@ void read_names(const std::string& text) {
 
 void read_answer(const std::string& line) { monitor::require_answer("monitor", line); }
 
-/// Where a monitor may be told to listen. A socket in the file system is in a folder of its own.
+/// Reads addresses for the monitor to listen on. A Unix socket gets its own folder.
 void read_place(const std::string& text) {
     boost::asio::io_context io;
     attempt_to([&] { monitor::Listener::at_port(io, text, 0, "--port"); });
@@ -187,9 +189,9 @@ void read_place(const std::string& text) {
     attempt_to([&] { monitor::Listener::at_path(io, folder + "/" + name); });
 }
 
-/// All that one connection sends, and then its end.
+/// The input is everything that one connection sends before it closes.
 void read_request(const std::string& all) {
-    const std::string text = all.substr(0, 1000); // its answers fit into a socket that is not read meanwhile
+    const std::string text = all.substr(0, 1000); // the answers must fit into the unread socket
     int ends[2];
     require(::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) == 0, "there are sockets");
     boost::asio::io_context io;
@@ -216,7 +218,7 @@ void read_request(const std::string& all) {
     require(answered <= 0 || std::string_view(begin, sizeof begin) == "HTTP/", "what is answered is HTTP");
 }
 
-/// Nothing is to be seen of what is written while it exists.
+/// Hides everything written to the standard streams while it exists.
 class Quiet {
 public:
     Quiet() {
@@ -233,12 +235,12 @@ public:
     Quiet& operator=(const Quiet&) = delete;
 
 private:
-    // Copied once, and open to the end.
+    // The copies are made once and stay open.
     static inline const int out_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3),
                             error_ = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3);
 };
 
-/// The input's lines are the words behind the program's name. What they ask for is not done.
+/// The input's lines are the program's arguments. They are parsed but not carried out.
 void read_words(const std::string& text) {
     std::vector<std::string> words{"placedpar"};
     std::istringstream lines(text.substr(0, text.find("\0", 0, 1)));
@@ -263,7 +265,7 @@ void read_searches(const std::string& text) {
     require(result.network.has_value() != has_errors(result.diagnostics), "what is refused is refused with an error");
 }
 
-/// The input's lines are a topology, a size and numbers, each of which may be missing.
+/// The input's lines are a topology, a size and further numbers; each may be missing.
 void read_topology_request(const std::string& text) {
     static const ProblemRegistry problems = known_problems(1);
     static const Catalogue kinds = known_kinds(problems);
@@ -274,7 +276,7 @@ void read_topology_request(const std::string& text) {
         else
             lines[line] += c;
     if (lines[1].size() > 2 && lines[1].find('x') == lines[1].npos)
-        return; // large machines take their time
+        return; // large machines take too long
     generate::TopologyRequest wish;
     wish.topology = lines[0];
     wish.size = lines[1];
@@ -312,7 +314,7 @@ void read_arguments(const std::string& text) {
         try {
             figures = figures_text(figures_from(text));
         } catch (const std::exception&) {
-            return; // a row is refused so
+            return; // the row was refused
         }
         require(figures_text(figures_from(figures)) == figures, "figures are read as they are written");
     });

@@ -1,4 +1,4 @@
-// Algorithm A must produce exactly the generations of the traditional algorithm, whatever the machine.
+// Algorithm A must produce exactly the generations of the traditional algorithm, on every machine.
 
 #include "gaprocs/search.hpp"
 #include "gaprocs/traditional.hpp"
@@ -23,7 +23,7 @@ SearchSettings settings_for(std::size_t population) {
     return settings;
 }
 
-/// A hash of every population of the traditional algorithm, run as the plain library function runs it.
+/// Returns a hash of every population of the traditional algorithm in the library.
 std::string populations_of_traditional(const SearchSettings& settings, std::uint64_t seed,
                                        Coding coding = Coding::natural) {
     auto problem = make_search_problem(LineProblem{}, coding);
@@ -101,7 +101,7 @@ TEST_CASE("... and with an elite, Gray code and universal sampling, each by itse
                         CHECK(run_on_line(cluster.netlist()).measured_text("master0", "populations") == traditional);
                     }
             }
-    CHECK(different.size() == 8); // no option goes unheard
+    CHECK(different.size() == 8); // every option has an effect
 }
 
 TEST_CASE("... and with every policy of reproduction and crossover") {

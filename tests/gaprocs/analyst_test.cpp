@@ -1,4 +1,4 @@
-// The analyst of islands on the simulated machine against the active error analysis of the library.
+// Tests the analyst of islands on the simulated machine against the library's active error analysis.
 
 #include "gaprocs/active_error_analysis.hpp"
 #include "gaprocs/generation_log.hpp"
@@ -39,7 +39,7 @@ struct Answer {
     bool operator==(const Answer&) const = default;
 };
 
-/// The islands of the library, analysed each time that they have exchanged.
+/// Returns the analyst's answers for islands of the library, after each exchange.
 std::vector<Answer> answers_of_library(const IslandsSettings& settings, const std::string& choice) {
     auto problem = make_search_problem(LineProblem{});
     std::vector<std::size_t> windows;
@@ -124,7 +124,7 @@ TEST_CASE("an analyst changes nothing on the islands") {
     RunReport with = run_on_line(with_analyst(netlist, "")), without = run_on_line(netlist.text());
     for (const std::string& island : island_names(four))
         CHECK(with.measured_text(island, "populations") == without.measured_text(island, "populations"));
-    CHECK(with.measured("analyst", "answers") == 6); // of the samples 10, 11 and 12, two generations each
+    CHECK(with.measured("analyst", "answers") == 6); // two generations for each of the samples 10, 11 and 12
     CHECK(with.measured_text("analyst", "chosen").starts_with("island["));
     CHECK(with.measured("analyst", "slope") > 0);
 }
@@ -154,7 +154,7 @@ TEST_CASE("an analysis costs the errors of every best over the longest window, o
                 return in_milliseconds(processor.busy);
         return 0.0;
     };
-    // 6 answers on 4 islands, a thousand cycles of 50 ns for each error
+    // There are 6 answers with 4 islands, and 1000 cycles of 50 ns for each error.
     constexpr double of_a_sample = 6 * 4 * 1000 * 50e-6;
     CHECK(busy("\"line\"", 1000) - busy("\"line\"", 0) == doctest::Approx(of_a_sample * 10).epsilon(0.001));
     CHECK(busy("\"along\"", 1000) - busy("\"along\"", 0) ==
@@ -196,8 +196,8 @@ TEST_CASE("an analyst that would never answer is a warning at its place") {
         auto text = replaced(with_analyst(netlist, ""), "host (problem = \"line\")", host);
         return render(read_netlist_text(text, catalogue, {}, "analyst.cfs").diagnostics);
     };
-    // 12 samples, two generations each from the fifth on: 16, the 11th with the tenth sample, which the longest window
-    // needs.
+    // There are 12 samples, with two generations each from the fifth on: 16. The 11th generation is the first with
+    // ten samples, which the longest window needs.
     CHECK(said(16) == "");
     CHECK(said(11) == "");
     std::string never = said(17), early = said(9, "host (problem = \"line\", samples = 9)");

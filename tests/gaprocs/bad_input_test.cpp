@@ -1,4 +1,4 @@
-// Invalid requests are refused.
+// Tests that invalid requests are refused.
 
 #include "gaprocs/islands.hpp"
 #include "gaprocs/objective_problem.hpp"
@@ -20,7 +20,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Bounds the wrong way round, and no bits.
+/// A problem whose bounds are swapped, and whose numbers have no bits.
 struct Reversed {
     std::size_t bits = 4;
     double low = 5, high = -5;

@@ -15,14 +15,14 @@
 
 namespace placedpar {
 
-/// Clusters of a master and a chain of slaves that search the line problem, as a netlist.
+/// Clusters of a master and a chain of slaves that solve the line problem, as a netlist.
 struct Cluster {
     int slaves = 0;
-    int islands = 1; ///< more than one are joined in a ring
+    int islands = 1; ///< several islands form a ring
     int population = 30;
     std::string split = "individuals";
     std::string measurements = "sample";
-    std::string even_processor = "clock = 20M"; ///< attributes; the master is place 0 of its chain
+    std::string even_processor = "clock = 20M"; ///< attributes of the processors at even places; the master has place 0
     std::string odd_processor = "clock = 20M";
     std::string workstation = "linkspeed = 20M";
     std::string master_parameters = "rehearsals = 2";

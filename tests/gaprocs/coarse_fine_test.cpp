@@ -12,7 +12,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Two numbers of 8 bits that should be 200 and 77.
+/// A problem with two numbers of 8 bits, whose optimum is 200 and 77.
 struct TwoNumbers {
     std::size_t bits() const { return 16; }
     std::size_t channels() const { return 1; }

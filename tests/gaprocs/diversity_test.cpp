@@ -1,4 +1,4 @@
-// Diversity in closed form against the distances of all pairs.
+// Tests the closed form of diversity against the distances of all pairs.
 
 #include "gaprocs/diversity.hpp"
 #include "runtime/random.hpp"
@@ -14,10 +14,10 @@ using namespace placedpar;
 
 namespace {
 
-/// Computes mean distances pair by pair. It takes a root only where the representation uses the mean square.
+/// Computes mean distances pair by pair. If the representation uses mean squares, it takes the root.
 struct Pairs {
     const Representation& representation;
-    double greatest; ///< distance
+    double greatest; ///< greatest distance
     bool of_squares = false;
 
     double share(const Genome& a, const Genome& b) const {
@@ -44,7 +44,7 @@ double within(const std::vector<Genome>& population) {
 
 Spread four_bits(std::initializer_list<const char*> texts) { return spread_of(test::strings(texts), BitString(4)); }
 
-/// The closed form against all pairs, with populations of several sizes, one of them near to all alike.
+/// Checks the closed form against all pairs, for several sizes of population; one population is almost uniform.
 void check_pairs(const Representation& representation, double greatest, bool of_squares = false) {
     RandomStream random(1, "diversity");
     Pairs pairs{representation, greatest, of_squares};

@@ -23,7 +23,7 @@ SearchSettings with_elite(std::size_t elite, std::size_t population) {
     return settings;
 }
 
-/// How often the best fitness falls from one generation to the next while the window stands.
+/// Returns how often the best fitness falls between two generations with the same window.
 int falls(const SearchSettings& settings, std::uint64_t seed) {
     auto problem = make_search_problem(LineProblem{});
     auto window = line_record(10);
@@ -49,7 +49,7 @@ TEST_CASE("the best in order, the first among equals") {
 
 TEST_CASE("the elite stands first in the next population, unchanged, the best at its head") {
     SearchSettings settings = with_elite(2, 6);
-    settings.mutation_probability = 1; // no individual outside of the elite stays as it was
+    settings.mutation_probability = 1; // no individual outside the elite stays unchanged
     settings.crossover_probability = 0;
     auto population = strings({"0000", "0001", "0010", "0011", "0100", "0101"});
     Search search(population, settings, RandomStream(1, "elite"));
@@ -58,7 +58,7 @@ TEST_CASE("the elite stands first in the next population, unchanged, the best at
     CHECK(search.population()[0] == population[4]);
     CHECK(search.population()[1] == population[2]);
     for (std::size_t i = 2; i < 6; ++i) {
-        // Parents are the two of positive fitness, all of whose bits mutation has flipped.
+        // The parents are the two individuals of positive fitness, and mutation has flipped all their bits.
         std::string text = search.population()[i].to_string();
         CHECK((text == "1011" || text == "1101"));
     }
@@ -89,7 +89,7 @@ TEST_CASE("in a window that stands the best is never lost with an elite; without
 }
 
 TEST_CASE("when the window moves the elite is evaluated again") {
-    // The line changes its slope after ten samples: what was best before must not keep its old fitness.
+    // The line changes its slope after ten samples: the former best must not keep its old fitness.
     auto record = line_record(30);
     for (std::size_t k = 10; k < 30; ++k)
         record[k][1] = 40.0 / 256 * record[k][0];

@@ -1,4 +1,4 @@
-// What islands send back to their host after the generations of each sample.
+// Tests what islands send to their host after the generations of each sample.
 
 #include "tests/gaprocs/island_netlist.hpp"
 
@@ -17,7 +17,7 @@ constexpr std::size_t islands = 4;
 IslandNetlist four_islands() {
     SearchSettings each;
     each.population = 16;
-    each.window.first = each.window.length; // T_exe is of generations with a full window
+    each.window.first = each.window.length; // T_exe counts only generations with a full window
     IslandNetlist netlist{};
     netlist.settings.islands.assign(islands, each);
     netlist.on = IslandNetlist::On::four_transputers;
@@ -32,7 +32,7 @@ std::string returning(const IslandNetlist& netlist, std::size_t first = 0) {
     return text;
 }
 
-/// Returns the samples that an island searches: from the one that fills the window on.
+/// Returns how many samples an island searches: all from the one that fills the window.
 std::size_t samples_searched() { return line_samples - SearchSettings{}.window.length + 1; }
 
 double generations_ms(const RunReport& report, std::size_t island, double trials) {

@@ -1,4 +1,4 @@
-// Chain, star, tree and mixtures: each gives the traditional algorithm's generations, and none can get stuck.
+// Tests chains, stars, trees and mixtures: each gives the traditional algorithm's generations, and none deadlocks.
 
 #include "gaprocs/traditional.hpp"
 #include "runtime/random.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t most_slaves = 11; // of 12 individuals
 
-/// A search of few generations that costs the test little.
+/// Returns parameters of a short search.
 std::string small_search(const std::string& others = "") {
     return "rehearsals = 1, population = 12, window = 4, first_window = 4, trials = 2, elite = 1" +
            (others.empty() ? "" : ", " + others);
@@ -45,7 +45,7 @@ std::string populations_without_slaves(const FarmOfForm& farm) {
     return run_on_line(text).measured_text("master", "populations");
 }
 
-/// Every way to deal out, to send and to pass results on.
+/// Returns every combination of splitting work, sending it, and returning results.
 std::vector<std::string> ways() {
     std::vector<std::string> all;
     for (const char* sending : {"in turn", "at once"}) {
@@ -74,7 +74,7 @@ TEST_CASE("every form, way and number of slaves gives the generations of the tra
             for (const std::string& way : ways())
                 for (bool on_links : {true, false}) {
                     if (on_links && form == star_of(slaves) && slaves > 3)
-                        continue; // a transputer has four links
+                        continue; // a transputer has only four links
                     if (sampled.passes_over())
                         continue;
                     CAPTURE(slaves);

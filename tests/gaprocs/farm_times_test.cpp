@@ -1,4 +1,4 @@
-// What masters and slaves measure of themselves.
+// Tests the times that masters and slaves measure.
 
 #include "gaprocs/processes/share.hpp"
 #include "tests/gaprocs/cluster.hpp"
@@ -29,7 +29,7 @@ TEST_CASE("a master of high priority that deals on demand measures its evaluatio
     };
     double low = run_on_line(netlist("LOW")).measured("master0", "P_time2");
     double high = run_on_line(netlist("HIGH")).measured("master0", "P_time2");
-    // Nine to eleven of 30 individuals at 10 samples of 1440 cycles of 50 ns are 6.5 to 7.9 ms.
+    // Nine to eleven of 30 individuals, at 10 samples of 1440 cycles of 50 ns, take 6.5 to 7.9 ms.
     CHECK(low > 6);
     CHECK(low < 9);
     CHECK(high == doctest::Approx(low).epsilon(0.1));
@@ -38,7 +38,7 @@ TEST_CASE("a master of high priority that deals on demand measures its evaluatio
 TEST_CASE("times are those of a full window: without one there are none") {
     Cluster never_full{.slaves = 2};
     RunReport report = run_on_line(never_full.netlist() + "host (samples = 7);\n");
-    CHECK(report.measured("master0", "generations") == 15); // 3 samples from the fifth on, 5 trials each
+    CHECK(report.measured("master0", "generations") == 15); // 3 samples from the fifth on, with 5 trials each
     for (const char* time : {"T_exe", "T_sr", "P_time2", "C_time2", "S_time2", "generations_per_second"})
         CHECK_FALSE(has(report, time));
     CHECK(has(run_on_line(never_full.netlist() + "host (samples = 10);\n"), "T_exe"));
@@ -51,7 +51,7 @@ TEST_CASE("a run that takes no time has no rate") {
         "connect host.to_masters[0] to m.from_host; place host on sun; place m on sun;\n";
     RunReport report = run_on_line(text);
     CHECK(report.result.time == Time{0});
-    CHECK(report.measured("m", "generations") == 40); // 8 samples from the fifth of 12 on
+    CHECK(report.measured("m", "generations") == 40); // 8 samples, from the fifth to the twelfth
     CHECK_FALSE(has(report, "generations_per_second"));
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("rehearsals disturb none of the work's figures") {
 }
 
 TEST_CASE("results in the order of the chain take longer than those that are passed on when they are ready") {
-    // So many that the clock's tick of 64 us does not matter.
+    // With this many rehearsals the clock's tick of 64 us does not matter.
     Cluster in_order{.slaves = 3, .master_parameters = "rehearsals = 50"};
     Cluster ready{.slaves = 3, .master_parameters = "rehearsals = 50, results = \"ready\""};
     RunReport chain = run_on_line(in_order.netlist()), any = run_on_line(ready.netlist());
@@ -93,7 +93,8 @@ TEST_CASE("the communication of a generation that is dealt on demand is that of 
     };
     double round = run_on_line(netlist("individuals")).measured("master0", "C_time2");
     double demand = run_on_line(netlist("demand")).measured("master0", "C_time2");
-    // 15 messages and 15 answers instead of one and one; measurements of 148 bytes go in one of them either way.
+    // There are 15 messages and 15 answers instead of one each. The measurements of 148 bytes go in one message either
+    // way.
     CHECK(demand > 2 * round);
     CHECK(demand < 15 * round);
 }
@@ -105,7 +106,7 @@ TEST_CASE("no share of any window is about more individuals than stated") {
                 for (std::size_t window = 1; window <= 12; ++window)
                     for (double own_share : {0.0, .3, 1.0}) {
                         auto shares = deal(population, window, slaves, split, own_share);
-                        shares.pop_back(); // the master's, which is in no message
+                        shares.pop_back(); // the master's share, which is in no message
                         for (const Share& share : shares)
                             CHECK(share.individuals() <= most_individuals(population, slaves, split, own_share));
                     }

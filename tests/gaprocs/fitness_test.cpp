@@ -21,7 +21,7 @@ void shuffle(std::vector<double>& terms, RandomStream& random) {
         std::swap(terms[i - 1], terms[random.below(static_cast<std::uint32_t>(i))]);
 }
 
-/// The terms cut at random places into runs, each added by itself, the partial sums added in random order.
+/// Cuts the terms at random into runs, adds each run, and adds the sums in random order.
 double partitioned_sum(const std::vector<double>& terms, RandomStream& random) {
     std::vector<double> partial(1, 0);
     for (double term : terms) {

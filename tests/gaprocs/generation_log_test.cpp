@@ -1,4 +1,4 @@
-// What a log says: by hand, of the library and of the machine.
+// Tests the content of a log: by hand, from the library and from the machine.
 
 #include "gaprocs/generation_log.hpp"
 
@@ -22,7 +22,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Rows as text: "2 east best 7", of immigrants "2 east turned_away 3 from west".
+/// Returns rows as text: "2 east best 7", or for immigrants "2 east turned_away 3 from west".
 std::vector<std::string> texts_of(const GenerationLog& log) {
     std::vector<std::string> texts;
     for (const LogRow& row : log.rows())
@@ -36,7 +36,7 @@ void tell(SearchObserver& log, const char* search, std::uint64_t number, const s
     log.observe({search, number, std::nullopt, BitString(population.front().size()), population, fitness});
 }
 
-/// The islands of a Cluster as the library makes them.
+/// Returns the settings of a Cluster's islands for the library.
 IslandsSettings islands_of(const Cluster& cluster) {
     SearchSettings each;
     each.population = static_cast<std::size_t>(cluster.population);
@@ -59,7 +59,7 @@ std::vector<std::string> masters(int islands) {
     return names;
 }
 
-/// With the searches named in this way, whatever they are called; of 10 at most.
+/// Returns the rows with each search renamed to `name` and its number. REQUIRES: at most 10 searches.
 std::vector<std::string> texts_named(const GenerationLog& log, std::string_view name) {
     auto texts = texts_of(log);
     for (std::string& text : texts)
@@ -84,7 +84,7 @@ void check_ring_of_masters(const Cluster& cluster) {
     check_logs(machine, library);
 }
 
-/// Populations and windows of their own.
+/// Returns five islands with different populations and windows.
 IslandsSettings five_islands() {
     IslandsSettings settings = islands_of({.islands = 5, .population = 9});
     settings.islands[1].population = 12;
@@ -103,7 +103,7 @@ void check_islands(const IslandsSettings& settings) {
     check_logs(machine, library);
 }
 
-/// A search of this problem alone.
+/// Returns the log of one search of this problem.
 GenerationLog searched(const SearchProblem& problem, std::size_t generations) {
     GenerationLog log({"traditional"});
     SearchSettings settings = usual_settings(problem);
@@ -222,7 +222,7 @@ TEST_CASE("the log of islands of any topology and policies is that of the librar
 TEST_CASE("a log of asynchronous islands: an immigrant comes in a generation of the island that he comes to") {
     IslandsSettings settings = five_islands();
     settings.schedule = AsynchronousSchedule{2};
-    settings.islands[1].window.length = 3; // it begins before the others
+    settings.islands[1].window.length = 3; // this island starts before the others
     GenerationLog machine(island_names(5)), library(island_names(5));
     auto problem = make_search_problem(LineProblem{});
     auto run = run_islands(*problem, line_record(line_samples), settings, island_streams(1, 5), &library);
@@ -241,7 +241,7 @@ TEST_CASE("a log of asynchronous islands: an immigrant comes in a generation of 
     std::size_t from_another = 0;
     for (std::size_t i = 0; i < run.migrations.size(); ++i)
         from_another += out_of_step(i);
-    CHECK(from_another > 10); // island 1 is 10 generations ahead of those that it sends to
+    CHECK(from_another > 10); // island 1 is 10 generations ahead of the islands to which it sends
 }
 
 TEST_CASE("every process that searches is observed, whatever its kind") {

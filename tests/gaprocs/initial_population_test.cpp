@@ -19,7 +19,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A file that is there as long as this.
+/// A file that is deleted at the end.
 class PopulationFile {
 public:
     explicit PopulationFile(const std::string& text)

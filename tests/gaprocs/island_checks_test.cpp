@@ -1,4 +1,4 @@
-// What ga.island refuses of a netlist before it runs, and where it says so.
+// Tests what ga.island refuses in a netlist before a run, and the place that the message gives.
 
 #include "gaprocs/processes/kinds.hpp"
 #include "netlist/read.hpp"
@@ -19,7 +19,7 @@ struct Way {
     int from, from_end, to, to_end;
 };
 
-/// Islands of 12 on one processor. The parameters are in line 4, the channels from line 5 on, one a line.
+/// Makes islands of 12 on one processor. The parameters are in line 4; the channels start at line 5, one a line.
 std::string islands_netlist(int islands, const std::string& parameters, const std::vector<Way>& ways) {
     std::string text =
         fmt::format("val n {}; T800 t; workstation sun; connect sun.link[0] to t.link[0]; process host;\n"
@@ -71,7 +71,7 @@ std::vector<Way> star(int islands) {
     return ways;
 }
 
-/// Parameters of three islands, of which the last has others.
+/// Returns statements for three islands, the last with parameters of its own.
 std::string and_of_the_last(const std::string& first, const std::string& last) {
     return fmt::format("rep i = 0 for 2 island[i] (problem = \"line\", {0}); island[2] ({1});", first, last);
 }
@@ -119,7 +119,7 @@ TEST_CASE("a topology that is not connected is a warning, once") {
 }
 
 TEST_CASE("a chain of one way is a warning, once: the last island's individuals never come to the first") {
-    check_says(said_of(3, all(""), {{0, 0, 1, 0}, {0, 1, 2, 0}}), // a star of one way
+    check_says(said_of(3, all(""), {{0, 0, 1, 0}, {0, 1, 2, 0}}), // a star in one direction
                "warning: nothing of \"island[1]\" ever comes to \"island[0]\"");
     auto text = said_of(3, all(""), {{0, 0, 1, 0}, {1, 0, 2, 0}});
     CHECK(text == "islands.cfs:2:9: warning: nothing of \"island[1]\" ever comes to \"island[0]\"\n"
@@ -139,7 +139,7 @@ TEST_CASE("islands of which none is connected are a warning, once, unless they s
 }
 
 TEST_CASE("islands that never exchange, since the run ends before, are a warning, once") {
-    // 12 samples, the first generation with 5 of them, 5 for each: 40
+    // With 12 samples, the first generation uses 5, and each sample has 5 generations: 40.
     CHECK(said_of(3, all(", exchange_every = 40"), ring(3)).empty());
     CHECK(said_of(3, all(", exchange_every = 41"), ring(3)) ==
           "islands.cfs:4:44: warning: \"island[0]\" never exchanges: it would do so every 41 generations, and the run "
@@ -148,7 +148,7 @@ TEST_CASE("islands that never exchange, since the run ends before, are a warning
           "                                               ^\n");
     check_says(said_of(3, all(", schedule = \"sequential(41)\""), ring(3)), "islands.cfs:4:44: warning: \"island[0]\"");
     CHECK(said_of(3, all(", exchange_every = 41, topology = \"none\""), {}).empty());
-    // In step all wait for the one that needs the most samples; else each goes its own way.
+    // In step, all islands wait for the one that needs the most samples; otherwise each runs at its own pace.
     auto last = [](const std::string& every, const std::string& other) {
         return said_of(3, and_of_the_last(every, "problem = \"line\", first_window = 10, " + other), ring(3));
     };
@@ -172,7 +172,7 @@ TEST_CASE("another topology than the parameter says") {
     check_says(said_of(4, all(", topology = \"hypercube\""), ring(4)),
                "islands.cfs:4:44: error: \"island[0]\" is connected to island[1], but to island[1], island[2] in the "
                "topology \"hypercube\" of 4 islands");
-    check_says(said_of(3, all(", topology = \"none\""), ring(3)), "but to nobody in the topology");
+    check_says(said_of(3, all(", topology = \"none\""), ring(3)), "but to no island in the topology");
     check_says(said_of(3, all(", topology = \"cube\""), ring(3)), "it is one of ring(ways = 1)");
     check_says(said_of(10, all(", topology = \"torus(3)\""), ring(10)), "expected rows that divide 10: 1, 2, 5, 10");
 }
@@ -189,7 +189,7 @@ TEST_CASE("more migrants than individuals, more than a message holds, and more t
     check_says(text, "islands.cfs:4:27: error: 13 immigrants come at once to an island of 12 individuals, 1 of them "
                      "elite, expected at most 11");
     CHECK(said_of(12, all(", elite = 1"), star(12)).empty());
-    auto no_pair = said_of(3, all(", elite = 11"), ring(3)); // and no word on what follows from it
+    auto no_pair = said_of(3, all(", elite = 11"), ring(3)); // no message about consequences of this fault
     check_says(no_pair, "an elite of 11 leaves no pair");
     CHECK(no_pair.find("at once") == std::string::npos);
     check_says(said_of(12, all(", elite = 1, schedule = \"sequential\", emigration = \"random(2)\""), star(12)),

@@ -14,20 +14,20 @@
 
 namespace placedpar::test {
 
-/// Islands of the line problem, or another, as a netlist: island[0], island[1], ... on the same number of workstations,
-/// which are joined as their islands are, on four transputers, each joined with every other, or all on one.
+/// Islands of the line problem, or another problem, as a netlist: island[0], island[1], ... They run on as many
+/// workstations, wired like their islands; on four transputers, each wired to every other; or all on one.
 struct IslandNetlist {
     IslandsSettings settings;
     enum class On { one_transputer, four_transputers, workstations } on = On::one_transputer;
     std::string transputer = "clock = 20M";       ///< attributes of the first and third
-    std::string other_transputer = "clock = 20M"; ///< of the second and fourth
+    std::string other_transputer = "clock = 20M"; ///< attributes of the second and fourth
     std::string wire = "linkspeed = 20M";
-    std::string topology = "given"; ///< the parameter
-    std::string more = "";          ///< parameters of each island
+    std::string topology = "given"; ///< value of the parameter
+    std::string more = "";          ///< further parameters of each island
     std::string problem = "line";
-    bool recorded = true;  ///< has a window that slides over samples
+    bool recorded = true;  ///< the problem's window slides over samples
     std::string host = ""; ///< parameters of the host
-    int slaves = 0;        ///< of each island, in a chain; on workstations only
+    int slaves = 0;        ///< for each island, in a chain; on workstations only
 
     std::string text() const {
         std::size_t n = settings.islands.size();
@@ -90,7 +90,7 @@ private:
                            std::min(window.first, window.length), window.trials, window.bias);
     }
 
-    /// The first hangs from its island by a link that no neighbour uses.
+    /// The first slave is wired to its island through a link that no neighbour uses.
     std::string slave(std::size_t i, int s) const {
         std::string before = s == 0 ? fmt::format("island[{}]", i) : fmt::format("slave{}_{}", i, s - 1);
         std::string link = s == 0 ? fmt::format("w[{}].link[99]", i) : fmt::format("s{}_{}.link[3]", i, s - 1);
@@ -101,7 +101,7 @@ private:
                            i, s, before, link, s % 2 ? other_transputer : transputer, problem, wire);
     }
 
-    /// The ends at which immigrants come in are numbered from the highest island on: their order means nothing.
+    /// The ports for immigrants are numbered from the highest island on, since their order must not matter.
     std::string channels() const {
         std::string text;
         std::vector<int> ends(count());
@@ -114,14 +114,14 @@ private:
     }
 };
 
-/// The run of the same islands in the library: for each island a hash of every population, as the processes measure it.
+/// Runs the same islands in the library: for each island a hash of every population, as the processes measure it.
 struct LibraryRun {
     std::vector<std::string> populations;
 
     LibraryRun(const IslandsSettings& settings, std::vector<RandomStream> streams)
         : LibraryRun(*make_search_problem(LineProblem{}), line_record(line_samples), settings, std::move(streams)) {}
 
-    /// Throws as Islands().
+    /// Throws what Islands() throws.
     LibraryRun(const SearchProblem& problem, std::span<const Sample> record, const IslandsSettings& settings,
                std::vector<RandomStream> streams) {
         Islands islands(problem, settings, std::move(streams));

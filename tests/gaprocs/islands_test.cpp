@@ -1,4 +1,4 @@
-// Algorithm B on the simulated machine against the islands of the library.
+// Tests algorithm B on the simulated machine against the library's islands.
 
 #include "tests/gaprocs/island_netlist.hpp"
 #include "tests/sanitized.hpp"
@@ -53,7 +53,7 @@ IslandsSettings alike_islands() {
     return settings;
 }
 
-/// A distributed fitness function: populations, odd ones too, windows and biases of their own.
+/// Islands with different populations (some of them odd), windows and biases: a distributed fitness function.
 IslandsSettings different_islands() {
     IslandsSettings settings = alike_islands();
     const std::vector<std::size_t> populations{17, 16, 19, 20, 16, 18, 21, 16}, windows{10, 7, 10, 3, 10, 5, 7, 9};
@@ -65,7 +65,7 @@ IslandsSettings different_islands() {
     return settings;
 }
 
-/// Drawn at random; the third island only gets.
+/// A random topology; island 3 only receives.
 const Neighbours drawn{{1, 2, 3}, {0}, {4}, {}, {5}, {6, 7}, {2}, {0, 5}};
 
 std::vector<Topology> topologies() {
@@ -162,7 +162,7 @@ TEST_CASE("a named topology puts the neighbours in its order, however they are c
     IslandNetlist netlist{alike_islands()};
     netlist.settings.topology = GivenTopology{shuffled};
     netlist.settings.schedule = SequentialSchedule{1};
-    check_same_as_library(netlist); // as connected
+    check_same_as_library(netlist); // as the channels are connected
     auto populations = [](const IslandNetlist& each) {
         return run_on_line(each.text()).measured_text("island[1]", "populations");
     };
@@ -207,12 +207,12 @@ TEST_CASE("asynchronous exchange ends on every topology and placement, the same 
             CHECK(report.result.ending == Ending::completed);
             CHECK(report.result.fingerprint == again.result.fingerprint);
             CHECK(report.measured("island[0]", "generations") == 16); // two for each sample from the fifth on
-            CHECK(report.measured("island[3]", "generations") == 20); // it waits for no island
+            CHECK(report.measured("island[3]", "generations") == 20); // this island waits for no other
             CHECK(report.measured_text("island[0]", "populations") == again.measured_text("island[0]", "populations"));
             CHECK((report.measured_text("island[0]", "populations") != alone) == topology.exchanges());
             runs.insert(report.measured_text("island[0]", "populations"));
         }
-    CHECK(runs.size() > 8); // it depends on the machine
+    CHECK(runs.size() > 8); // the result depends on the machine
 }
 
 TEST_CASE("asynchronous islands may be masters") {

@@ -1,4 +1,4 @@
-// What the kinds refuse of a netlist before it runs, and where they say it is.
+// Tests what the kinds refuse in a netlist before a run, and the place that the message gives.
 
 #include "gaprocs/processes/kinds.hpp"
 #include "gaprocs/processes/messages.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t samples = 12;
 
-/// A master, two slaves and the host, a statement a line.
+/// Returns a master, two slaves and the host, one statement a line.
 std::map<std::string, std::string> statements() {
     return {{"host", "host (problem = \"line\");"},
             {"master", "master (problem = \"line\", slaves = 2);"},
@@ -33,7 +33,7 @@ std::map<std::string, std::string> statements() {
             {"from next", "connect slave[1].to_master to slave[0].from_slaves;"}};
 }
 
-/// Lines 1 to 8 are those above in alphabetical order of their names, the rest is what every one needs.
+/// Lines 1 to 8 are the statements above, ordered by name. The rest is common to all netlists.
 std::string netlist(const std::map<std::string, std::string>& lines) {
     std::string text = "T800 t; workstation sun; connect sun.link[0] to t.link[0]; process host; process master; "
                        "process slave[2]; use \"ga.host\" for host; use \"ga.master\" for master; "
@@ -79,7 +79,7 @@ bool says(const std::string& text, const std::string& part) {
     return found;
 }
 
-/// Each slave at a channel of the master's own.
+/// Connects each slave directly to the master.
 auto star_statements() {
     auto lines = statements();
     lines.at("to next") = "connect master.to_slaves[1] to slave[1].from_master;";
@@ -110,7 +110,7 @@ TEST_CASE("settings that run, but not as the record is meant, are warnings, once
         return refusal_of(lines);
     };
     CHECK(said_with(", trials = 3, bias = 10").empty());
-    CHECK(said_with(", trials = 3, bias = 400").empty()); // who says so means it
+    CHECK(said_with(", trials = 3, bias = 400").empty()); // an explicit setting is accepted without a warning
     CHECK(said_with(", trials = 2, bias = 10") ==
           "farm.cfs:5:40: warning: trials = 2, but the record of \"timed\" has a sample for every 3 generations: what "
           "changes in it changes at another generation than it says\n"
@@ -181,7 +181,7 @@ TEST_CASE("a host that sends too few samples for the first generation is refused
     };
     says(host(5), "farm.cfs:6:1: error: the first generation waits for 6 samples, but \"host\" sends 5");
     CHECK(host(6).empty());
-    CHECK(host(0).empty()); // all there are
+    CHECK(host(0).empty()); // 0 means all samples
 }
 
 TEST_CASE("a host need not send more samples than a window that is shorter than the first one holds") {
@@ -244,7 +244,7 @@ TEST_CASE("a tree has no loose ends") {
     elsewhere.at("from next") = "connect slave[1].to_master to slave[1].from_slaves;";
     says(refusal_of(elsewhere), "the channel \"slave[1].from_slaves\" is connected, but \"slave[1].to_slaves\" is not");
 
-    auto gap = lines; // what an interface declares may stay unconnected
+    auto gap = lines; // ports of an interface may stay unconnected
     gap.at("to next") = "connect master.to_slaves[2] to slave[1].from_master;";
     gap.at("from next") = "connect slave[1].to_master to master.from_slaves[2];";
     std::string text = netlist(gap), declared = "process master;";
@@ -289,7 +289,7 @@ TEST_CASE("settings that do not fit together are refused at the parameter") {
     says(master("first_window = 4, window = 3"),
          "farm.cfs:5:39: error: the first generation waits for 4 samples, but the window holds 3");
     says(master("first_window = 11"), "the first generation waits for 11 samples, but the window holds 10");
-    CHECK(master("window = 3").empty()); // the default of first_window gives way
+    CHECK(master("window = 3").empty()); // first_window has a default, which is reduced
     says(master("population = 10, elite = 9"), "farm.cfs:5:56: error: an elite of 9 leaves no pair to be bred");
     says(master("bias = 8388609.0"), "it goes from 1e-300 to 8388608");
     CHECK(master("bias = 8388608.0").empty());
@@ -392,7 +392,7 @@ TEST_CASE("a string weighs what the netlist says, or else its bits in whole byte
 }
 
 TEST_CASE("messages beyond what a count of 31 bits can tell are refused") {
-    // 98304 individuals in three shares of 32768: times 65536 bytes that is 2^31.
+    // 98304 individuals are sent in three shares of 32768: with 65536 bytes each, that is 2^31.
     auto strings = [](int population, int bytes) {
         return refusal("master", fmt::format("master (problem = \"line\", slaves = 2, measurement_bytes = 1, "
                                              "population = {}, string_bytes = {});",
@@ -415,7 +415,7 @@ TEST_CASE("what is refused only when it runs names the process, its kind and its
     Kinds kinds;
     auto read = read_netlist_text(netlist(statements()), kinds.catalogue, {}, "farm.cfs");
     REQUIRE(read.network);
-    ProblemRegistry shorter; // another record than the one that was checked
+    ProblemRegistry shorter; // the record differs from the one that was checked
     shorter.add("line", make_search_problem(LineProblem{}), line_record(9));
     Catalogue others;
     add_genetic_algorithm_kinds(others, shorter);

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-/// A search problem that includes nothing of gaprocs, as those of another room do not: the slope of a line
-/// through the origin, 0 ... 1 in 8 bits, from samples (u, y).
+/// A search problem that includes no header of gaprocs, as in another room: the slope of a line through the origin, 0
+/// ... 1 in 8 bits, from samples (u, y).
 struct LineProblem {
     std::size_t bits() const { return 8; }
     std::size_t channels() const { return 2; }
@@ -25,7 +25,7 @@ struct LineProblem {
     std::vector<std::string> parameter_units() const { return {"1"}; }
 };
 
-/// The line problem with an error that adds up from the window's first sample on.
+/// The line problem with an error that accumulates from the window's first sample on.
 struct LineAlongWindow : LineProblem {
     template <typename G>
     std::vector<double> parameters_of(const G& genome) const {
@@ -39,7 +39,7 @@ struct LineAlongWindow : LineProblem {
     }
 };
 
-/// Samples of the line y = 0.59375 u: code 152.
+/// Returns samples of the line y = 0.59375 u, which is code 152.
 inline std::vector<std::vector<double>> line_record(std::size_t samples) {
     std::vector<std::vector<double>> record;
     for (std::size_t k = 0; k < samples; ++k) {

@@ -1,4 +1,4 @@
-// Problems that give a number for each individual, in the library.
+// Tests problems that give a number for each individual, in the library.
 
 #include "gaprocs/islands.hpp"
 #include "gaprocs/problem_registry.hpp"

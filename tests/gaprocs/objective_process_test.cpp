@@ -1,4 +1,4 @@
-// Objective problems on the simulated machine: the generations equal the library's, on any evaluators.
+// Tests objective problems on the simulated machine: the generations equal the library's, on any evaluators.
 
 #include "gaprocs/islands.hpp"
 #include "gaprocs/traditional.hpp"
@@ -41,7 +41,7 @@ void mix(Fingerprint& populations, const std::vector<Genome>& population) {
             populations.mix(word);
 }
 
-/// A hash of every population of each island, as processes measure it.
+/// Returns a hash of every population of each island, as processes measure it.
 std::vector<std::string> populations_of_library(std::size_t islands, std::vector<RandomStream> streams) {
     auto sphere = the_sphere();
     IslandsSettings settings;
@@ -82,7 +82,7 @@ TEST_CASE("a farm gives an objective problem the library's generations, for ever
 
 namespace {
 
-/// A master with slaves and the library make the same generations.
+/// Checks that a master with slaves and the library make the same generations.
 void check_farm(const std::string& name, std::shared_ptr<const SearchProblem> problem, SearchSettings settings,
                 const std::string& parameters) {
     CAPTURE(name);
@@ -103,7 +103,7 @@ void check_farm(const std::string& name, std::shared_ptr<const SearchProblem> pr
     }
 }
 
-/// The usual settings with another crossover and mutation.
+/// Returns the usual settings with another crossover and mutation.
 SearchSettings settings_with(const SearchProblem& problem, const char* crossover, const char* mutation) {
     SearchSettings settings = usual_settings(problem);
     settings.crossover = Crossover::named(crossover);
@@ -160,7 +160,7 @@ TEST_CASE("nothing is measured, so no measurements are sent") {
     RunReport cheap = run_on_line(cluster.netlist());
     Cluster line{.slaves = 1, .master_parameters = "window = 1, trials = 1, rehearsals = 2"};
     RunReport dear = run_on_line(line.netlist());
-    // 148 bytes of 11 bits at 20 Mbit/s, and making them ready.
+    // 148 bytes of 11 bits at 20 Mbit/s, and their preparation.
     double difference = dear.measured("master0", "C_time2") - cheap.measured("master0", "C_time2");
     CHECK(difference > 0.08);
     CHECK(difference < 0.2);

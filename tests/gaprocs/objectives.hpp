@@ -10,20 +10,20 @@
 #include <string_view>
 #include <tuple>
 
-/// The least complete problem there is.
+/// The smallest complete problem.
 struct PlainSphere {
     placedpar::ParameterCoding representation() const { return placedpar::ParameterCoding(3, {-4, 4, 8}); }
     double objective(std::span<const double> x) const { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; }
 };
 
-/// It has a name, and no numbers that the name could give.
+/// A problem with a name but without named parameters.
 struct Bowl {
     static constexpr std::string_view name = "bowl", about = "the square of the distance from 1";
     placedpar::ParameterCoding representation() const { return placedpar::ParameterCoding(1, {0, 2, 6}); }
     double objective(std::span<const double> x) const { return (x[0] - 1) * (x[0] - 1); }
 };
 
-/// All that one may state, with numbers that a name may give.
+/// A problem with everything that one may state, including named parameters.
 struct Valley {
     static constexpr std::string_view name = "valley", about = "a straight valley";
     std::size_t dimensions = 2;
@@ -41,7 +41,7 @@ struct Valley {
     double optimum() const { return 0; }
 };
 
-/// x where it is a number, and no number or infinity elsewhere.
+/// The objective is x where defined; elsewhere it is not a number, or infinite.
 struct Cliff {
     placedpar::ParameterCoding representation() const { return placedpar::ParameterCoding(1, {0, 4, 2}); }
     double objective(std::span<const double> x) const {
@@ -53,13 +53,13 @@ struct Cliff {
     }
 };
 
-/// No number anywhere.
+/// The objective is nowhere a number.
 struct Nowhere {
     placedpar::ParameterCoding representation() const { return placedpar::ParameterCoding(1, {0, 4, 2}); }
     double objective(std::span<const double>) const { return std::numeric_limits<double>::quiet_NaN(); }
 };
 
-/// How far each guest sits from the seat of the same number.
+/// Counts how far each guest sits from the seat of the same number.
 struct Seats {
     placedpar::Permutation representation() const { return placedpar::Permutation(9); }
     double objective(std::span<const std::size_t> order) const {
@@ -71,7 +71,7 @@ struct Seats {
     double optimum() const { return 0; }
 };
 
-/// Ones at every other place of a long string.
+/// The optimum is a long string with ones at every other place.
 struct Comb {
     placedpar::BitString representation() const { return placedpar::BitString(4096); }
     double objective(const placedpar::Genome& genome) const {
@@ -82,7 +82,7 @@ struct Comb {
     }
 };
 
-/// Two numbers that were never bits, one of them far larger.
+/// A problem of two real numbers, one of them far larger.
 struct Plane {
     placedpar::RealVector representation() const { return placedpar::RealVector({{-1, 1}, {0, 1e6}}); }
     double objective(std::span<const double> x) const { return std::abs(x[0] - 0.25) + std::abs(x[1] / 1e6 - 0.5); }

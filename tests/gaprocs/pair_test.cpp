@@ -1,4 +1,4 @@
-// The coarse and the fine search on the simulated machine against the pair of the library.
+// Tests the coarse and the fine search on the simulated machine against the library's pair.
 
 #include "gaprocs/coarse_fine.hpp"
 #include "gaprocs/generation_log.hpp"
@@ -28,8 +28,8 @@ constexpr const char* on_two_transputers =
 constexpr const char* fine_on_workstation =
     "T800 t; connect sun.link[0] to t.link[0]; place coarse on t; place fine on sun;";
 
-/// A netlist of a pair for the line problem. The parameters of the coarse one are in line 4, those of the fine one in
-/// line 5.
+/// A netlist of a pair for the line problem. Line 4 has the coarse search's parameters, line 5 those of the fine
+/// search.
 struct PairNetlist {
     std::string placement = on_two_transputers;
     std::string bits_of_coarse = "4", bits_of_fine = "5";
@@ -64,7 +64,7 @@ CoarseFineSettings pair_on_line(Coding coding) {
 struct PairHistory {
     std::string coarse_populations, fine_populations;
     std::vector<double> coarse_bests, fine_bests;
-    double slope = 0; ///< the fine one's answer at the end
+    double slope = 0; ///< the fine search's answer at the end
     bool operator==(const PairHistory&) const = default;
 };
 

@@ -1,5 +1,6 @@
-// Masters that share their slaves (thesis, Figure 4.5): the generations are those of slaves of one's own, whatever the
-// masters, the split and the slaves' form; and what the pipeline is for, that the slaves work while a master breeds.
+// Tests masters that share their slaves (thesis, Figure 4.5). The generations must be those of masters with slaves of
+// their own, for any number of masters, split and form. The slaves must work while a master breeds, which is the
+// purpose of the pipeline.
 
 #include "tests/gaprocs/cluster.hpp"
 #include "tests/gaprocs/slave_forms.hpp"
@@ -16,11 +17,11 @@ using namespace placedpar;
 
 namespace {
 
-/// So many masters and slaves on links, a master's parameters and where the slaves hang.
+/// The masters and their parameters, the form of the slaves, and whether a pipeline is used.
 struct SharedFarm {
-    std::vector<std::string> masters; ///< parameters of each
-    SlaveForm form;                   ///< "the_master" is the pipeline here
-    bool own_slaves = false;          ///< without a pipeline: of one master
+    std::vector<std::string> masters; ///< parameters of each master
+    SlaveForm form;                   ///< "the_master" stands for the pipeline here
+    bool own_slaves = false;          ///< no pipeline: the slaves belong to one master
 
     std::string netlist() const {
         auto text = fmt::format("workstation sun;\nprocess host, master[{0}], slave[{1}];\n"
@@ -65,7 +66,8 @@ std::string populations_of(const RunReport& report, std::size_t master) {
     return report.measured_text(fmt::format("master[{}]", master), "populations");
 }
 
-/// What a master makes that has the slaves to itself: as master 0 its stream has another name, so it is asked by it.
+/// Returns the populations of this master with slaves of its own. Its stream keeps its name, although it is now master
+/// 0.
 std::string populations_alone(const SharedFarm& farm, std::size_t master) {
     SharedFarm alone{{farm.masters[master]}, farm.form, true};
     auto text = alone.netlist();
@@ -107,8 +109,8 @@ TEST_CASE("masters that share slaves make the generations that each makes with s
 }
 
 TEST_CASE("with computing that is all, two that share slaves lose nothing where one waits for its own breeding") {
-    // alpha = 4: an individual is 10 errors of 40000 cycles, and 100000 to breed. Four slaves evaluate 30 in the time
-    // that breeding them takes. Alone: 1 / (1 + 1) of the slaves' time is used; in a pipeline all of it.
+    // With alpha = 4, an individual takes 10 errors of 40000 cycles, and 100000 to breed. Four slaves evaluate 30 in
+    // the time of breeding them. One master uses 1 / (1 + 1) of the slaves' time, a pipeline all of it.
     std::string costs = "population = 30, split = \"evaluations\", own_share = 0, cycles_per_error = 40000, "
                         "cycles_per_individual = 100000";
     auto slaves_cost = [](std::string text) {
@@ -118,7 +120,7 @@ TEST_CASE("with computing that is all, two that share slaves lose nothing where 
     };
     RunReport alone = run_on_line(slaves_cost(SharedFarm{{costs}, chain_of(4), true}.netlist()));
     RunReport shared = run_on_line(slaves_cost(SharedFarm{{costs, costs}, chain_of(4)}.netlist()));
-    double one = 1 / (30 * (10 * 40000 + 100000) * 50e-9);            // of one processor that does everything
+    double one = 1 / (30 * (10 * 40000 + 100000) * 50e-9);            // a single processor that does everything
     CHECK(rate(alone, 0) == doctest::Approx(2.5 * one).epsilon(.02)); // (4 + 1) / (4 / 4 + 1), equation 4.9
     CHECK(rate(shared, 0) + rate(shared, 1) == doctest::Approx(5 * one).epsilon(.04));
 }

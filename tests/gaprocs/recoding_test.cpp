@@ -30,13 +30,13 @@ TEST_CASE("most significant bits stand for the lower end of their cell") {
     Recoding coarse{.problem_bits = {2, 4}, .bits = {2, 2}};
     CHECK(coarse.length() == 4);
     CHECK(read(coarse, "1001") == "100100");
-    coarse.coding = Coding::gray; // of the bred field: gray 11 is 2
+    coarse.coding = Coding::gray; // applies to the bred field: 11 in Gray code is 2
     CHECK(read(coarse, "0011") == "001000");
 }
 
 TEST_CASE("around a bias point, within the field") {
     Recoding fine{.problem_bits = {2, 4}, .bits = {2, 2}, .around = Genome::from_string("011000")};
-    CHECK(read(fine, "1000") == "100110"); // 8 - 2, and the whole first field by itself
+    CHECK(read(fine, "1000") == "100110"); // 8 - 2; the first field is read whole and separately
     CHECK(read(fine, "1011") == "101001"); // 8 + 1
     fine.around = Genome::from_string("010000");
     CHECK(read(fine, "1000") == "100000");

@@ -28,7 +28,7 @@ struct Island {
 
 } // namespace
 
-// Three islands in a ring, 0 to 1 to 2 to 0; the fitness is the binary number. Worked by hand:
+// Three islands in a ring, 0 to 1 to 2 to 0; the fitness is the binary number. The steps are:
 //
 //   island  before          fitness  sends   gets    after           fitness
 //   0       0001 0111 0100  1 7 4    0111    0101    0101 0111 0100  5 7 4

@@ -1,4 +1,5 @@
-// Islands as a library: alone the same as searches, together as their policies say. On the machine: islands_test.cpp.
+// Tests islands in the library: alone they equal separate searches, together they follow their policies. For the
+// simulated machine see islands_test.cpp.
 
 #include "gaprocs/islands.hpp"
 #include "tests/gaprocs/cluster.hpp"
@@ -15,7 +16,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A number of 16 bits, the greater the fitter, whatever the sample.
+/// A problem whose fitness is the string's number of 16 bits, whatever the sample.
 struct GreatestNumber {
     std::size_t bits() const { return 16; }
     std::size_t channels() const { return 1; }
@@ -40,7 +41,7 @@ IslandsSettings small_islands(std::size_t islands) {
     return alike(islands, each);
 }
 
-/// Small islands on which nothing new comes into being: the best of all spreads, and all else may change.
+/// Small islands without crossover or mutation, so that only exchanges can spread the best individual.
 IslandsSettings barren(std::size_t islands, const char* topology, const char* schedule) {
     SearchSettings each;
     each.population = 12;
@@ -53,7 +54,7 @@ IslandsSettings barren(std::size_t islands, const char* topology, const char* sc
     return settings;
 }
 
-/// Islands of which one has an individual that is better than all of the others'.
+/// Islands one of which has an individual better than all others.
 class Takeover {
 public:
     explicit Takeover(const IslandsSettings& settings)
@@ -77,7 +78,7 @@ public:
     const std::vector<Migration>& migrations() const { return islands_.migrations(); }
     void next_generation() { islands_.next_generation(); }
     bool reached(std::size_t island) const { return islands_.searches()[island].best().genome == greatest_; }
-    /// Until it is the best of each island.
+    /// Returns the number of generations until each island's best is that individual.
     std::size_t generations() {
         std::size_t count = 0;
         for (bool everywhere = false; !everywhere && count < 1000; ++count) {
@@ -162,10 +163,10 @@ TEST_CASE("takeover: n - 1 exchanges around a ring, n / 2 both ways, log2 n on a
         auto dimensions = static_cast<std::size_t>(std::bit_width(n) - 1);
         CHECK(generations_to_take_over(n, "hypercube", "broadcast(1)") == dimensions);
         CHECK(generations_to_take_over(n, "hypercube", "broadcast(5)") == 5 * dimensions);
-        // One dimension after the other reaches as many: the numbers of those reached double each time.
+        // Each exchange goes along another dimension, which doubles the number of islands reached.
         CHECK(generations_to_take_over(n, "hypercube", "sequential(1)") == dimensions);
     }
-    CHECK(generations_to_take_over(8, "ring(2)", "sequential(1)") == 7); // one island more each time
+    CHECK(generations_to_take_over(8, "ring(2)", "sequential(1)") == 7); // one more island each time
     CHECK(generations_to_take_over(8, "complete", "broadcast(1)") == 1);
 }
 
@@ -175,7 +176,7 @@ TEST_CASE("sequential exchange on four islands: with i xor 1, then with i xor 2"
     settings.schedule = SequentialSchedule{4};
     IslandsResult result = run_on_line_record(settings);
     std::size_t exchanges = result.islands[0].generations / 4;
-    REQUIRE(exchanges == 10); // 8 of 12 samples from the fifth on, 5 generations each
+    REQUIRE(exchanges == 10); // 8 of 12 samples, from the fifth on, with 5 generations each
     REQUIRE(result.migrations.size() == 4 * exchanges);
     for (std::size_t m = 0; m < result.migrations.size(); ++m) {
         const Migration& migration = result.migrations[m];
@@ -198,7 +199,7 @@ TEST_CASE("a broadcast of two to both neighbours: the same two to each, in the o
     CHECK(ways == std::vector<std::pair<std::size_t, std::size_t>>{
                       {1, 0}, {1, 0}, {4, 0}, {4, 0}, {0, 1}, {0, 1}, {2, 1}, {2, 1}});
     auto sent_by_1 = [&](std::size_t m) { return migrations[m].individual; };
-    CHECK(sent_by_1(0) == sent_by_1(8)); // to island 0, to island 2
+    CHECK(sent_by_1(0) == sent_by_1(8)); // what it sends to island 0 is what it sends to island 2
     CHECK(sent_by_1(1) == sent_by_1(9));
     CHECK(sent_by_1(0).fitness >= sent_by_1(1).fitness);
 }
@@ -218,7 +219,7 @@ TEST_CASE("who comes to another window is measured in it") {
                                                                std::span(record).subspan(end - length, length),
                                                                migration.to == 0 ? 400 : 100));
     }
-    // The short window is full after three samples, and waits for the other's five.
+    // The short window is full after three samples, but waits for the other's five.
     CHECK(result.islands[1].estimates.front().sample == 4);
     CHECK(result.islands[1].generations == result.islands[0].generations);
 }
@@ -290,7 +291,7 @@ TEST_CASE("among the offspring: who comes in is evaluated one generation later, 
     const Migration& came = takeover.migrations().at(other);
     CHECK(came.generation == 4);
     CHECK(came.individual.genome == takeover.greatest());
-    CHECK(came.place.value() >= 1); // behind the elite
+    CHECK(came.place.value() >= 1); // after the elite
     CHECK(takeover.population(other).at(came.place.value()) == takeover.greatest());
     takeover.next_generation();
     CHECK(takeover.reached(other));
@@ -312,7 +313,8 @@ TEST_CASE("asynchronous without a machine: islands take turns, and nobody waits 
     IslandsResult result = run_on_line_record(settings);
     CHECK(result.islands[0].generations == 40);
     CHECK(result.islands[1].generations == 50); // from the third sample on
-    // At its first exchange no island has written to island 0. What island 1 sends before the others begin is replaced.
+    // At the first exchange no island has sent anything to island 0 yet. What island 1 sends before the others begin is
+    // overwritten.
     CHECK(result.migrations.size() == 19 + 20 + 20);
     CHECK(same(result, run_on_line_record(settings)));
 }
@@ -353,7 +355,7 @@ TEST_CASE("islands that cannot be are refused, with what would be right") {
     CHECK(refusal(settings) ==
           "island 0: 15 immigrants come at once to an island of 12 individuals, 1 of them elite, expected at most 11");
     settings.schedule = SequentialSchedule{};
-    CHECK(refusal(settings).starts_with("island 0: 15 immigrants come at once")); // all others have only that one
+    CHECK(refusal(settings).starts_with("island 0: 15 immigrants come at once")); // all others have only that island
     settings.topology = CompleteTopology{};
     CHECK(refusal(settings).empty()); // one comes at a time
     settings.emigration = BestEmigration{12};

@@ -24,10 +24,10 @@ SearchSettings settings_with(double crossover_probability, double mutation_proba
 TEST_CASE("the bound of equation 6.2, worked out by hand") {
     auto population = test::strings({"1100", "1001", "0111", "0000"});
     std::vector<double> fitness{6, 2, 4, -3};
-    // 1***: 8 of 12, 4 * 8 / 12 = 2.667 copies; no cut can part it.
+    // 1***: 8 of 12, so 4 * 8 / 12 = 2.667 copies; no cut can disrupt it.
     CHECK(schema_bound(Schema::from_string("1***"), population, fitness, 0.8, 0.01) ==
           doctest::Approx(4 * 8 / 12.0 * 0.99));
-    // 1**1: 2 of 12, parted by every cut.
+    // 1**1: 2 of 12, disrupted by every cut.
     CHECK(schema_bound(Schema::from_string("1**1"), population, fitness, 0.8, 0.01) ==
           doctest::Approx(4 * 2 / 12.0 * (1 - 0.8) * 0.99 * 0.99));
     CHECK(schema_bound(Schema::from_string("0000"), population, fitness, 0.8, 0.01) == 0);
@@ -52,7 +52,7 @@ TEST_CASE("on average the next generation has at least as many of every schema, 
             }
             double mean = sum / generations, four_deviations = 4 * std::sqrt(6 / 4.0 / generations);
             CHECK(mean > schema_bound(schema, population, fitness, 0.8, 0.01) - four_deviations);
-            // Selection alone: the bound is what is expected.
+            // With selection alone, the bound equals the expected number.
             double by_selection = 0;
             for (int i = 0; i < generations; ++i) {
                 Search search(population, settings_with(0, 0),

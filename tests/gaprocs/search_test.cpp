@@ -25,7 +25,7 @@ Texts texts_of(const Search& search) {
     return texts;
 }
 
-/// Positive for strings with more ones than zeros.
+/// Returns a fitness that is positive if ones outnumber zeros.
 double more_ones(const std::string& text) {
     double sum = 0;
     for (char c : text)
@@ -46,7 +46,7 @@ SearchSettings small(std::size_t population) {
     return settings;
 }
 
-/// The algorithm on strings of text, written as simply as possible, with the same order of random numbers.
+/// Implements the algorithm on strings of text as simply as possible, with the same order of random numbers.
 struct PlainSearch {
     RandomStream random;
     std::size_t bits;
@@ -146,12 +146,12 @@ TEST_CASE("the search is the plainly written algorithm, for every size of string
                     }
                     redraws += search.redraws();
                 }
-    CHECK(redraws > 0); // this way has been gone too
+    CHECK(redraws > 0); // this branch was taken as well
 }
 
 TEST_CASE("50 generations of 120 strings of 10 bits: frozen") {
     Search search(10, {}, RandomStream(1991, "golden"));
-    std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a over the decoded numbers
+    std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a of the decoded numbers
     for (int generation = 0; generation < 50; ++generation) {
         std::vector<double> fitness;
         for (const Genome& genome : search.population()) {

@@ -8,7 +8,7 @@
 
 namespace placedpar::test {
 
-/// A population written out.
+/// Returns the population of these strings.
 inline std::vector<Genome> strings(std::initializer_list<const char*> texts) {
     std::vector<Genome> population;
     for (const char* text : texts)
@@ -16,7 +16,7 @@ inline std::vector<Genome> strings(std::initializer_list<const char*> texts) {
     return population;
 }
 
-/// How many of them have a 1 at each position.
+/// Returns how many individuals have a 1 at each position.
 inline std::vector<int> ones_by_position(const std::vector<Genome>& population) {
     std::vector<int> ones(population.front().size());
     for (const Genome& genome : population)

@@ -15,8 +15,8 @@ namespace {
 
 const auto line = make_search_problem(LineProblem{});
 
-/// Returns the fitness of each individual. The window's samples are dealt at random to several evaluators, and their
-/// parts are added in any order, as slaves do.
+/// Returns the fitness of each individual. The window's samples are divided at random between several evaluators, and
+/// their parts are added in any order, as slaves do.
 std::vector<double> evaluate_in_parts(std::span<const Genome> population, std::span<const Sample> window, double bias,
                                       RandomStream& deal) {
     std::vector<double> fitness(population.size(), 0);
@@ -36,13 +36,13 @@ TEST_CASE("a line is found with 99.9 % of the greatest fitness there is, from ev
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
         SearchResult result = run_traditional(*line, record, {}, RandomStream(seed, "line"));
         REQUIRE(result.estimates.size() == 16);
-        CHECK(result.generations == 80); // 16 samples from the fifth on, 5 trials each
+        CHECK(result.generations == 80); // 16 samples, from the fifth on, with 5 trials each
         CHECK(result.estimates.front().sample == 4);
         CHECK(result.estimates.back().sample == 19);
         const Estimate& last = result.estimates.back();
         CHECK(last.parameters == line->decode(last.best.genome));
         CHECK(last.best.fitness == line->fitness(last.best.genome, std::span(record).last(10), 400));
-        CHECK(last.best.fitness >= 0.999 * 10 * 400); // an error of 0: B from each of 10 samples
+        CHECK(last.best.fitness >= 0.999 * 10 * 400); // with no error, each of 10 samples contributes the bias
     }
 }
 

@@ -30,7 +30,7 @@ const std::array<double, 1> far{0.03};
 TEST_CASE("least squares finds the compliance of the motion without noise, from afar") {
     auto fit = fit_compliances(boom_circuit(), samples_of(no_noise, 1), fitted_flow_constants(), far);
     REQUIRE(fit);
-    CHECK(std::abs(fit->compliance_in3_per_psi[0] / 0.0086 - 1) < 0.02); // the line fits' own error
+    CHECK(std::abs(fit->compliance_in3_per_psi[0] / 0.0086 - 1) < 0.02); // the error of the line fits themselves
 }
 
 TEST_CASE("its standard error is how the answers scatter from seed to seed") {
@@ -45,7 +45,7 @@ TEST_CASE("its standard error is how the answers scatter from seed to seed") {
         stated += fit->standard_error[0];
     }
     double scatter = std::sqrt((squares - sum * sum / seeds) / (seeds - 1));
-    // Neighbouring slopes share readings, which the formula does not know: right in size, not in the last tenth.
+    // The formula ignores that neighbouring slopes share readings, so it is right only roughly.
     CHECK(stated / seeds / scatter > 0.4);
     CHECK(stated / seeds / scatter < 2.5);
 }
@@ -80,13 +80,13 @@ TEST_CASE("the exhaustive optimum is the best of all codes, each evaluated alone
 }
 
 TEST_CASE("two codes: the optimum of an exact sample is where it was made") {
-    // The worked junction of the design notes, with compliances that the slopes make count.
+    // The worked junction of the design notes, with slopes for which the compliances matter.
     Circuit two = circuit_of(Configuration::a, {Link::bucket, Link::boom});
     double unit = 0.1 / 16;
     CircuitSample sample{
         0, 0, {{2000, 1500, 56.7165 - 1500 * 3 * unit, .1, .068}, {1700, 900, 52.2247 - 900 * 5 * unit, .096, .016}}};
     std::vector<CircuitSample> window(10, sample);
-    window[5].links[0].inlet_slope_psi_per_s = 500; // so that flows and slopes are not proportional
+    window[5].links[0].inlet_slope_psi_per_s = 500; // keeps flows and slopes from being proportional
     window[5].links[0].piston_flow_in3_per_s = 56.7165 - 500 * 3 * unit;
     auto found = exhaustive_optimum(two, window, rounded_flow_constants(), InletFlow::as_signed, 4, 0.1, 400);
     CHECK(found.codes == std::vector<std::uint64_t>{3, 5});

@@ -1,4 +1,4 @@
-// What becomes of the estimate when the motion no longer excites the compliance (thesis 3.2, the end).
+// Tests the estimate when the motion no longer excites the compliance (thesis 3.2, the end).
 #include "boom_records.hpp"
 #include "text/statistics.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint64_t seeds = 50;
 constexpr double truth = 0.0086;
 
-/// Four seconds of motion, all of it usable: 5 generations a sample.
+/// Searches during four seconds of motion, all of it usable: 5 generations a sample.
 Identified follow(IdentificationWay way, std::uint64_t seed) {
     way.usable.count = 150;
     return identify_boom(boom_measured(4, low_noise, seed), way, seed);

@@ -20,13 +20,13 @@ using namespace placedpar::identification;
 
 namespace {
 
-/// The rising part of the transient only, where an offset shows most.
+/// Restricts a way to the rising part of the transient, where an offset shows most.
 IdentificationWay rising(IdentificationWay way) {
     way.usable.rising = true;
     return way;
 }
 
-/// An elite and Gray code miss the answer in hardly any record.
+/// With an elite and Gray code, hardly any record's answer is missed.
 IdentificationWay careful_way() {
     IdentificationWay way = thesis_way();
     way.coding = Coding::gray;
@@ -90,7 +90,7 @@ TEST_CASE("a spool that reads .02 in too low asks for a negative compliance: at 
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Record record = with_spool_offset(boom_measured(1.5, low_noise, seed), -0.02);
         flagged += is_flagged(identify_boom(record, rising(thesis_way()), seed), "at the lower bound");
-        // With the offset taken off, the same record is as good as any.
+        // With the offset removed, the record is as good as any.
         Identified cured = identify_boom(record, careful_way(), seed, -0.02);
         CHECK(error_percent(cured.links[0].compliance_in3_per_psi, 0.0086) < 10);
         CHECK(!is_flagged(cured, "at the lower bound"));
@@ -114,7 +114,7 @@ TEST_CASE("what no machine does: pressures below vacuum, a frozen sensor, a pist
         for (double& psi : negative.of(Link::boom, Sensor::inlet_pressure))
             psi = -psi;
         auto& psi = frozen.of(Link::boom, Sensor::inlet_pressure);
-        std::fill(psi.begin() + 16, psi.begin() + 26, psi[16]); // of the rise
+        std::fill(psi.begin() + 16, psi.begin() + 26, psi[16]); // part of the rise
         for (double& angle : turned.of(Link::boom, Sensor::angle))
             angle = -angle;
         auto flagged = [&](const Record& record, FlagKind kind) {
@@ -186,7 +186,7 @@ TEST_CASE("a reading that stands out alone, or with one beside it, is a spike; a
     CHECK(!spike({500, 500, 570, 500, 500}));
     CHECK(!spike({500, 500, 2000, 2000, 2000}));
     CHECK(!spike({500, 900, 1300, 1700, 2100}));
-    CHECK(!spike({500, 900, 1300, 0, 0})); // a log that is spliced
+    CHECK(!spike({500, 900, 1300, 0, 0})); // a log joined from two parts
     CHECK(!spike({0, 0, 1300, 900, 500}));
     CHECK(!spike({1e9, 500, 500, 500, 500}));
     CHECK(greatest_excursion(Sensor::inlet_pressure, 0.04) == 4 * greatest);

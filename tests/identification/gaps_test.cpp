@@ -1,4 +1,4 @@
-// A gap of the record: no slope and no window reaches over it, and the spool goes on by the time that has passed.
+// Tests a gap in the record: no slope or window may span it, and the spool moves on by the time that has passed.
 #include "boom_records.hpp"
 #include "hydraulics/circuit/voltage_spool.hpp"
 
@@ -26,7 +26,7 @@ Record without(const Record& record, std::size_t first, std::size_t count) {
 
 constexpr std::size_t first_lost = 20; // the transient begins at sample 10
 
-/// Two hoses: the second from the gap on, so that a window over the gap fits neither.
+/// A record of two hoses, the second after the gap, so that a window across the gap fits neither.
 Record two_hoses() {
     Record record = boom_measured(1.5, no_noise, 1), other = boom_measured(1.5, no_noise, 1, 0.02);
     for (std::size_t i = first_lost; i < record.size(); ++i)
@@ -39,7 +39,7 @@ Record two_hoses() {
 
 TEST_CASE("after a gap the window begins anew") {
     IdentificationWay way = thesis_way();
-    way.usable.count = 14; // so that a window of ten from the end would reach over it
+    way.usable.count = 14; // ten samples from the end would span the gap
     Identified identified = identify_boom(two_hoses(), way, 1);
     std::vector<std::size_t> after;
     for (const TransientEstimate& estimate : identified.estimates)
@@ -55,7 +55,7 @@ TEST_CASE("after a gap the window begins anew") {
 TEST_CASE("samples that gaps part do not add up to a first generation") {
     Record record = boom_measured(1.5, no_noise, 1);
     record = without(record, 41, record.size() - 41);
-    for (std::size_t lost : {32u, 23u, 14u}) // that leaves eight samples between two gaps: four slopes
+    for (std::size_t lost : {32u, 23u, 14u}) // leaves eight samples between two gaps: four slopes
         record = without(record, lost, 1);
     CHECK_THROWS_WITH_AS(
         identify_boom(record, thesis_way(), 1),

@@ -1,4 +1,4 @@
-// Identification of the boom's compliance over 50 seeds: figures of an independent prototype.
+// Tests identification of the boom's compliance over 50 seeds, against figures of an independent prototype.
 #include "gaprocs/traditional.hpp"
 #include "gaprocs/window.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
@@ -21,11 +21,11 @@ constexpr std::uint64_t study_seeds = 50;
 constexpr double true_compliance = 0.0086;
 
 struct Study {
-    std::vector<double> error_percent;      ///< of the last estimate, one a seed
+    std::vector<double> error_percent;      ///< of the last estimate, one for each seed
     std::vector<double> codes_from_optimum; ///< distance to the best of all 1024 codes
 };
 
-/// The code of greatest fitness over the last window.
+/// Returns the code of greatest fitness in the last window.
 std::uint64_t exhaustive_optimum(const SearchProblem& problem, std::span<const Sample> window) {
     std::uint64_t best = 0;
     double greatest = -1e300;

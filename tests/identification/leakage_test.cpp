@@ -21,7 +21,7 @@ using namespace placedpar::identification;
 
 namespace {
 
-constexpr double opening_s = 0.192; // of scenario A's load check
+constexpr double opening_s = 0.192; // when scenario A's load check opens
 
 ExcavatorScenario leaking_boom(double leak_in3_per_s_psi, double start_s = opening_s) {
     ExcavatorScenario scenario = single_boom_scenario();
@@ -38,13 +38,13 @@ std::vector<CircuitSample> rising_samples(const ExcavatorScenario& scenario) {
                           boom_circuit(), scenario.flow, rising);
 }
 
-/// The compliance at which a model without a leak misses least.
+/// Returns the compliance with the least error in a model without a leak.
 double identified_compliance(const ExcavatorScenario& scenario) {
     std::array start{0.0086};
     return fit_compliances(boom_circuit(), rising_samples(scenario), scenario.flow, start)->compliance_in3_per_psi[0];
 }
 
-/// Leak flow and pressure slope of the true motion at the sampling instants of the rise, .20 to .44 s.
+/// Leak flow and pressure slope of the true motion at the sampling times of the rise, .20 to .44 s.
 struct Rise {
     std::vector<double> leak_in3_per_s, slope_psi_per_s;
 };
@@ -104,14 +104,14 @@ TEST_CASE("a leak that starts with the motion: flow and apparent compliance of t
 TEST_CASE("the premise of 2.8, a slower rise with the leak, holds if the leak starts with the motion only") {
     double sound = steepest_psi_per_s(leaking_boom(0));
     CHECK(steepest_psi_per_s(leaking_boom(0.002)) < sound);
-    CHECK(steepest_psi_per_s(leaking_boom(0.002, 0)) > sound); // the held pressure has bled down first
+    CHECK(steepest_psi_per_s(leaking_boom(0.002, 0)) > sound); // the held pressure has leaked away before
 }
 
 TEST_CASE("a leak takes what it takes from one side and gives it to the other") {
     ExcavatorScenario scenario = single_boom_scenario();
-    scenario.links[0].valve = SpoolOrifices{0.1297, {}}; // held: both sides shut
+    scenario.links[0].valve = SpoolOrifices{0.1297, {}}; // the valve holds the link: both sides shut
     scenario.links[0].leak = {0.002, 0.05};
-    scenario.links[0].mechanics.friction_lbf = 1e6; // and stuck
+    scenario.links[0].mechanics.friction_lbf = 1e6; // the piston is stuck as well
     scenario.duration_s = 0.2;
     auto motion = simulate_excavator(scenario);
     auto volume = [&](const ExcavatorState& state) {

@@ -13,7 +13,7 @@ using namespace placedpar::identification;
 
 namespace {
 
-/// Scenario A, until long after the transient, with the spool's readings too high by `offset_in`.
+/// Returns a record of scenario A until long after the transient, with spool readings too high by `offset_in`.
 Record steady_record(double offset_in, const MeasurementNoise& noise, std::uint64_t seed = 1) {
     ExcavatorScenario scenario = single_boom_scenario();
     scenario.duration_s = 4;
@@ -39,7 +39,7 @@ TEST_CASE("the offset of the spool comes out of steady motion, at every noise le
     double squares = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed)
         squares += std::pow(calibrate(steady_record(0.01, mid_noise, seed))->offset_in - 0.01, 2);
-    CHECK(std::sqrt(squares / 20) < 3e-4); // .00008 in by the prototype, plus what is left of the transient
+    CHECK(std::sqrt(squares / 20) < 3e-4); // .00008 in in the prototype, plus the rest of the transient
 }
 
 TEST_CASE("a wrong k or Q looks like an offset, which the calibration cannot tell") {

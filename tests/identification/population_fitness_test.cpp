@@ -1,4 +1,4 @@
-// A population evaluated at once has the fitness of each individual evaluated alone, to the bit.
+// Tests that a whole population's fitness equals that of each individual evaluated alone, to the bit.
 
 #include "gaprocs/fitness.hpp"
 #include "gaprocs/population_fitness.hpp"
@@ -28,7 +28,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 std::uint64_t bits_of(double value) { return std::bit_cast<std::uint64_t>(value); }
 
-/// Samples of links such as a record may hold, and some that it should not.
+/// Returns a sample with values that a record may have, and some that it should not.
 Sample random_sample(std::size_t links, RandomStream& random) {
     auto draw = [&](double low, double high) { return low + (high - low) * random.uniform(); };
     Sample sample;

@@ -1,4 +1,4 @@
-// Input that is no netlist at all, or a monstrous one: one clear diagnostic, in little time.
+// Tests input that cannot be a netlist, or is huge: one clear diagnostic, in little time.
 
 #include "netlist/language/parser.hpp"
 #include "netlist/read.hpp"
@@ -32,7 +32,7 @@ std::string repeated(const std::string& text, int times) {
     return result;
 }
 
-/// ", n1 = 0, n2 = 0", up to but for the last; a line each.
+/// Returns ", n1 = 0, n2 = 0", from `first` up to but not including `last`, one a line.
 std::string numbered(int first, int last) {
     std::string result;
     for (int i = first; i < last; ++i)

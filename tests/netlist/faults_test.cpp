@@ -1,4 +1,4 @@
-// Faults stated by a netlist, and what they do to its run.
+// Tests faults stated in a netlist, and their effect on a run.
 
 #include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/kinds/fault_kinds.hpp"
@@ -16,7 +16,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A stream of 100 packets from a to b, and what else is said.
+/// A stream of 100 packets from a to b, with additional statements.
 std::string stream(const std::string& more, bool recovers = false) {
     std::string from = recovers ? "sender_or_fail" : "producer", to = recovers ? "receiver_or_fail" : "consumer";
     return R"(val at 2ms; T800 a, b; connection wire; connect a.link[0] to b.link[0] by wire;
@@ -126,7 +126,7 @@ TEST_CASE("a slow link takes longer, a link that was slow for a while less so") 
     double sound = in_milliseconds(run_stream("").result.time);
     double slow = in_milliseconds(run_stream("fault wire slow (factor = 4);").result.time);
     double for_a_while = in_milliseconds(run_stream("fault wire slow (factor = 4, until = 2ms);").result.time);
-    CHECK(slow > 3.4 * sound); // a part of the restart is logic that does not slow down
+    CHECK(slow > 3.4 * sound); // part of the restart is logic, which is not slowed down
     CHECK(slow < 4 * sound);
     CHECK(for_a_while > sound + 1.4);
     CHECK(for_a_while < sound + 1.6);
@@ -162,7 +162,7 @@ TEST_CASE("a stream with time-outs survives what a stream without does not, and 
 
 namespace {
 
-/// Two bus masters, of which one writes to the other, and what else is said.
+/// Two bus masters, one of which writes to the other, with additional statements.
 std::string bus_of_two(const std::string& more, const std::string& arbiter = "PRI") {
     return "VME (arbiter = \"" + arbiter + R"(") vme; BBKV2 a, b; connect a.bus[0] to vme.slot[1];
         connect b.bus[0] to vme.slot[21];
@@ -185,7 +185,7 @@ TEST_CASE("a bus that another master hogs is waited for, from its grant to its e
     REQUIRE(hogged.faults[0].held_since);
     Time since = *hogged.faults[0].held_since, end = std::chrono::milliseconds{5};
     CHECK(since > std::chrono::microseconds{100});
-    CHECK(since < std::chrono::microseconds{150}); // a block of 100 words that is under way
+    CHECK(since < std::chrono::microseconds{150}); // a block of 100 words is being moved
     CHECK(hogged.result.time > free.result.time + (end - since) - std::chrono::microseconds{150});
     CHECK(hogged.result.time < free.result.time + (end - since) + std::chrono::microseconds{2});
     REQUIRE(hogged.buses[0].masters.size() == 3);
@@ -209,8 +209,8 @@ TEST_CASE("who asks something absent on a bus is told so by a bus error after th
     CHECK(said.find("bus error: b does not answer a on bus vme within 125.000000 us") != std::string::npos);
     CHECK(refused_with("fault b absent (from = 1s);").empty());
     CHECK(refused_with("fault b absent (until = 100us); fault b absent (from = 1s);").find(" at 1") !=
-          std::string::npos);                       // each of two, and not the last alone
-    CHECK(refused_with("fault a absent;").empty()); // which nobody asks for anything
+          std::string::npos);                       // both faults count, not only the last
+    CHECK(refused_with("fault a absent;").empty()); // no master accesses it
     CHECK(run_on_bus("fault b absent (from = 1s);").faults[0].had_effect() == false);
 }
 
@@ -253,7 +253,7 @@ TEST_CASE("two hogs stand in two slots, and what is printed of one loads again")
 
 namespace {
 
-/// A stream from a workstation by a link adapter to a transputer, or back.
+/// A stream from a workstation through a link adapter to a transputer, or in the opposite direction.
 std::string stream_by_adapter(bool down, bool recovers, const std::string& more) {
     std::string from = recovers ? "sender_or_fail" : "producer", to = recovers ? "receiver_or_fail" : "consumer";
     return R"(workstation sun; VME vme; C011 adapter; T800 t; connect sun.bus[0] to vme.slot[1];
@@ -303,7 +303,7 @@ TEST_CASE("a slow link at an adapter only slows, one that fails is survived with
 
 namespace {
 
-/// Two streams that lead through b, and one that does not.
+/// Two streams that pass through b, and one that does not.
 std::string routed_streams(const std::string& more) {
     return R"(T800 a, b, c, d; connect a.link[0] to b.link[0]; connect b.link[1] to c.link[0];
         connect a.link[2] to d.link[0];

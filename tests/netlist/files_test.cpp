@@ -1,4 +1,4 @@
-// Files as they come from DOS, the files that they include, and where these are looked for.
+// Tests files from DOS, the files that they include, and the search for these.
 
 #include "netlist/read.hpp"
 #include "tests/netlist/small_catalogue.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 std::filesystem::path file(const std::string& name) { return netlist_folder() + "/files/" + name; }
 
-/// The memory of the only node, as the included file says it.
+/// Returns the memory of the only node, which the included file states.
 std::int64_t memory_of(const ReadResult& result) {
     INFO(render(result));
     REQUIRE(result.network);
@@ -22,7 +22,7 @@ std::int64_t memory_of(const ReadResult& result) {
     return result.network->nodes[0].integer("memory");
 }
 
-/// A folder of its own, gone at the end.
+/// A folder for one test, deleted at the end.
 struct Folder {
     std::filesystem::path path = std::filesystem::temp_directory_path() / "placedpar_files_test";
     Folder() { std::filesystem::create_directories(path); }

@@ -1,4 +1,4 @@
-// Mutations of good netlists: reading each of them ends, in a network or in an error.
+// Reads mutated netlists: each reading must end, in a network or in an error.
 
 #include "netlist/print/print.hpp"
 #include "netlist/read.hpp"
@@ -21,7 +21,7 @@ using namespace placedpar;
 
 namespace {
 
-/// By name, whichever folder they lie in.
+/// Returns the netlists sorted by file name, whatever their folders.
 std::vector<std::filesystem::path> netlists_below(const std::string& folder) {
     std::vector<std::filesystem::path> paths;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
@@ -33,7 +33,7 @@ std::vector<std::filesystem::path> netlists_below(const std::string& folder) {
 
 constexpr std::size_t good_seeds = 7;
 
-/// Good netlists first.
+/// Returns the tests' netlists, the good ones first.
 std::vector<std::string> seeds() {
     auto paths = netlists_below(netlist_folder() + "/good");
     for (const char* others : {"/refusals", "/files"})
@@ -46,7 +46,7 @@ std::vector<std::string> seeds() {
     return texts;
 }
 
-/// Words with their blanks: pieces that are worth moving about.
+/// Splits a text into words and single other characters, for moving them about.
 std::vector<std::string> words(const std::string& text) {
     std::vector<std::string> result;
     for (char c : text) {
@@ -159,8 +159,8 @@ TEST_CASE("mutated netlists are read to an end") {
         if (!again.network || print_cfs(*again.network) != printed)
             FAIL("does not load again:\n" << text << "\nprinted:\n" << printed << render(again.diagnostics));
         print_dot(*result.network);
-        boost::json::parse(print_json(*result.network)); // throws at what is no JSON
+        boost::json::parse(print_json(*result.network)); // throws if it is not JSON
     }
     if (test::all_seeds())
-        CHECK(networks > mutations / 40); // else the mutations are too wild to reach the printers
+        CHECK(networks > mutations / 40); // otherwise the mutations are too wild to reach the printers
 }

@@ -6,12 +6,12 @@
 
 namespace placedpar {
 
-/// The network of the netlist of that name in tests/netlist/good, which is read without a fault.
+/// Returns the network of this netlist in tests/netlist/good, which must be free of errors.
 Network good(const std::string& name, const Overrides& overrides = {});
-/// The same of a text.
+/// Returns the network of this text, which must be free of errors.
 Network good_text(const std::string& text, const Overrides& overrides = {});
 
-/// The channel of that name, which must be there.
+/// Returns the channel of this name, which must exist.
 const NetworkChannel& channel(const Network& network, const std::string& name);
 
 } // namespace placedpar

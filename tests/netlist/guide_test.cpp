@@ -1,4 +1,4 @@
-// Every netlist in the language reference is one that loads.
+// Loads every netlist of the language reference.
 
 #include "netlist/print/print.hpp"
 #include "netlist/read.hpp"

@@ -1,4 +1,4 @@
-// A netlist as a machine that runs.
+// Tests running the machine of a netlist.
 
 #include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/machine.hpp"
@@ -16,7 +16,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Runs a producer on the one transputer and a consumer on the other.
+/// Runs a producer on one transputer and a consumer on another.
 RunReport run_pair(const std::string& from, const std::string& to, const std::string& producer) {
     Catalogue catalogue;
     add_csp_kinds(catalogue);
@@ -46,7 +46,7 @@ TEST_CASE("links of transputers that do not overlap acknowledges carry 0.8 Mbyte
     CHECK(rate("processor (type = \"T414\")", "T414") == doctest::Approx(800).epsilon(0.06));
 }
 
-/// How much the memory of `a` served the link over which a producer sends 250,000 words.
+/// Returns how long the memory of `a` was busy with a link over which a producer sends 250,000 words.
 Time taken_by_links(const std::string& type) {
     return run_pair(type, "T800", "count = 10, bytes = 100000").processors[0].memory_taken_by_links;
 }
@@ -73,7 +73,7 @@ TEST_CASE("words of code and data outside of the chip cost a packet's computatio
     CHECK(busy("T800 (memorycycles = 5)") - busy("T800") == 10 * 2000 * 4 * cycle);
 }
 
-/// When two channels over one link have carried ten messages each beside a process that computes at their end.
+/// Returns when two channels on one link have carried ten messages each, while a process computes at their end.
 Time time_in_packets(const std::string& attributes) {
     Catalogue catalogue;
     add_csp_kinds(catalogue);

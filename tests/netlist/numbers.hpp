@@ -5,7 +5,7 @@
 
 namespace placedpar {
 
-/// SplitMix64: the same numbers everywhere.
+/// SplitMix64 generates the same numbers on every machine.
 class Numbers {
 public:
     explicit Numbers(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15U + 1) {}

@@ -1,4 +1,4 @@
-// A whole netlist, from its text to the network.
+// Reads a whole netlist, from its text to the network.
 
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/print/print.hpp"

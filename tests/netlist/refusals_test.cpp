@@ -1,6 +1,5 @@
-// One small netlist for each thing that is refused, and beside it what is printed: refusals/STAGE/*.cfs and *.txt, the
-// stage being the folder of the room that finds the fault. To see what a change does, set PLACEDPAR_ACCEPT=1: the texts
-// are then written anew.
+// Compares refused netlists with their messages: refusals/STAGE/*.cfs and *.txt, each with one fault. STAGE is the
+// folder of the room that finds the fault. PLACEDPAR_ACCEPT=1 writes the texts anew, to show the effect of a change.
 
 #include "netlist/read.hpp"
 #include "tests/netlist/small_catalogue.hpp"
@@ -33,7 +32,7 @@ std::string read_text(const std::filesystem::path& path) {
     return text.str();
 }
 
-/// Without the folder, which is another on every machine.
+/// Removes the folder, which differs between machines.
 std::string without_folder(std::string text, const std::filesystem::path& file) {
     auto folder = file.parent_path().string() + "/";
     for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder))
@@ -50,7 +49,7 @@ TEST_CASE("every refusal says what is wrong, where, and what would be right") {
         const ParsedNetlist netlist(file);
         auto result = netlist.read(small_catalogue());
         CHECK_FALSE(result.network);
-        CHECK(render(netlist.read(small_catalogue())) == render(result)); // however many networks are wanted
+        CHECK(render(netlist.read(small_catalogue())) == render(result)); // a parsed netlist can be read repeatedly
         auto text = without_folder(render(result), file);
         auto expected = std::filesystem::path(file).replace_extension(".txt");
         if (std::getenv("PLACEDPAR_ACCEPT") != nullptr)

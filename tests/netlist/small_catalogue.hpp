@@ -13,7 +13,7 @@ namespace placedpar {
 /// "csp.switching_producer".
 const Catalogue& small_catalogue();
 
-/// Where the tests' own netlists lie; ends with no slash.
+/// Returns the folder of the tests' netlists, without a slash at the end.
 std::string netlist_folder();
 
 } // namespace placedpar

@@ -1,5 +1,5 @@
-// Whatever a device of another program throws is that program's error: a UserError that names the node and says what
-// was thrown.
+// Tests that an exception from another program's device becomes a UserError that names the node and gives the
+// exception's text.
 
 #include "explore/problems.hpp"
 #include "netlist/kinds/description.hpp"
@@ -25,7 +25,7 @@ void throw_in_device(const char* where, const Node& node) {
         throw std::runtime_error("worn out");
 }
 
-/// Throws in the member function that the attribute `throws` names.
+/// Throws in the member function named by the attribute `throws`.
 class FailingNode final : public MachineNode {
 public:
     FailingNode(MachineParts& parts, std::size_t index)
@@ -81,7 +81,7 @@ const Catalogue& catalogue_with_failing_ring() {
     return catalogue;
 }
 
-/// What a ring is refused with that throws there; "" if it is not.
+/// Returns the message that refuses a ring whose device throws in this function; "" if it is accepted.
 std::string what_happens_in(const std::string& where) {
     try {
         ReadResult read = read_netlist_text(

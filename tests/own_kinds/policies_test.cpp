@@ -1,4 +1,4 @@
-// Policies of every step that a program adds: found by name, listed, checked, and as good as those of the house.
+// Tests policies that a program adds for every step: found by name, listed, checked, and as good as PlacedPar's own.
 
 #include "explore/problems.hpp"
 #include "gaprocs/islands.hpp"
@@ -21,7 +21,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A policy of the house under another name: what is made with it must be what is made with that.
+/// A policy of PlacedPar under another name; results must be equal to those of the original.
 template <class Policy, int number>
 struct Renamed : Policy {
     static constexpr std::string_view name = number == 0   ? "own.tournament"
@@ -54,7 +54,7 @@ struct Lowest {
     }
 };
 
-/// Wrong in one way or another.
+/// A policy that gives one of several wrong results.
 struct Wrong {
     static constexpr std::string_view name = "own.wrong", about = "gives what cannot be used";
     static constexpr bool needs_positive_fitness = false;
@@ -113,7 +113,7 @@ struct Sphere {
     double objective(std::span<const double> x) const { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; }
 };
 
-/// Once for all tests: a name is known from then on.
+/// Adds all policies, once for all tests, since a name cannot be removed.
 void add_all() {
     static const bool added = [] {
         Reproduction::add<OwnTournament>();
@@ -200,7 +200,7 @@ TEST_CASE("a wrong name or number is refused as of those of the house") {
     CHECK(refusal_of([] { Topology::named("own.ring(way = 1)"); }).starts_with("own.ring has no number \"way\""));
     SearchSettings settings;
     OwnTournament none;
-    none.size = 0; // made as a struct, which nothing has read
+    none.size = 0; // built directly as a struct, without any check
     settings.reproduction = OwnReproduction(none);
     CHECK(refusal_of([&] { settings.validate(); }).starts_with("size = 0 is out of range"));
 }
@@ -264,7 +264,7 @@ TEST_CASE("what a policy throws, or gives that cannot be used, is refused by its
 
 namespace {
 
-/// Throws when it is copied once too often.
+/// Throws when no copies are left.
 struct Fragile {
     static constexpr std::string_view name = "own.fragile", about = "throws when it is copied";
     static inline int copies_left = 1000;

@@ -1,4 +1,4 @@
-// A problem that is dear to evaluate: a worker evaluates each of its strings once, whatever else differs between runs.
+// Tests a problem that is expensive to evaluate: a worker evaluates each string once, even if other settings change.
 
 #include "explore/problems.hpp"
 #include "explore/study/remembered_problem.hpp"
@@ -26,7 +26,7 @@ using namespace placedpar;
 
 namespace {
 
-/// How often each point has been evaluated.
+/// Counts the evaluations of each point.
 std::map<std::pair<double, double>, int>& evaluations() {
     static std::map<std::pair<double, double>, int> all;
     return all;
@@ -43,7 +43,7 @@ struct DearBowl {
     }
 };
 
-/// A search of it, as long as the tests last.
+/// A netlist with a search for the problem, deleted after the tests.
 struct DearNetlist {
     DearNetlist() {
         std::ofstream(path) << R"(val problem "own.dear"; val coding "gray"; val generations 12;

@@ -1,5 +1,5 @@
-// A kind whose processes do odd things, as often as their random numbers say: what a worker makes of runs with other
-// seeds is what each comes to alone.
+// Tests processes that do odd things at random. A worker that repeats runs with other seeds must get the results of
+// separate runs.
 
 #include "explore/problems.hpp"
 #include "explore/study/sweep.hpp"
@@ -142,11 +142,11 @@ void swallow_everything(ProcessEnvironment& environment, RandomStream& random) {
             compute(Cycles{1000});
     } catch (const Unwinding&) {
         throw;
-    } catch (...) { // as no program should
+    } catch (...) { // bad practice
     }
 }
 
-/// Asks for the time where it is lucky, and then works with the timer.
+/// Reads the clock at random, and then uses the timer.
 void wait_for_the_timer(ProcessEnvironment& environment, RandomStream& random) {
     Timer timer;
     for (int i = 0; i < 5; ++i) {
@@ -158,7 +158,7 @@ void wait_for_the_timer(ProcessEnvironment& environment, RandomStream& random) {
     environment.measure("read", timer.read());
 }
 
-/// As no program should.
+/// Catches everything and retries, which is bad practice.
 void try_again_for_ever(ProcessEnvironment& environment, RandomStream& random) {
     std::uint32_t done = 0;
     for (std::uint32_t n = 1 + random.below(3); done < n;)
@@ -172,7 +172,7 @@ void try_again_for_ever(ProcessEnvironment& environment, RandomStream& random) {
     environment.measure("done", done);
 }
 
-/// A computation that an executive refuses.
+/// Asks for a negative computation, which an executive refuses.
 void compute_backwards(ProcessEnvironment& environment, RandomStream& random) {
     double failed = 0;
     try {
@@ -183,7 +183,7 @@ void compute_backwards(ProcessEnvironment& environment, RandomStream& random) {
     environment.measure("failed", failed);
 }
 
-/// Where it departs, what it works with makes no sense.
+/// Throws if the clock makes no sense, as it may after a departure from the recorded run.
 void throw_what_it_likes(ProcessEnvironment& environment, RandomStream& random) {
     Time first = now();
     compute(Cycles{100});
@@ -198,7 +198,7 @@ void throw_what_it_likes(ProcessEnvironment& environment, RandomStream& random) 
     environment.measure("eyes", random.below(6));
 }
 
-/// When all is done.
+/// May refuse the result when everything else is done.
 void refuse_what_came_out(ProcessEnvironment& environment, RandomStream& random) {
     std::uint32_t eyes = 1 + random.below(6);
     compute(Cycles{1000});
@@ -247,7 +247,7 @@ ProcessKind odd_kind() {
             .is_determinate = always};
 }
 
-/// The netlist, as long as the tests last.
+/// The netlist, deleted after the tests.
 struct NetlistFile {
     NetlistFile() {
         std::ofstream(path) << R"(val does "throws"; T800 t; process (interface ()) odd; use "own.odd" for odd;
@@ -276,7 +276,7 @@ std::string all_of(const std::optional<StudyOutcome>& outcome) {
                        outcome->refused, figures_text(outcome->figures));
 }
 
-/// Returns how many runs were repeated.
+/// Compares a worker's runs with separate runs. Returns how many runs the worker repeated.
 std::uint64_t check(const std::string& does, std::uint64_t seeds = 12) {
     Study study = study_of(does, seeds);
     StudyWorker worker(study);

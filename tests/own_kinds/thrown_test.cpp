@@ -1,5 +1,5 @@
-// Whatever the code of a program's own throws is that program's: a UserError that names process, moment and what was
-// said. What a process of PlacedPar throws stays a defect.
+// Tests that an exception from a program's own code becomes a UserError that names process, time and text. An exception
+// from one of PlacedPar's own processes remains a defect.
 
 #include "explore/netlist_run.hpp"
 #include "explore/problems.hpp"
@@ -29,7 +29,7 @@ using namespace placedpar;
 
 namespace {
 
-/// By the number of the parameter "what".
+/// Throws the exception with this number, which is the parameter "what".
 void throw_something(std::int64_t what) {
     switch (what) {
     case 0: throw std::runtime_error("worn out");
@@ -70,7 +70,7 @@ struct Failing {
     }
 };
 
-/// Throws while it is made, or when it is asked one question or another.
+/// Throws while it is constructed, or in the member function that `question` selects.
 class Unwilling final : public SearchProblem {
 public:
     Unwilling(std::size_t what, std::size_t question) : what_(what), question_(question) { refuse(0); }
@@ -100,7 +100,7 @@ private:
     std::size_t what_, question_;
 };
 
-/// Number 16 is its record, 17 the samples of that, 18 nothing.
+/// Question 16 throws when the record is asked for, 17 in its samples, 18 never.
 ProblemFamily unwilling() {
     auto refuse = [](const std::vector<double>& numbers, int asked) {
         if (numbers[1] == asked)
@@ -120,7 +120,7 @@ ProblemFamily unwilling() {
             }};
 }
 
-/// Throws while it is made, but not for the first time: it would not be added then.
+/// Throws when constructed, but not the first time, or it could not be added.
 struct FailingStart {
     static constexpr std::string_view name = "own.failing-start", about = "throws when it is named";
     static inline bool fails = false;
@@ -142,7 +142,7 @@ struct FailingMutation {
     void operator()(Genome&, std::size_t, const Representation&, RandomStream&) const {}
 };
 
-/// Throws while it is added.
+/// Throws when it is added.
 struct NeverMade {
     static constexpr std::string_view name = "own.never", about = "throws when it is added";
     static constexpr bool needs_positive_fitness = false;
@@ -210,7 +210,7 @@ void add_failing() {
     REQUIRE(added);
 }
 
-/// What is thrown by the work.
+/// Returns the message that the work throws.
 template <class Work>
 std::string thrown_in(Work work) {
     try {
@@ -223,7 +223,7 @@ std::string thrown_in(Work work) {
     return "nothing";
 }
 
-/// What is thrown by a run, or what its netlist is refused for.
+/// Returns the message that a run throws, or with which its netlist is refused.
 std::string thrown_by(const std::string& text) {
     add_failing();
     ProblemRegistry problems = known_problems(1);

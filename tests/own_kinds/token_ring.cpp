@@ -34,7 +34,7 @@ void TokenRing::send(std::size_t station, std::int64_t bytes, const AnyChannel& 
     self.wait_for(Activity::outputting, &channel, where);
 }
 
-/// When the free token next comes by.
+/// Returns when the free token next passes the station.
 Time TokenRing::arrival_at(std::size_t station) const {
     const auto round = static_cast<std::int64_t>(stations_.size());
     std::int64_t hops = static_cast<std::int64_t>(station) - static_cast<std::int64_t>(left_);
@@ -122,7 +122,7 @@ void RingLane::turn(bool full) {
 
 namespace {
 
-/// Its attachments in the order of their slots.
+/// Returns its attachments in the order of their slots.
 std::vector<std::size_t> stations_of(const Network& network, std::size_t ring) {
     std::vector<std::size_t> stations;
     for (std::size_t i = 0; i < network.attachments.size(); ++i)

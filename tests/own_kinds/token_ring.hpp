@@ -17,15 +17,15 @@ namespace placedpar {
 class Kernel;
 class Process;
 
-/// A token ring, as in IEEE 802.5 without its priorities: one token goes from station to station; the one that has it
-/// and wants to send puts one frame on the ring, and passes the token on.
+/// A token ring, as in IEEE 802.5 without its priorities. One token travels from station to station. A station that
+/// holds it may put one frame on the ring, and then passes the token on.
 class TokenRing {
 public:
     static constexpr std::int64_t most_bytes = 4096, header_bytes = 21;
     struct Station {
         std::string name;
         std::uint64_t frames = 0, bytes = 0; ///< sent
-        Time waited{};                       ///< for the token
+        Time waited{};                       ///< wait for the token
     };
 
     /// The token leaves the last station when the run begins.
@@ -34,12 +34,12 @@ public:
 
     /// The running process sends a frame for the channel. REQUIRES: bytes <= most_bytes.
     void send(std::size_t station, std::int64_t bytes, const AnyChannel&, const SourceLocation&);
-    /// From then on no station gets the token.
+    /// From this time on no station gets the token.
     void break_at(Time time) { breaks_at_ = time; }
 
     const std::vector<Station>& stations() const { return stations_; }
     Time time_busy() const { return busy_; }
-    /// Of those who wait for the token.
+    /// Returns the channels of the messages that wait for the token.
     std::vector<std::string> waiting_channels() const;
 
 private:
@@ -91,11 +91,11 @@ private:
     Kernel& kernel_;
     TokenRing& ring_;
     std::size_t from_;
-    bool full_ = false; ///< a message has arrived that nobody has taken
+    bool full_ = false; ///< a message has arrived and has not been taken
     Process* waiting_ = nullptr;
 };
 
-/// What a netlist says of it: `RING r; connect sun.bus[0] to r.slot[1];`
+/// Returns the device kind for netlists: `RING r; connect sun.bus[0] to r.slot[1];`
 DeviceKind token_ring();
 
 } // namespace placedpar

@@ -1,5 +1,5 @@
-// A device that is defined here alone, a token ring, which carries channels between the workstations in its slots: it
-// is read, checked, printed, run, reported, traced, drawn and broken as a device of the house.
+// Tests a device that is defined only here. The token ring carries channels between the workstations in its slots. It
+// must be read, checked, printed, run, reported, traced, drawn and broken like PlacedPar's own devices.
 
 #include "app/program.hpp"
 #include "explore/netlist_run.hpp"
@@ -24,7 +24,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Once for all tests of this program.
+/// Returns the catalogue, made once for all tests of this program.
 Catalogue catalogue_with_ring() {
     static const bool known = (add_own_devices({token_ring()}), true);
     REQUIRE(known);
@@ -60,7 +60,7 @@ std::string refusal_of(const std::string& text) {
 
 RunReport run(const Network& network) { return run_netlist(network, catalogue_with_ring(), RunSettings{}); }
 
-/// Of a frame with these bytes, at 4 Mbit/s.
+/// Returns how long a frame with this many bytes takes at 4 Mbit/s.
 constexpr Time frame_of(std::int64_t bytes) { return std::chrono::microseconds{2 * (bytes + 21)}; }
 
 std::string contents(const std::filesystem::path& path) {
@@ -69,7 +69,7 @@ std::string contents(const std::filesystem::path& path) {
     return text.str();
 }
 
-/// What a program with these arguments, and its own devices, ends with.
+/// Returns the exit code of a program with these arguments and its own devices.
 int program(std::vector<std::string> arguments, std::vector<DeviceKind> devices = {}) {
     catalogue_with_ring();
     arguments.insert(arguments.begin(), "own_device");
@@ -102,7 +102,7 @@ TEST_CASE("where all stations of a token ring always send, its use is T / (T + h
 }
 
 TEST_CASE("a station that is alone waits for the token as long as it takes to come by") {
-    // The token leaves w[3] at 0; w[1] sends from 2 us on, w[2] receives, and the token comes to w[1] again after 4
+    // The token leaves w[3] at 0. w[1] sends from 2 us on, and w[2] receives. The token reaches w[1] again after 4
     // hops.
     Network network = network_of("RING r; workstation w[4]; rep i = 0 for 4 connect w[i].bus[0] to r.slot[2 * i + 1];\n"
                                  "process p, c; use \"csp.producer\" for p; use \"csp.consumer\" for c;\n"

@@ -23,7 +23,7 @@ std::vector<Block> blocks_in(const std::string& text) {
     return picture::blocks_of(network, picture::Wiring(network));
 }
 
-/// The best shape of the only block.
+/// Returns the best shape of the only block.
 Shape only_shape(const std::string& text) {
     const std::vector<Block> blocks = blocks_in(text);
     REQUIRE(blocks.size() == 1);

@@ -45,7 +45,7 @@ TEST_CASE("each way out counts, on each edge") {
     const auto cut = cut_offs_of({{0, 12}, {1, 8}, {2, 12}, {3, 8}, {4, -2}, {5, 8}, {15, 8}});
     REQUIRE(cut.size() == 3);
     CHECK(cut[0].places.size() == 2);
-    CHECK(cut[0].places[0] == doctest::Approx(0.5)); // it begins beyond: where it comes in
+    CHECK(cut[0].places[0] == doctest::Approx(0.5)); // it begins outside, so the cut is where it enters
     CHECK(cut[0].places[1] == doctest::Approx(1.5));
     CHECK(text_of(cut) == " \u2191 to 12 \u2193 to -2 \u2192 to 15");
 }
@@ -60,7 +60,7 @@ TEST_CASE("on a logarithmic axis the line is straight as it is drawn") {
 }
 
 TEST_CASE("what is beyond the other axis, too, or not a number, is not cut off") {
-    CHECK(cut_offs_of({{11, 5}, {12, 15}}).size() == 1); // to the right only, by the first point
+    CHECK(cut_offs_of({{11, 5}, {12, 15}}).size() == 1); // only to the right, decided by the first point
     CHECK(cut_offs_of({{11, 11}, {12, 15}}).empty());
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK(cut_offs_of({{1, 5}, {2, nan}, {3, 5}}).empty());

@@ -19,7 +19,7 @@ bool holds(const Box& box, picture::Point p) {
 
 TEST_CASE("boxes that share a border only do not overlap") {
     CHECK(overlap(unit, {{1, 1}, 2, 2}));
-    CHECK(overlap(unit, {{0, 0}, 1, 1})); // one in the other
+    CHECK(overlap(unit, {{0, 0}, 1, 1})); // one contains the other
     CHECK_FALSE(overlap(unit, {{2, 0}, 2, 2}));
     CHECK_FALSE(overlap(unit, {{2, 2}, 2, 2}));
     CHECK_FALSE(overlap(unit, {{0, 5}, 2, 2}));
@@ -29,7 +29,7 @@ TEST_CASE("boxes that share a border only do not overlap") {
 TEST_CASE("a line crosses a box when some of it lies within") {
     CHECK(crosses(unit, {-2, 0}, {2, 0}));
     CHECK(crosses(unit, {-2, -2}, {2, 2}));
-    CHECK(crosses(unit, {0, 0}, {5, 5}));         // it begins there
+    CHECK(crosses(unit, {0, 0}, {5, 5}));         // it begins inside
     CHECK_FALSE(crosses(unit, {-2, 1}, {2, 1}));  // along the border
     CHECK_FALSE(crosses(unit, {-2, 0}, {-1, 0})); // it ends on the border
     CHECK_FALSE(crosses(unit, {0, 3}, {3, 0}));

@@ -37,7 +37,7 @@ TEST_CASE("labels at one place do not overlap, and those for which there is no r
 }
 
 TEST_CASE("no label lies on a box") {
-    const Box box{{10, -8}, 30, 14}; // where the label would stand
+    const Box box{{10, -8}, 30, 14}; // the label's usual place
     LabelRoom room({box});
     const auto label = room.beside_start(0, across, 10, 8);
     REQUIRE(label);

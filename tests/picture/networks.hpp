@@ -16,7 +16,7 @@
 
 namespace placedpar::picture {
 
-/// The network of a netlist's text, which knows the CSP kinds.
+/// Returns the network of a netlist's text, with the CSP kinds.
 inline Network network_of(const std::string& text) {
     Catalogue catalogue;
     add_csp_kinds(catalogue);
@@ -27,7 +27,7 @@ inline Network network_of(const std::string& text) {
     return std::move(*result.network);
 }
 
-/// The number of the node of that name.
+/// Returns the number of the node of this name.
 inline std::size_t node_named(const Network& network, const std::string& name) {
     for (std::size_t i = 0; i < network.nodes.size(); ++i)
         if (network.nodes[i].name == name)
@@ -51,7 +51,7 @@ inline std::string torus(int rows, int columns) {
                        rows, columns);
 }
 
-/// The corners of a cube of so many dimensions, at most four, wired along its edges.
+/// Returns the corners of a cube of this many dimensions, at most four, wired along its edges.
 inline std::string cube(int dimensions) {
     std::string text = fmt::format("T800 t[{}];\n", 1 << dimensions);
     for (int corner = 0; corner < 1 << dimensions; ++corner)
@@ -61,7 +61,7 @@ inline std::string cube(int dimensions) {
     return text;
 }
 
-/// Single transputers, in which each hangs from an earlier one, drawn by lot, that has a link left.
+/// A random tree of single transputers: each is wired to an earlier one that has a free link.
 inline std::string random_tree(std::size_t count, unsigned seed) {
     std::mt19937 lots(seed);
     std::string text;
@@ -78,7 +78,7 @@ inline std::string random_tree(std::size_t count, unsigned seed) {
     return text;
 }
 
-/// A chain whose other links are wired by lot: in a random order, in pairs, but no node to itself.
+/// A chain whose remaining links are wired at random in pairs, but no node to itself.
 inline std::string random_wiring(int count, unsigned seed) {
     std::mt19937 lots(seed);
     std::vector<std::pair<int, int>> links;

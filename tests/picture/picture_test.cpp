@@ -1,4 +1,4 @@
-// What holds in the drawing of any network: of regular ones, and of ones that are wired by lot.
+// Tests properties of every drawing, with regular and with randomly wired networks.
 
 #include "picture/picture.hpp"
 
@@ -26,7 +26,7 @@ namespace {
 
 Picture picture_of(const Network& network) { return picture::draw(network, picture::spans_of(network)); }
 
-/// Chains, rings, tori, cubes, trees and networks that are wired by lot.
+/// Returns chains, rings, tori, cubes, trees and randomly wired networks.
 std::vector<std::string> networks_to_draw() {
     std::vector<std::string> texts{"T800 alone;", picture::torus(3, 5), picture::torus(4, 4)};
     for (int count : {2, 3, 9, 17, 40}) {
@@ -51,7 +51,7 @@ void for_each_picture(const std::function<void(const Network&, const Picture&)>&
     }
 }
 
-/// Whether the point lies on the border of the box, to a hundredth of a pixel.
+/// Whether the point lies within a hundredth of a pixel of the box's border.
 bool is_on_border(const Box& box, picture::Point p) {
     const double across = std::abs(p.x - box.centre.x) - box.width / 2,
                  down = std::abs(p.y - box.centre.y) - box.height / 2;
@@ -76,7 +76,7 @@ std::string ring_with_neighbour(int count) {
                                               count / 4);
 }
 
-/// Of how many points the wires that leave the ring consist.
+/// Returns how many points the wires of the processor beside the ring have together.
 std::size_t points_outside_of_ring(int count) {
     const Picture drawn = picture_of(picture::network_of(ring_with_neighbour(count)));
     std::size_t points = 0;
@@ -155,7 +155,7 @@ TEST_CASE("both ends of a wire have the number of their link") {
         std::vector<std::string> texts{links[0].text, links[1].text};
         std::ranges::sort(texts);
         CHECK(texts == std::vector<std::string>{"0", "1"});
-        for (const picture::LinkLabel& label : links) { // the number stands at its own end
+        for (const picture::LinkLabel& label : links) { // the number stands at its own end of the wire
             const bool at_a = label.text == std::to_string(network.connections[i].a.link);
             const picture::Path& path = drawn.wires[i].spans.front();
             const double to_a = distance(label.box.centre, path.front()),

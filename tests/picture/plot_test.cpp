@@ -32,7 +32,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 
 bool has(const std::string& text, const std::string& part) { return count(text, part) > 0; }
 
-/// Each once.
+/// Returns the different dash patterns.
 std::set<std::string> dashes_in(const std::string& svg) {
     const std::string attribute = "stroke-dasharray='";
     std::set<std::string> found;
@@ -48,7 +48,7 @@ struct DrawnBar {
     double x, top, bottom;
 };
 
-/// The upright bars with a cap at each end, from left to right. A plot has none if bars have no caps.
+/// Returns the upright bars with a cap at each end, from left to right. REQUIRES: all bars of the plot have caps.
 std::vector<DrawnBar> bars_in(const std::string& svg) {
     const std::string place = R"(([\d.]+),([\d.]+))", line = "M" + place + R"(\s+L)" + place, turn = R"(\s+L)" + place;
     const std::regex bar(line + turn + R"(\s+)" + line + turn + R"(\s+)" + line);
@@ -73,7 +73,7 @@ std::vector<double> symbols_in(const std::string& svg) {
     return places;
 }
 
-/// A curve of so many points from corner to corner of its panel.
+/// A curve of `steps` steps from corner to corner of its panel.
 Series long_curve(int steps) {
     return curve({.name = ""}, steps, [&](int i) { return Point{1. * i, 1. * i}; });
 }
@@ -164,7 +164,7 @@ TEST_CASE("what cannot be drawn is refused") {
 
     plot = small_plot();
     plot.panels[0].x = {"x", 5, 5};
-    for (int i = 0; i < 100000; ++i) // more than a pipe holds
+    for (int i = 0; i < 100000; ++i) // more than the buffer of a pipe
         plot.panels[0].series[0].points.push_back({1.0 * i, 1});
     CHECK_THROWS_WITH_AS(draw_svg(plot), doctest::Contains("empty x range"), std::runtime_error);
 }
@@ -180,7 +180,7 @@ TEST_CASE("no point lies on the frame, wherever the axes end") {
         }
     }
     Panel beyond{"", {}, {.from = 0, .to = 10}, {{"", {{2, 3}, {3, 10}, {4, 12}}, Stroke::points}}};
-    CHECK(nearest_to_frame(draw_svg({"", {beyond}})) < 1); // what is cut off has no room
+    CHECK(nearest_to_frame(draw_svg({"", {beyond}})) < 1); // points that are cut off need no margin
 }
 
 TEST_CASE("symbols and ends of long curves do not lie on the frame, nor close to it") {
@@ -190,7 +190,7 @@ TEST_CASE("symbols and ends of long curves do not lie on the frame, nor close to
     for (Axis axis : {Axis{}, Axis{.from = 0, .to = 600}, Axis{.from = -5, .to = 605}}) {
         Panel panel{"", axis, axis, {long_curve(600), fallen}};
         CHECK(nearest_to_frame(draw_svg({"", {panel}})) > 5);
-        panel.series.pop_back(); // one curve has no symbols, and its line ends before the frame all the same
+        panel.series.pop_back(); // a single curve has no symbols, but its line still ends before the frame
         const std::string svg = draw_svg({"", {panel}});
         const std::regex line(R"(stroke='rgb\(  0, 114, 178\)'\s+d='M([\d.]+),([\d.]+))");
         std::smatch found;
@@ -212,7 +212,7 @@ TEST_CASE("an interval is a bar with caps, which does not lie on the frame, and 
     CHECK(bars[1].top > 84 + 5);
     CHECK((bars[0].bottom - bars[0].top) / (bars[1].bottom - bars[1].top) == doctest::Approx(6. / 5).epsilon(.001));
 
-    plot.panels[0].series[0].intervals[0] = {std::numeric_limits<double>::quiet_NaN(), 6}; // is not known
+    plot.panels[0].series[0].intervals[0] = {std::numeric_limits<double>::quiet_NaN(), 6}; // unknown
     CHECK(bars_in(draw_svg(plot)).size() == 1);
     plot.panels[0].series[0].intervals.pop_back();
     CHECK_THROWS_WITH_AS(draw_svg(plot), "in the panel \"\" the series \"\" has 2 points and 1 intervals",
@@ -312,7 +312,7 @@ TEST_CASE("a curve that goes beyond the axis says how far") {
     CHECK(has(draw_svg(plot), ">line<"));
     plot.panels[0].x.to = 2;
     CHECK(has(draw_svg(plot), ">line \u2192 to 3<"));
-    plot.panels[0].y.to = 5; // beyond which it leaves the axis of x
+    plot.panels[0].y.to = 5; // above this value the curve leaves the x axis
     CHECK(has(draw_svg(plot), ">line \u2191 to 7.5<"));
     plot.panels[0].y.from = 0;
     CHECK(has(draw_svg(plot), ">line \u2191 to 7.5 \u2193 to -3<"));
@@ -337,7 +337,7 @@ TEST_CASE("curves have dashes of their own, one alone, points and bars none") {
     CHECK(dashes_in(draw_svg(plot)).empty());
     const Series line = plot.panels[0].series[0];
     plot.panels[0].series.resize(8, line);
-    CHECK(dashes_in(draw_svg(plot)).size() == 7); // the first is not broken
+    CHECK(dashes_in(draw_svg(plot)).size() == 7); // the first is a solid line
     for (std::size_t i = 1; i < 8; ++i)
         plot.panels[0].series[i].stroke = i % 2 ? Stroke::points : Stroke::plain;
     CHECK(dashes_in(draw_svg(plot)).empty());
@@ -378,7 +378,7 @@ TEST_CASE("where a curve is constant, bands and marks are seen whole") {
     Panel panel{.series = {{"median", {{1, 4}, {2, 4}}}},
                 .marks = {{"as it is", 9}},
                 .bands = {{"", {{1, 0, 20}, {2, 0, 20}}, 0}}};
-    CHECK_FALSE(with_wide_axes(panel).y.to); // gnuplot chooses the ends so that all is seen
+    CHECK_FALSE(with_wide_axes(panel).y.to); // gnuplot chooses the ends so that everything is visible
     panel.bands.clear();
     CHECK_FALSE(with_wide_axes(panel).y.to);
     panel.marks.clear();

@@ -28,7 +28,7 @@ TEST_CASE("wires cross, but none follows another or ends where one does") {
     auto across = raster.find({{{0, 80}, {1, 0}}}, {{{160, 80}, {-1, 0}}});
     REQUIRE(across);
     CHECK(across->size() == 2);
-    CHECK_FALSE(raster.find({{{80, 0}, {0, 1}}}, {{{160, 80}, {-1, 0}}})); // its end is taken
+    CHECK_FALSE(raster.find({{{80, 0}, {0, 1}}}, {{{160, 80}, {-1, 0}}})); // its end is occupied
     raster.add(*across);
     CHECK_FALSE(raster.find({{{0, 80}, {1, 0}}}, {{{160, 80}, {-1, 0}}}));
 }

@@ -14,7 +14,7 @@ namespace {
 
 double apart(picture::Point a, picture::Point b) { return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)); }
 
-/// Between any two of them.
+/// Returns the least distance between any two points.
 double least_apart(const Shape& shape) {
     double least = 1e9;
     for (std::size_t i = 0; i < shape.size(); ++i)

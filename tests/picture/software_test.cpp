@@ -13,7 +13,7 @@ using picture::Software;
 
 namespace {
 
-/// Processes that pass on what they get, in a line over the nodes of a chain.
+/// Processes that pass on their input, in a line over the nodes of a chain.
 std::string pipeline() {
     return picture::chain(2) + "process p, a, c; use \"csp.producer\" for p; use \"csp.identity\" for a; "
                                "use \"csp.consumer\" for c; place p on t[0]; place a on t[1]; place c on t[1];\n"

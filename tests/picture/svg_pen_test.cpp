@@ -6,7 +6,7 @@ using namespace placedpar::picture;
 
 namespace {
 
-/// The lines that stand between the white paper and the end of the document.
+/// Returns the lines between the white background and the end of the document.
 std::string drawn_by(const SvgPen& pen) {
     std::string document = pen.document({{50, 50}, 100, 100}, "");
     std::size_t start = document.find("fill=\"#ffffff\"/>\n") + 17;

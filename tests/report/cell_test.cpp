@@ -46,15 +46,15 @@ TEST_CASE("of a share of no runs nothing is known") {
 
 TEST_CASE("how far two samples may be apart: four deviations of their difference") {
     CHECK(share_tolerance(50, 50) == doctest::Approx(40));                   // 4 sqrt(2 * .25 / 50)
-    CHECK(share_tolerance(50, 200) == doctest::Approx(20));                  // four times the records, half of it
+    CHECK(share_tolerance(50, 200) == doctest::Approx(20));                  // 4 times the records
     CHECK(share_tolerance(100, 200) == doctest::Approx(3.96).epsilon(0.01)); // 4 sqrt(2 * .0098 * .9902 / 200)
     CHECK(share_tolerance(0, 200) == doctest::Approx(share_tolerance(100, 200)));
-    CHECK(deviation_tolerance(0.00004, 50, 0.000005) == test::nearly(0.00004 * 4 / 7 + 0.000005)); // and half a digit
-    CHECK(mean_tolerance(0.00014, 49, 0.00001) == test::nearly(0.00009));                          // 4/7 and the bias
+    CHECK(deviation_tolerance(0.00004, 50, 0.000005) == test::nearly(0.00004 * 4 / 7 + 0.000005)); // plus half a digit
+    CHECK(mean_tolerance(0.00014, 49, 0.00001) == test::nearly(0.00009));                          // 4/7 plus the bias
 }
 
 TEST_CASE("an error in percent needs a reference and a figure, and of 0 only 0 is no error at all") {
-    CHECK(compared_cell("x", "a", "", -50, -40, 0).error_percent() == 20.0); // above it, whatever its sign
+    CHECK(compared_cell("x", "a", "", -50, -40, 0).error_percent() == 20.0); // above the reference, whatever its sign
     CHECK(compared_cell("x", "a", "", 0, 0, 0).error_percent() == 0.0);
     CHECK_FALSE(compared_cell("x", "a", "", 0, 1e-9, 0).error_percent());
     CHECK_FALSE(compared_cell("x", "a", "", 5, std::nan(""), 0).error_percent());

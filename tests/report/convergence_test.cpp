@@ -1,4 +1,4 @@
-// Curves over the generations, with bands over the seeds.
+// Tests the curves over generations, with bands over the seeds.
 
 #include "report/convergence.hpp"
 
@@ -18,7 +18,7 @@ TEST_CASE("a curve is the median of the runs, its band goes from quartile to qua
     ConvergenceCurve curve{"best", {{1, 10}, {2, 20, 5}, {3, 30}, {9, 90}}, 4};
     Panel panel = convergence_panel("title", "fitness [1]", {&curve, 1});
     REQUIRE(panel.series.size() == 1);
-    REQUIRE(panel.series[0].points.size() == 2); // as many generations as all runs made
+    REQUIRE(panel.series[0].points.size() == 2); // as many generations as all runs have made
     CHECK(panel.series[0].points[1].x == 2);
     CHECK(panel.series[0].points[1].y == 25);
     CHECK(panel.series[0].colour == 4);
@@ -54,7 +54,7 @@ TEST_CASE("a plot of searches that are compared is of all of them, with the dive
     CHECK(plot.panels[0].title == "fitness, medians and quartiles of 2 seeds");
     CHECK(plot.panels[0].series.size() == 2);
     CHECK(plot.panels[1].series.size() == 2);
-    CHECK(plot.panels[0].bands.size() == 1); // the mean has none
+    CHECK(plot.panels[0].bands.size() == 1); // the mean has no band
     CHECK(plot.panels[0].series[0].stroke == Stroke::points);
     CHECK(plot.panels[1].bands.size() == 2);
     CHECK(draw_svg(plot).find("between them") != std::string::npos);
@@ -63,7 +63,7 @@ TEST_CASE("a plot of searches that are compared is of all of them, with the dive
 TEST_CASE("searches for different things are drawn each for itself") {
     SeededLog seeded{3, GenerationLog({"east", "west"}, false)};
     test::tell(seeded.log, "east", 1, {1, 3});
-    CHECK_THROWS_AS(convergence_plot("", {&seeded, 1}), UserError); // the other has not made a generation
+    CHECK_THROWS_AS(convergence_plot("", {&seeded, 1}), UserError); // the other search has not made a generation
     test::tell(seeded.log, "west", 1, {2, 4});
     Plot plot = convergence_plot("title", {&seeded, 1});
     REQUIRE(plot.panels.size() == 4);
@@ -99,7 +99,7 @@ TEST_CASE("objectives that are no finite number are left out of a curve, the res
     test::tell(seeded.log, "east", 2, {worst_fitness, 2}, std::nullopt, Goal::maximise);
     CHECK(convergence_plot("", {&seeded, 1}).panels[0].series[0].points.size() == 1);
     CHECK(searches_json(seeded.log)[0].at("generation_at_99_percent") == 2);
-    CHECK(searches_json(seeded.log)[0].at("first").at("best").is_null()); // no number for it in JSON
+    CHECK(searches_json(seeded.log)[0].at("first").at("best").is_null()); // JSON has no number for it
     CHECK(searches_json(seeded.log)[0].at("last").at("best") == 2.0);
 }
 

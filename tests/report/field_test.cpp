@@ -1,4 +1,4 @@
-// A row that is described once, as a text, as JSON and as CSV.
+// Tests a row that is described once and printed as text, JSON and CSV.
 
 #include "report/field.hpp"
 

@@ -1,4 +1,4 @@
-// What a name can stand for where kinds are asked for, and what is said of one that stands for nothing.
+// Tests what a name may mean where kinds are expected, and the message for an unknown name.
 
 #include "report/kinds_choice.hpp"
 
@@ -12,7 +12,7 @@ using namespace placedpar;
 
 namespace {
 
-/// The devices that every catalogue has, and three kinds of processes.
+/// The devices of every catalogue, and three kinds of processes.
 Catalogue two_groups() {
     Catalogue catalogue;
     for (const char* name : {"belt.loader", "belt.sorter", "press.stamper"})
@@ -35,7 +35,7 @@ TEST_CASE("a group is what stands before the point, and processes are all groups
     CHECK(names_in("belt") == Names{"belt.loader", "belt.sorter"});
     CHECK(names_in("processes") == Names{"belt.loader", "belt.sorter", "press.stamper"});
     CHECK(names_in("bel").empty());
-    CHECK(names_in("belt.loader").empty()); // a kind is not a group
+    CHECK(names_in("belt.loader").empty()); // a kind, not a group
 }
 
 TEST_CASE("names are known whatever the case of their letters, and an exact one comes first") {

@@ -44,7 +44,7 @@ TEST_CASE("a device is described by its attributes, with what its model says its
     std::string any = print_kind(catalogue, "processor");
     CHECK(contains(any, "type                         string  must be given: one of\n"));
     CHECK_FALSE(contains(any, "processor T805"));
-    CHECK_FALSE(contains(any, "links: ")); // the type says how many
+    CHECK_FALSE(contains(any, "links: ")); // the type states the number
 }
 
 TEST_CASE("a device of a program's own is described too, and an unknown name is refused") {

@@ -1,4 +1,4 @@
-// JSON as the program writes it.
+// Tests JSON as the program writes it.
 
 #include "report/manifest.hpp"
 

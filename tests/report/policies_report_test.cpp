@@ -34,7 +34,7 @@ TEST_CASE("what a parameter decides is listed, with the very policies that the p
     Known known;
     auto nouns = policy_nouns();
     std::set<std::string> decided;
-    for (const auto& each : known.catalogue.kinds()) // CAPTURE is a lambda, which Clang 14 lets capture no binding
+    for (const auto& each : known.catalogue.kinds()) // CAPTURE is a lambda: no structured binding in Clang 14
         for (const ParameterDescription& parameter : each.second.parameters) {
             if (parameter.noun.empty())
                 continue;
@@ -50,7 +50,7 @@ TEST_CASE("what a parameter decides is listed, with the very policies that the p
             for (const std::string& choice : parameter.choices)
                 CHECK_NOTHROW(parameter.check(choice));
         }
-    for (const Noun& noun : nouns) // what no parameter decides says by its forms how a netlist has it
+    for (const Noun& noun : nouns) // without a parameter, the variants show the spelling
         CHECK((decided.count(noun.name) == 1) == (noun.name != "distributed-fitness"));
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("a policy says how a netlist writes it, its numbers and where it is fr
     CHECK(says(tournament, "  size             int     default 2              1 .. 1000000\n"));
     CHECK(says(tournament, "in a netlist: emigration = \"tournament(count = 1, size = 2)\"\n"));
     CHECK(says(print_policy(known.catalogue, "tournament(5)"), "reproduction = \"tournament(size = 5)\"\n"));
-    CHECK_FALSE(says(print_policy(known.catalogue, "tournament(5, 6)"), "selection")); // which has one number
+    CHECK_FALSE(says(print_policy(known.catalogue, "tournament(5, 6)"), "selection")); // selection has only one number
     CHECK(says(print_policy(known.catalogue, "reproduction"), "\nroulette\n"));
     CHECK(says(print_policy(known.catalogue, "elitism"), "  elite  "));
 }

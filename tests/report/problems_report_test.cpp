@@ -47,7 +47,7 @@ TEST_CASE("the fields of a string: names, bits, bounds, and the resolution of eq
     CHECK(lists(plant, "\n  b0                7 bits  0 .. 1.98438, in steps of 0.0156\n"));
     CHECK(
         lists(print_problem(all_problems(), "boom"), "  C_BOi            10 bits  0 .. 0.0999023 in^3/psi, in steps"));
-    CHECK(lists(print_problem(all_problems(), "rastrigin"), // many alike in one row
+    CHECK(lists(print_problem(all_problems(), "rastrigin"), // many similar variables in one row
                 "\n  x_1 ... x_20     16 bits  -5.12 .. 5.11984, in steps of 0.000156\n"));
     CHECK_FALSE(lists(print_problem(all_problems(), "tour-circle"), "fields"));
     boost::json::object machine = problem_json(all_problems(), "plant");

@@ -1,4 +1,4 @@
-// What is printed of a run stands in its document, too.
+// Tests that everything printed about a run is also in its JSON document.
 
 #include "netlist/run_report.hpp"
 #include "report/run_report.hpp"
@@ -28,7 +28,7 @@ boost::json::object document(const RunReport& report) { return report_json(repor
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// Of a document's only row in the table of that name.
+/// Returns the only row of this table in a document.
 boost::json::object only(const boost::json::object& json, const char* table) {
     REQUIRE(json.at(table).as_array().size() == 1);
     return json.at(table).as_array().front().as_object();

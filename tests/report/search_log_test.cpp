@@ -1,4 +1,4 @@
-// The log of a run as a file, and what a report says of it.
+// Tests the file of a run's log, and the report's text about it.
 
 #include "report/search_log.hpp"
 
@@ -71,7 +71,7 @@ TEST_CASE("a report of several seeds gives medians and quartiles") {
     }
     std::string text = print_searches(logs);
     CHECK(text.find("3 [1, 4]") != std::string::npos);
-    CHECK(text.find("30 [10, 40]") != std::string::npos); // ever
+    CHECK(text.find("30 [10, 40]") != std::string::npos); // the best so far
     CHECK(text.find("1.5 [0.5, 2]") != std::string::npos);
 }
 
@@ -93,13 +93,13 @@ TEST_CASE("searches are compared where they search for the same in the same codi
         return process;
     };
     Network network;
-    network.processes = {search("a", "boom"), ProcessInstance(), search("b", "boom")}; // one that does not search
+    network.processes = {search("a", "boom"), ProcessInstance(), search("b", "boom")}; // one process does not search
     const GenerationLog log = log_of(network);
     CHECK(std::ranges::equal(log.searches(), std::vector<std::string>{"a", "b"}));
     CHECK(log.compares());
     network.processes[2].parameters["problem"] = Value(std::string("plant"));
     CHECK_FALSE(log_of(network).compares());
     network.processes[2] = search("b", "boom");
-    network.processes[0].kind = "ga.coarse"; // whose strings are read in another way than its partner's
+    network.processes[0].kind = "ga.coarse"; // its strings are read differently from its partner's
     CHECK_FALSE(log_of(network).compares());
 }

@@ -10,7 +10,7 @@
 
 namespace placedpar::test {
 
-/// A generation of two strings of two bits, which differ in one of them.
+/// Logs a generation of two strings of two bits that differ in one bit.
 inline void tell(GenerationLog& log, std::string_view search, std::uint64_t number, std::vector<double> fitness,
                  std::optional<Time> time = std::nullopt, std::optional<Goal> goal = std::nullopt) {
     std::vector<Genome> population{Genome::from_string("00"), Genome::from_string("01")};

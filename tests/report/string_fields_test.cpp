@@ -1,4 +1,4 @@
-// Fields of a string in natural binary: equation 1.5 of the thesis.
+// Tests the fields of a string in natural binary: equation 1.5 of the thesis.
 
 #include "report/string_fields.hpp"
 
@@ -10,7 +10,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A number of the range [-1, 3) in five bits, and a whole one from 2 to 5 in two.
+/// A number in the range [-1, 3) in five bits, and an integer from 2 to 5 in two bits.
 struct TwoFields {
     ParameterCoding coding() const {
         return ParameterCoding({{.low = -1, .high = 3, .bits = 5}, {.low = 2, .high = 6, .bits = 2, .whole = true}});
@@ -32,7 +32,7 @@ struct TwoFields {
 } // namespace
 
 TEST_CASE("a field reaches from all zeros to all ones, a step below the end of its range") {
-    for (Coding coding : {Coding::natural, Coding::gray}) { // all ones in Gray code is another number
+    for (Coding coding : {Coding::natural, Coding::gray}) { // all ones mean another number in Gray code
         const std::vector<StringField> fields = string_fields(*make_search_problem(TwoFields(), coding));
         REQUIRE(fields.size() == 2);
         CHECK(fields[0].name == "gain");

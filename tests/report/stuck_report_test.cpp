@@ -1,4 +1,4 @@
-// What is said of processes that wait when a run can go no further.
+// Tests the report about waiting processes when a run can go no further.
 
 #include "explore/problems.hpp"
 #include "netlist/machine.hpp"
@@ -17,8 +17,8 @@ using namespace placedpar;
 
 namespace {
 
-/// A master and its slave, which rehearse when the work is over, beside a consumer that waits for a sixth packet of
-/// five.
+/// A master and its slave, still rehearsing when the work is over, and a consumer that waits for a sixth packet
+/// although only five are sent.
 constexpr const char* farm_beside_a_deadlock = R"(
 workstation sun;
 T800 t[2], x;
@@ -49,8 +49,8 @@ place producer on x;
 place consumer on x;
 )";
 
-/// Two buffers that wait for each other, beside a consumer that waits for a second packet of one. What the report says
-/// of lines is counted from the first.
+/// Two buffers that wait for each other, and a consumer that waits for a second packet although only one is sent. The
+/// report counts lines from the first.
 constexpr const char* buffers_and_a_consumer = R"(workstation sun;
 T800 t;
 connect sun.link[0] to t.link[0];
@@ -75,7 +75,7 @@ place d on t;
 
 using NetlistLines = std::map<std::string, std::string>;
 
-/// What the netlist column says of each row of a deadlock's table in the report.
+/// Returns the "netlist" entry of each row of a table of the deadlock in the JSON report.
 NetlistLines lines_in_json(const boost::json::object& report, const char* table, const char* name) {
     NetlistLines lines;
     for (const auto& row : report.at("deadlock").at(table).as_array())
@@ -83,7 +83,7 @@ NetlistLines lines_in_json(const boost::json::object& report, const char* table,
     return lines;
 }
 
-/// The same in the report for people: of the table whose head begins with `name`, each row's last column.
+/// Returns the last column of each row of the text report's table whose head begins with `name`.
 NetlistLines lines_in_text(const std::string& report, const std::string& name) {
     NetlistLines lines;
     std::istringstream text(report.substr(report.find("\n" + name + " ") + 1));
@@ -127,7 +127,7 @@ TEST_CASE("a deadlock of processes that no netlist declares says nothing of line
     CHECK(deadlock.text().find("netlist") == std::string::npos);
     deadlock.processes.front().netlist = "n.cfs:7";
     CHECK(deadlock.text().find("here.cpp:1               n.cfs:7\n") != std::string::npos);
-    CHECK(deadlock.text().find("who waits netlist") == std::string::npos); // each table for itself
+    CHECK(deadlock.text().find("who waits netlist") == std::string::npos); // each table has its own columns
 }
 
 TEST_CASE("the report of a run names the processes that never ran") {

@@ -1,4 +1,4 @@
-// What processes do after the work is over disturbs none of the work's figures.
+// Tests that processes which go on after the end of the work change none of the work's figures.
 
 #include "runtime/hardware/processor.hpp"
 #include "runtime/simulation.hpp"
@@ -16,7 +16,7 @@ using std::chrono::milliseconds;
 
 namespace {
 
-/// A process that works for 3 ms, beside one that works for 5 ms, and then perhaps goes on for another 7 ms.
+/// Runs a process that works for 3 ms, and another that works for 5 ms and may then go on for 7 ms.
 RunResult run(bool goes_on, Time limit = Time::max()) {
     Simulation simulation;
     Time gone_on{};

@@ -1,4 +1,4 @@
-// occam's rules of alternation.
+// Tests occam's rules of alternation.
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"
@@ -20,7 +20,7 @@ using std::chrono::microseconds;
 
 namespace {
 
-/// Runs `body` beside one process for each channel that outputs its number at the moment given.
+/// Runs `body` beside one process for each channel, which outputs its number at the given time.
 std::string run_with_outputs(std::vector<Time> moments,
                              const std::function<void(std::vector<Channel<int>*>, std::string&)>& body) {
     Simulation simulation;
@@ -67,7 +67,7 @@ TEST_CASE("both outputters come before the process gets its turn: it is woken on
     simulation.process("alternates", [&] {
         for (int i = 0; i < 2; ++i)
             alt(on(c1.in(), [&](int) { log += "1"; }), on(c0.in(), [&](int) { log += "0"; }));
-        wait_for(microseconds{1}); // a wake left over would end this wait early
+        wait_for(microseconds{1}); // a wake-up left over would end this wait early
         log += fmt::format("@{}", now() / microseconds{1});
     });
     simulation.process("outputs 0", [&] { c0.out().output(0); });
@@ -89,7 +89,7 @@ TEST_CASE("a timeout is taken at its moment when no message comes, and not when 
     auto watch = [](auto c, std::string& log) {
         alt(on(c[0]->in(), [&](int) { log += fmt::format("message@{}", now() / microseconds{1}); }),
             after(microseconds{5}, [&] { log += fmt::format("timeout@{}", now() / microseconds{1}); }));
-        wait_until(microseconds{20}); // an alarm left over would end this wait early
+        wait_until(microseconds{20}); // a timer event left over would end this wait early
         log += now() == microseconds{20} ? "" : " woken early";
     };
     CHECK(run_with_outputs({microseconds{4}}, watch) == "message@4");
@@ -118,7 +118,7 @@ TEST_CASE("SKIP is taken only when nothing before it is ready; a polling process
     CHECK(chosen == "10");
     CHECK(polls >= 2);
 
-    Simulation simulation; // the poller runs first, and no other process could run if it did not give way
+    Simulation simulation; // the poller runs first; no other process could run if it did not yield
     Channel<int> c("c");
     bool got = false;
     simulation.process("polls", [&] {
@@ -142,7 +142,7 @@ TEST_CASE("the replicated form names the input that was chosen") {
 
 namespace {
 
-/// What three outputters of five messages each send, in the order in which it is taken: by digits 0, 1 and 2.
+/// Returns the order, as digits, in which messages of three outputters are taken; each sends five.
 template <class Take>
 std::string taken(int messages, const Take& take) {
     Simulation simulation;
@@ -159,7 +159,7 @@ std::string taken(int messages, const Take& take) {
     std::string log;
     simulation.process("alternates", [&] {
         for (int n = 0; n < messages; ++n) {
-            wait_for(microseconds{1}); // all are ready again
+            wait_for(microseconds{1}); // all outputters are ready again
             take(std::span<const Input<int>>(inputs), log);
         }
     });
@@ -268,7 +268,7 @@ TEST_CASE("over a link an alternation is woken by the first byte of a message") 
     });
     CHECK(simulation.run().ending == Ending::completed);
     CHECK(woken == std::chrono::nanoseconds{550});
-    // Its acknowledge goes out at 550 ns instead of 260; then 6 bits to the next byte, and 560 ns a byte.
+    // The acknowledge is sent at 550 ns instead of 260. After 6 bits the next byte follows, then one every 560 ns.
     CHECK(received == std::chrono::nanoseconds{550 + 300 + 98 * 560 + 550});
 }
 
@@ -313,8 +313,8 @@ TEST_CASE("time passes while a placed process polls: its own timeout comes, and 
 }
 
 TEST_CASE("enabling is paid before the wait, disabling after it: a wake costs more the more guards there are") {
-    // When the message comes at 1 ms, what is left: disc a guard, altend, in, and the copy of one word. When it waits:
-    // enbc of the guard that is ready takes two cycles more than of another.
+    // If the message arrives at 1 ms, what remains is: disc of each guard, altend, in, and the copy of one word. If the
+    // message is waiting already, enbc of its guard takes two cycles more than that of others.
     for (std::int64_t guards : {1, 10})
         for (bool message_first : {false, true}) {
             CAPTURE(guards);

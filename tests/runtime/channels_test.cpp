@@ -1,4 +1,4 @@
-// Arrays of channels.
+// Tests arrays of channels.
 
 #include "runtime/alternation.hpp"
 #include "runtime/channels.hpp"
@@ -54,7 +54,7 @@ TEST_CASE("an array that is moved keeps its channels, also those that a process 
             ends[i].output(static_cast<int>(10 * i));
     });
     simulation.process("moves, and inputs", [&] {
-        wait_for(std::chrono::microseconds{1}); // the other is in c[0] by then
+        wait_for(std::chrono::microseconds{1}); // the other process waits in c[0] by then
         Channels<int> moved = std::move(rows[0]);
         CHECK(rows[0].size() == 0);
         rows.resize(20);

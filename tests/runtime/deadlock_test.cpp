@@ -1,4 +1,4 @@
-// The report of a deadlock.
+// Tests the report of a deadlock.
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"
@@ -16,7 +16,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Dijkstra's philosophers: each takes its left fork, then its right one.
+/// Runs Dijkstra's philosophers: each takes the left fork, then the right one.
 Deadlock three_philosophers() {
     Simulation simulation;
     std::list<Channel<int>> take_left, take_right;
@@ -125,7 +125,7 @@ TEST_CASE("a partner that was a component and is gone stands for the process who
     RunResult result = simulation.run();
     REQUIRE(result.deadlock);
     REQUIRE(result.deadlock->channels.size() == 2);
-    CHECK(result.deadlock->channels[0].outputter == "nobody yet");
+    CHECK(result.deadlock->channels[0].outputter == "none yet");
     CHECK(result.deadlock->channels[1].name == "c");
     CHECK(result.deadlock->channels[1].inputter == "server");
 }
@@ -149,12 +149,12 @@ TEST_CASE("a component is not taken for an earlier one that was where it is now:
     simulation.process("y", [&] { b.in().input(); });
     RunResult result = simulation.run();
     REQUIRE(result.deadlock);
-    if (!SwitchedStack::is_watched()) // AddressSanitizer keeps apart what is freed
+    if (!SwitchedStack::is_watched()) // AddressSanitizer does not reuse freed memory at once
         REQUIRE(same_place);
-    // x/0 waits for an outputter of a: for x, whose last component output to it; and x waits for x/0.
+    // Process x/0 waits for an outputter of a. This is x, whose last component output to a, and x waits for x/0.
     CHECK(result.deadlock->cycle == std::vector<std::string>{"x", "x/0"});
     REQUIRE(result.deadlock->channels.size() == 2);
-    CHECK(result.deadlock->channels[0].outputter == "nobody yet");
+    CHECK(result.deadlock->channels[0].outputter == "none yet");
     CHECK(result.deadlock->channels[1].name == "a");
     CHECK(result.deadlock->channels[1].outputter == "x");
 }
@@ -214,7 +214,7 @@ TEST_CASE("a PAR of any form tells where in the program it stands") {
 
 namespace {
 
-/// Two processes that wait for each other, one that goes on for ever, and `others`; stopped after a while.
+/// Runs two processes that wait for each other, one that never ends, and `others`; stops the run after a while.
 RunResult partly_stuck(const std::function<void(Simulation&)>& others) {
     Simulation simulation;
     Channel<int> a("a"), b("b"), tick("tick");
@@ -274,7 +274,7 @@ TEST_CASE("a process that waits for one in a deadlock is in it too, one with a t
 }
 
 TEST_CASE("nothing that can go on is called a deadlock when the run is stopped") {
-    // A ring of processes over links, stopped at every microsecond: some process always waits, but not for ever.
+    // A ring of processes over links is stopped at every microsecond: some process always waits, but never for ever.
     for (int stop = 1; stop < 60; ++stop) {
         Simulation simulation;
         std::list<Channel<std::array<char, 4>>> ring;

@@ -6,7 +6,7 @@
 
 namespace placedpar::test {
 
-/// Does it in each vector width that this machine's processor has.
+/// Calls the function once for each vector width of this machine's processor.
 template <class Do>
 void in_each_vector_width(const Do& do_it) {
     for (std::size_t width : vector_widths) {

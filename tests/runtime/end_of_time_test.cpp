@@ -1,4 +1,4 @@
-// Virtual time lasts for 106 days. What would come later ends the run with an error, and overflows nowhere.
+// Tests the end of virtual time after 106 days. A later event ends the run with an error, and nothing overflows.
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"

@@ -1,4 +1,4 @@
-// However a simulation ends, every process's stack is unwound, and another can follow.
+// Tests that every process's stack is unwound however a simulation ends, and that another simulation can follow.
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"
@@ -31,7 +31,7 @@ struct Counted {
     int& alive;
 };
 
-/// Processes in every kind of wait, each with something on its stack, and one that does `last`, at 5 us.
+/// Processes in every kind of wait, each with an object on its stack, and a process that calls `last` at 5 us.
 class Waiters {
 public:
     explicit Waiters(std::function<void()> last) {

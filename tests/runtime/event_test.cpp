@@ -1,4 +1,4 @@
-// The future gives its events in the order that kernel.hpp states, whatever is cancelled meanwhile.
+// Tests that the future gives its events in the order stated in kernel.hpp, whatever is cancelled meanwhile.
 
 #include "runtime/event.hpp"
 #include "runtime/random.hpp"
@@ -24,7 +24,7 @@ struct Noted final : Event {
     std::size_t number;
 };
 
-/// A queue beside an ordered set of what it should hold.
+/// A queue and an ordered set of its expected events.
 class Pair {
 public:
     explicit Pair(std::size_t events) : keys_(events) {
@@ -32,7 +32,7 @@ public:
             events_.push_back(std::make_unique<Noted>(happened_, n));
     }
     bool scheduled(std::size_t n) const { return events_[n]->scheduled(); }
-    /// Events have ranks by number, or none, by priority.
+    /// Schedules event n. Events of low priority values also have a rank, which is n.
     void schedule(std::size_t n, Time time, EventQueue::Priority priority) {
         bool again = scheduled(n);
         forget(n);
@@ -101,7 +101,7 @@ TEST_CASE("events happen by time, priority, and rank or insertion, whatever is c
             case 1: both.destroy(n); break;
             case 2:
             case 3: both.happen_next(); break;
-            default: // many at one moment, also at the last of all
+            default: // many events at one time, also at the last possible one
                 both.schedule(n, random.below(50) == 0 ? Time::max() : now + Time{random.below(20)},
                               static_cast<EventQueue::Priority>(random.below(5)));
             }

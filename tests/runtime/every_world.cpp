@@ -12,10 +12,11 @@ namespace {
 
 constexpr std::size_t processes = 3;
 
-/// Processes in the order of their new names.
+/// The processes in the order of their new names.
 using Order = std::array<std::size_t, processes>;
 
-/// Tells worlds apart, but for the names of channels and, with every order, of processes.
+/// Describes a world independently of the names of its channels. The least description over all orders of the processes
+/// identifies it.
 class Description {
 public:
     Description(const SmallWorld& world, const Order& order)
@@ -36,7 +37,7 @@ public:
     }
 
 private:
-    /// Names the channels of each pair of processes in the order of their first use.
+    /// Names the channels of each pair of processes in the order of first use.
     void name_channels() {
         std::array<std::array<char, processes>, processes> next{};
         for (std::size_t process : order_)
@@ -69,7 +70,7 @@ private:
     std::vector<std::string> names_;
 };
 
-/// Calls it with the description by every order of the processes, that of their numbers first, until it returns true.
+/// Calls `is_it` with the description for each order of the processes, beginning with their own, until it returns true.
 bool any_description(const SmallWorld& world, const std::function<bool(const std::string&)>& is_it) {
     Order order{0, 1, 2};
     do
@@ -84,8 +85,8 @@ bool is_first_of_its_kind(const SmallWorld& world) {
     return !any_description(world, [&](const std::string& other) { return other < as_it_is; });
 }
 
-/// Worlds grow by an action where a course reaches the end of a process; the first to use a channel lays it. What
-/// grows next does not depend on the names of channels, so that each world comes up in one way.
+/// Generates worlds by adding an action where an execution reaches the end of a process. The first use of a channel
+/// creates it. The next place to grow does not depend on channel names, so each world is generated in only one way.
 class Worlds {
 public:
     Worlds(const Bounds& bounds, const std::function<void(const SmallWorld&)>& check)
@@ -109,7 +110,7 @@ private:
     bool may_grow(std::size_t process) const {
         return !ended_[process] && world_.processes[process].size() < bounds_.longest;
     }
-    /// The first process whose last action some course gets over, and that may have more.
+    /// Returns the first process that may grow and whose last action is passed in some execution.
     std::optional<std::size_t> asked_for_more() const {
         const auto states = Interpreter(world_).reachable();
         for (std::size_t process = 0; process < processes; ++process)
@@ -162,7 +163,7 @@ private:
         set_guards(ends.inputter, bit, 0);
         world_.channels.pop_back();
     }
-    /// A bit for each that the process has.
+    /// Returns a bit for each action of the process that is an alternation.
     std::uint32_t alternations(std::size_t process) const {
         std::uint32_t bits = 0;
         for (std::size_t i = 0; i < world_.processes[process].size(); ++i)
@@ -184,7 +185,7 @@ private:
                 inputs |= std::uint32_t{1} << i;
         for_each_choice(inputs, [&](std::uint32_t chosen) { grow_by(process, {kind, 0, chosen}); });
     }
-    /// Calls `choice` with all bits set or, where any guards are allowed, with every subset of them.
+    /// Calls `choice` with all bits set or, if any guards are allowed, with every subset of them.
     template <class Choice>
     void for_each_choice(std::uint32_t bits, Choice choice) {
         choice(bits);

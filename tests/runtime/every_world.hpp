@@ -8,22 +8,21 @@
 
 namespace placedpar::test {
 
-/// Which worlds there are.
+/// Limits the worlds to generate.
 struct Bounds {
-    std::size_t longest;     ///< actions of a process
-    bool polls = false;      ///< alternations with a SKIP, too
-    bool any_guards = false; ///< an alternation is on any channels that come to the process, not on all of them
+    std::size_t longest;     ///< most actions of a process
+    bool polls = false;      ///< includes alternations with a SKIP
+    bool any_guards = false; ///< alternations may use any subset of the channels that lead to the process, not only all
+                             ///< of them
 };
 
-/// Hands every world within the bounds to `check`, once: all networks, all programs. Worlds that differ only in the
-/// names of processes and channels are one, and so are worlds that differ only in actions that no course reaches: a
-/// process has a further action only if some course leads to it. Every channel is one that a process outputs to or
-/// inputs from, and every alternation has a guard.
-///
-/// REQUIRES: longest <= 15.
+/// Calls `check` once for every world within the bounds: all networks, all programs. Worlds that differ only in the
+/// names of processes and channels count as one. So do worlds that differ only in actions that no execution reaches: a
+/// process gets a further action only if an execution leads to it. Every channel is used by a process at some end, and
+/// every alternation has a guard. REQUIRES: longest <= 15.
 void for_every_world(const Bounds&, const std::function<void(const SmallWorld&)>& check);
 
-/// Returns a text that is equal for all worlds that differ only in the names of processes and channels.
+/// Returns the same text for all worlds that differ only in the names of processes and channels.
 std::string text_of_its_kind(const SmallWorld&);
 
 } // namespace placedpar::test

@@ -1,4 +1,5 @@
-// Processes on an executive that is not a transputer. The runtime works with any class that keeps to executive.hpp.
+// Tests processes on an executive that is not a transputer. The runtime works with any class that implements
+// executive.hpp.
 
 #include "runtime/executive.hpp"
 
@@ -21,8 +22,8 @@ using std::chrono::microseconds;
 
 namespace {
 
-/// Executes one process at a time, in the order in which they become ready, each until it waits. A cycle takes a
-/// microsecond, priorities make no difference, and its clock ticks every millisecond.
+/// Executes one process at a time until it waits, in the order in which they become ready. A cycle takes a microsecond,
+/// priorities are ignored, and the clock ticks every millisecond.
 class Clerk final : public Executive {
 public:
     Clerk(Kernel& kernel, std::string name, const OperationCosts& costs)
@@ -46,7 +47,7 @@ public:
         take_next();
     }
 
-    /// The cycles of each computation, in order.
+    /// Returns the cycles of each computation, in order.
     const std::vector<std::int64_t>& spent() const { return spent_; }
 
 private:
@@ -68,7 +69,7 @@ private:
     Work work_{*this};
 };
 
-/// Every operation costs another number of cycles.
+/// Each operation costs a different number of cycles.
 constexpr OperationCosts costs_of_a_clerk{
     .soft_communication = Cycles{1},
     .soft_word_output = Cycles{50},
@@ -93,7 +94,7 @@ constexpr OperationCosts costs_of_a_clerk{
 
 using Spent = std::vector<std::int64_t>;
 
-/// The computations of a process alone on a clerk, and of what it calls.
+/// Returns the computations of a process alone on a clerk, and of the operations that it calls.
 Spent spent_by(Process::Body body) {
     Simulation simulation;
     auto& clerk = simulation.add<Clerk>("clerk", costs_of_a_clerk);

@@ -1,4 +1,4 @@
-// The fingerprint tells runs apart that differ in who met whom, when, or in which order.
+// Tests that runs have different fingerprints if they differ in a communication's partners, time or order.
 
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
@@ -10,7 +10,7 @@ using std::chrono::nanoseconds;
 
 namespace {
 
-/// Two messages, each on a channel of its own, at the moments given.
+/// Returns the fingerprint of a run with two messages at these times, each on its own channel.
 std::uint64_t fingerprint(Time first, Time second) {
     Simulation simulation;
     Channel<int> a("a"), b("b");

@@ -1,4 +1,4 @@
-// Eight numbers at once have the bits of each alone, in every vector width.
+// Tests that operations on eight numbers at once give the bits of each alone, in every vector width.
 
 #include "runtime/lanes.hpp"
 #include "runtime/random.hpp"
@@ -29,12 +29,12 @@ Eight some_numbers(RandomStream& random) {
     return numbers;
 }
 
-/// Any NaN is as good as another: no standard says which of two an operation returns.
+/// Compares numbers by their bits, but takes all NaNs as equal: no standard says which one an operation returns.
 bool same(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
 }
 
-/// `formula` for doubles and for Lanes.
+/// A formula for doubles and for Lanes.
 template <class Formula>
 void check(const char* name, const Formula& formula) {
     CAPTURE(name);

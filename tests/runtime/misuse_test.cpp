@@ -1,4 +1,4 @@
-// What a program must not do is named at once.
+// Tests that a program's misuse of the library is reported at once.
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"
@@ -33,7 +33,7 @@ constexpr const char* used_up =
     " has used up its stack of 256 Kbyte: it calls itself without end, or has large arrays, "
     "which belong on the heap (std::vector)\n";
 
-/// What a simulation of this process alone throws.
+/// Returns the message that a simulation of this process alone throws.
 std::string refusal_of(Process::Body body) {
     Simulation simulation;
     simulation.process("p", std::move(body));
@@ -45,7 +45,7 @@ std::string refusal_of(Process::Body body) {
     return "";
 }
 
-/// How a program ended that ran in a process of the operating system of its own.
+/// The end of a program in an operating-system process of its own.
 struct Death {
     int signal = 0; ///< 0 if none
     std::string errors;
@@ -77,21 +77,21 @@ Death die(Program program) {
     return death;
 }
 
-/// Without end.
+/// Recurses without end.
 int recurse(int depth) { // NOLINT(misc-no-recursion)
     volatile int here = depth;
     return depth < 0 ? 0 : recurse(depth + 1) + here;
 }
 
-/// A little more than the stack.
+/// Uses slightly more than the stack.
 void overflow_a_little() {
     std::array<volatile char, Stack::usual_bytes> large;
     for (std::size_t i = 0; i < large.size(); ++i)
         large[i] = 1;
 }
 
-/// Writes to the two ends of an array alone: what lies between may be other stacks. No optimisation knows what is
-/// called.
+/// Writes only to the two ends of an array, since other stacks may lie between them. The pointer is volatile, so that
+/// the optimiser cannot remove the writes.
 void (*volatile write_ends)(char*, std::size_t) = [](char* array, std::size_t bytes) {
     array[0] = array[bytes - 1] = 1;
 };
@@ -110,7 +110,7 @@ struct LargeArray {
     const char* what;
     void (*write)();
 };
-/// Arrays beyond the zone end where the process of the stack below has its variables.
+/// These arrays reach beyond the guard zone, to the variables of the process whose stack lies below.
 constexpr LargeArray large_arrays[] = {
     {"the zone's", [] { write_local<Stack::usual_bytes + 1000>(); }},
     {"beyond the zone", [] { write_local<stack_and_zone + 12'000>(); }},
@@ -185,7 +185,7 @@ TEST_CASE("a soft channel does not join processors") {
         Simulation simulation;
         auto& a = simulation.add<Processor>("a");
         auto& b = simulation.add<Processor>("b");
-        Channel<std::int64_t> c("c"); // two words, whose output takes as long as their input
+        Channel<std::int64_t> c("c"); // two words: output and input take equally long
         auto output = [&] { c.out().output(1); };
         auto input = [&] { c.in().input(); };
         simulation.process("first", outputter_first ? Process::Body(output) : input, &a);
@@ -366,7 +366,7 @@ TEST_CASE("a process that catches everything does not hang the end") {
 
 TEST_CASE("a stack that the thread has kept of an earlier run is as any other, and guarded") {
     if (SwitchedStack::is_watched())
-        return; // nothing is kept then
+        return; // no stacks are kept in this case
     std::byte* kept = StackArena().allocate().bottom;
     StackArena next;
     if (Stack stack = next.allocate(); stack.guarded) {
@@ -390,7 +390,7 @@ TEST_CASE("a stack that the thread has kept of an earlier run is as any other, a
 
 TEST_CASE("who overflows the stack is named") {
     if (SwitchedStack::is_watched())
-        return; // AddressSanitizer has its own report
+        return; // AddressSanitizer prints its own report
     SUBCASE("a process") {
         Death death = die([] {
             Simulation simulation;
@@ -422,7 +422,7 @@ TEST_CASE("who overflows the stack is named") {
             simulation.process("recursive", [&] { overflow_a_little(), never.in().input(); });
             simulation.run();
         });
-        CHECK(death.signal == (last.guarded ? SIGSEGV : SIGABRT)); // at once, or when it waits
+        CHECK(death.signal == (last.guarded ? SIGSEGV : SIGABRT)); // at once, or when the process waits
         CHECK(death.errors == std::string("process recursive") + used_up);
     }
     SUBCASE("one of so many that calls itself without end, through the stacks of others") {
@@ -449,12 +449,12 @@ TEST_CASE("who overflows the stack is named") {
 
 TEST_CASE("who overflows the stack by an array larger than what guards the stack of another process is named") {
     if (SwitchedStack::is_watched())
-        return; // AddressSanitizer has its own report
+        return; // AddressSanitizer prints its own report
     for (const LargeArray& large : large_arrays) {
         CAPTURE(large.what);
         Death death = die([&] {
             Simulation simulation;
-            for (int i = 0; i < 20; ++i) // so that there is memory for the largest
+            for (int i = 0; i < 20; ++i) // provides memory for the largest array
                 simulation.process("waits", [] { wait_for(microseconds{9}); });
             simulation.process("large", [&] { large.write(); });
             simulation.run();

@@ -1,4 +1,4 @@
-// PAR and PRI PAR.
+// Tests PAR and PRI PAR.
 
 #include "runtime/hardware/processor.hpp"
 #include "runtime/parallel.hpp"
@@ -69,10 +69,10 @@ TEST_CASE("PRI PAR: the high component computes first, the low one when it waits
         },
         &t800);
     simulation.run();
-    Time start_up = (10 + 19) * cycle; // runp of the high one, which interrupts its parent, now the low one
+    Time start_up = (10 + 19) * cycle; // runp of the high process, which interrupts its parent, now the low process
     CHECK(high_done == start_up + microseconds{100});
-    CHECK(high_again == start_up + microseconds{160} + 19 * cycle);      // it interrupts the low one
-    CHECK(low_done == start_up + microseconds{210} + (19 + 13) * cycle); // and has ended by endp
+    CHECK(high_again == start_up + microseconds{160} + 19 * cycle);      // it interrupts the low process
+    CHECK(low_done == start_up + microseconds{210} + (19 + 13) * cycle); // and has ended with endp
 }
 
 TEST_CASE("on a processor a PAR starts all but the last, runs that one first, and each pays for its end when it ends") {
@@ -88,7 +88,7 @@ TEST_CASE("on a processor a PAR starts all but the last, runs that one first, an
     simulation.process(
         "other", [&] { order += "o", began.push_back(now()); }, &t800);
     simulation.run();
-    CHECK(order == "coab"); // the other one was ready before a and b
+    CHECK(order == "coab"); // the other process was ready before a and b
     CHECK(began == std::vector<Time>{24 * cycle, 137 * cycle, 137 * cycle, 250 * cycle});
     CHECK(ended == std::vector<Time>{363 * cycle});
 }

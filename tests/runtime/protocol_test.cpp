@@ -1,4 +1,4 @@
-// What the messages of a channel weigh, by their type.
+// Tests the sizes of messages by the channel's type.
 
 #include "runtime/channel.hpp"
 #include "runtime/hardware/link.hpp"

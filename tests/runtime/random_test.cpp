@@ -43,7 +43,7 @@ TEST_CASE("filling takes the numbers that so many calls would give, from any pla
 TEST_CASE("a stream's numbers are Random123's, block after block, in every vector width") {
     const r123::Philox4x32::key_type key{{0x89abcdef, 0x01234567}};
     std::vector<std::uint32_t> expected;
-    // The hash of the empty path, 64 bits of FNV-1a, is its offset basis.
+    // The hash of the empty path is the offset basis of FNV-1a with 64 bits.
     for (std::uint32_t block = 0; block < 100; ++block)
         for (std::uint32_t number : r123::Philox4x32{}({{block, 0, 0x84222325, 0xcbf29ce4}}, key))
             expected.push_back(number);

@@ -1,4 +1,4 @@
-// Communications that are given up, on soft channels.
+// Tests communications that are given up, on soft channels.
 
 #include "runtime/recovery.hpp"
 
@@ -25,7 +25,7 @@ TEST_CASE("an output and an input with a time-out fail when no partner comes, at
         CHECK(!output_or_fail(nobody.out(), 1, Time{5us}));
         CHECK(now() == 5us);
         CHECK(reset(nobody.out()) == 0);
-        CHECK(!output_or_fail(nobody.out(), 1, Time{1us})); // it has passed
+        CHECK(!output_or_fail(nobody.out(), 1, Time{1us})); // this time has passed already
         CHECK(now() == 5us);
     });
     simulation.process("inputs", [&] {

@@ -1,5 +1,5 @@
-// What occam's compiler refuses does not compile, as far as types can say it. What they cannot say, who owns an end, is
-// named at the first misuse (misuse_test.cpp).
+// Checks at compile time that programs which occam's compiler refuses do not compile, as far as types can express it.
+// Types cannot express the ownership of ends: its misuse is reported at run time (misuse_test.cpp).
 
 #include "runtime/alternation.hpp"
 #include "runtime/channel.hpp"
@@ -49,24 +49,24 @@ concept Inputs = requires(const End end, Arguments... arguments) {
     end.input(arguments...);
 };
 
-// An input end cannot output, an output end cannot input: not `in ! x`, nor `out ? x`.
+// An input end cannot output, and an output end cannot input: neither `in ! x` nor `out ? x`.
 static_assert(Outputs<Output<int>, int> && Inputs<Input<int>>);
 static_assert(!Outputs<Input<int>, int> && !Inputs<Output<int>>);
 static_assert(!Inputs<Channel<int>> && !Outputs<Channel<int>, int>);
 
-// Neither end becomes the other, nor one of another protocol.
+// An end converts neither to the opposite end nor to another protocol.
 static_assert(!std::convertible_to<Input<int>, Output<int>> && !std::constructible_from<Input<int>, Output<int>>);
 static_assert(!std::constructible_from<Output<double>, Output<int>> &&
               !std::constructible_from<Input<double>, Input<int>>);
-static_assert(!std::constructible_from<Output<int>, Channel<int>&>); // .out() says which end it is
+static_assert(!std::constructible_from<Output<int>, Channel<int>&>); // .out() states which end is meant
 
-// A channel is one: no copies, no second place. What was moved from cannot be used, since nothing moves.
+// Channels cannot be copied or moved, so a program cannot use one that was moved from.
 static_assert(!std::copy_constructible<Channel<int>> && !std::move_constructible<Channel<int>>);
 static_assert(!std::is_copy_assignable_v<Channel<int>> && !std::is_move_assignable_v<Channel<int>>);
 static_assert(!std::copy_constructible<std::array<Channel<int>, 2>>);
 static_assert(!std::move_constructible<std::pair<Channel<int>, int>>);
 
-// Ends of a channel that is gone at the end of the statement.
+// The channel of such an end would be destroyed at the end of the statement.
 template <class C>
 concept HasEnds = requires(C&& channel) {
     std::forward<C>(channel).out();
@@ -74,7 +74,7 @@ concept HasEnds = requires(C&& channel) {
 };
 static_assert(HasEnds<Channel<int>&> && !HasEnds<Channel<int>> && !HasEnds<const Channel<int>&>);
 
-// Messages have a protocol, and the processes at its ends share no memory.
+// Messages have a protocol, which excludes shared memory.
 static_assert(Protocol<int> && Protocol<Sample> && Protocol<std::array<Sample, 3>> && Protocol<bool>);
 static_assert(Protocol<std::vector<Sample>> && Protocol<Measurements> && Protocol<Counted>);
 static_assert(!Protocol<std::string> && !Protocol<Named> && !Protocol<std::vector<std::string>>);
@@ -85,18 +85,18 @@ static_assert(!Protocol<std::shared_ptr<int>> && !Protocol<std::function<void()>
 static_assert(!Protocol<std::variant<Stop, int*>>);
 static_assert(!Protocol<MayThrow>);
 
-// A message is of its channel's protocol: of another type only where nothing is lost.
+// A message has its channel's protocol; another type is converted only if nothing is lost.
 static_assert(Outputs<Output<double>, int> && Outputs<Output<Counted>, Counted>);
 static_assert(!Outputs<Output<int>, double> && !Outputs<Output<std::int64_t>, float> && !Outputs<Output<bool>, double>);
 static_assert(!Outputs<Output<bool>, const char*> && !Outputs<Output<bool>, int*>);
 static_assert(!Outputs<Output<int>, Sample> && !Outputs<Output<Sample>, int> && !Outputs<Output<int>, std::string>);
 
-// A variant is one of its protocol's, and only one that it could be.
+// A message of a variant protocol is one of its alternatives, and must be unambiguous.
 static_assert(Outputs<Output<Measurements>, Stop> && Outputs<Output<Measurements>, std::vector<Sample>>);
 static_assert(!Outputs<Output<Measurements>, double> && !Outputs<Output<Measurements>, Sample>);
 static_assert(!Outputs<Output<Measurements>, std::vector<int>>);
 
-// A guard is an input, a time-out or SKIP. An output is none, and a channel is not by itself.
+// A guard is an input, a time-out or SKIP, but not an output, nor a channel.
 struct Take {
     void operator()(int) const {}
 };
@@ -110,7 +110,7 @@ concept CanGuard = requires(End end, Body body) {
 static_assert(CanGuard<Input<int>, Take>);
 static_assert(!CanGuard<Output<int>, Take> && !CanGuard<Channel<int>&, Take>);
 
-// The process that it guards takes the message: not none, not two, not one of another protocol.
+// The guarded process takes exactly one message, of the channel's protocol.
 struct TakeTwo {
     void operator()(int, int) const {}
 };
@@ -156,14 +156,14 @@ concept Computes = requires(Work work) {
 };
 static_assert(Computes<Cycles> && !Computes<int> && !Computes<Time>);
 
-// A condition before a guard is a condition; an end is none.
+// The condition before a guard is a Boolean; an end is not.
 template <class Condition>
 concept IsCondition = requires(Condition condition, InputGuard guard) {
     when(condition, guard);
 };
 static_assert(IsCondition<bool> && !IsCondition<Input<int>> && !IsCondition<std::string>);
 
-// The components of a PAR are processes: they take nothing.
+// The components of a PAR are processes without parameters.
 template <class... Bodies>
 concept InParallel = requires(Bodies... bodies) {
     par(bodies...);
@@ -187,7 +187,7 @@ static_assert(InPriorities<Nothing, Nothing>);
 static_assert(!InPriorities<Nothing> && !InPriorities<Nothing, Take>);
 static_assert(!InPriorities<Nothing, Nothing, Nothing>); // occam's PRI PAR has two
 
-// A communication that may be given up is one of that end and that protocol, and what is reset is an end.
+// A communication that may be given up needs an end and a message of its protocol, and only ends can be reset.
 template <class End, class Message>
 concept OutputsOrFails = requires(End end, Message message) {
     output_or_fail(end, message, Time{5});

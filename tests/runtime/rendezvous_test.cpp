@@ -1,4 +1,4 @@
-// The rules by which two processes meet in a channel.
+// Tests the rules by which two processes meet in a channel.
 
 #include "runtime/hardware/processor.hpp"
 #include "runtime/parallel.hpp"

@@ -1,4 +1,4 @@
-// What processes did in a run, and the same once more with other messages and no machine.
+// Tests recording a run's processes, and repeating them with other messages and no machine.
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"
@@ -49,9 +49,9 @@ struct Histories {
     std::list<ReplayLog> histories;
 };
 
-/// Sources, mergers that alternate between theirs, and a sink that alternates between these, each on a processor of its
-/// own, with links between them; or all on none. What they do is drawn from one seed, what their messages say from
-/// another; perhaps what one of them does depends on what a message says.
+/// Sources, mergers that alternate between their sources, and a sink that alternates between the mergers. Each runs on
+/// its own processor, with links between them, or all without processors. One seed decides what they do, another what
+/// their messages contain. Optionally the actions depend on a message.
 class MergingProgram {
 public:
     MergingProgram(std::uint64_t seed, std::uint64_t says, bool on_machine, bool depends)
@@ -85,7 +85,7 @@ public:
         });
     }
 
-    /// What each process has computed from what it was sent and what it saw, and the fingerprint.
+    /// What each process has computed from its messages and observations, and the fingerprint.
     struct Result {
         std::vector<std::uint64_t> computed;
         std::uint64_t fingerprint = 0;
@@ -144,7 +144,7 @@ private:
             node.processor, random_.chance(0.3) ? Priority::high : Priority::low));
     }
 
-    /// Mixes a number into what the running process knows, which decides what it computes.
+    /// Mixes a number into the running process's state, which decides what it computes.
     static void learn(std::uint64_t& knows, std::uint64_t what) { knows = mixed(knows, what); }
 
     void send(Channel<Saying>& to, std::size_t count, RandomStream& random) {
@@ -205,11 +205,11 @@ private:
     Simulation simulation_;
     std::vector<Process*> processes_;
     std::size_t nodes_ = 0, letters_ = 0;
-    std::uint64_t* computed_ = nullptr; ///< of the process that begins
+    std::uint64_t* computed_ = nullptr; ///< result of the process that begins next
     Result result_;
 };
 
-/// A process that does one thing after another, on a processor or on none.
+/// A process that performs one action after another, on a processor or on none.
 struct Recorded {
     template <class Body>
     explicit Recorded(Body body) {
@@ -221,7 +221,7 @@ struct Recorded {
             .keep(history);
         CHECK(simulation.run().ending == Ending::completed);
     }
-    /// False where it departs.
+    /// Repeats the process. Returns false if it departs from the record.
     template <class Body>
     bool repeats(Body body) const {
         ReplaySession again;
@@ -239,7 +239,7 @@ struct Recorded {
     ReplayLog history{course, 0};
 };
 
-/// A PAR of one that outputs so many bytes and one that inputs.
+/// Runs a PAR of one process that outputs this many bytes and one that inputs them.
 void communicate(std::uint32_t bytes) {
     Channel<Saying> channel("c");
     par([&] { channel.out().output({0, bytes}); }, [&] { channel.in().input(); });

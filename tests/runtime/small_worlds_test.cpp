@@ -1,4 +1,4 @@
-// Every network of three processes and a few actions each: the runtime does what CSP allows, and nothing else, wherever
+// Tests every network of three processes with a few actions each: the runtime does exactly what CSP allows, wherever
 // the processes are placed.
 
 #include "tests/runtime/every_world.hpp"
@@ -29,17 +29,17 @@ struct Course {
     bool completed;
 };
 
-/// By which processor each process is executed; none of them by any. Channels between processors are on links of their
-/// own, the others are soft.
+/// The processor of each process; nullopt: none of them has one. Channels between processors have links of their own,
+/// the others are soft.
 using Placement = std::optional<std::array<unsigned, 3>>;
 
 enum Where : std::size_t { nowhere, together, apart, in_pairs };
 
-/// From in_pairs on there is one for each two processes.
+/// From in_pairs on, there is one placement for each pair of processes.
 constexpr std::array<Placement, 6> placements{std::nullopt,           std::array{0u, 0u, 0u}, std::array{0u, 1u, 2u},
                                               std::array{0u, 0u, 1u}, std::array{0u, 1u, 0u}, std::array{0u, 1u, 1u}};
 
-/// Runs the world, its ready queue in order or, with a seed, shuffled.
+/// Runs the world with its ready queue in order or, with a seed, shuffled.
 class WorldRun {
 public:
     explicit WorldRun(const SmallWorld& world, const Placement& placement = std::nullopt)
@@ -98,7 +98,7 @@ private:
         if (chosen < channels_.size())
             note(chosen, channels_[chosen]->in().input());
     }
-    /// The first of the two partners to go on tells that message `number` has passed.
+    /// The first partner to continue records that message `number` has passed.
     void note(std::size_t channel, int number) {
         if (passed_[channel].noted == number)
             return;
@@ -132,12 +132,12 @@ void check_course(const SmallWorld& world, std::size_t where, std::optional<std:
              " test_runtime -tc='the world that is asked for*'");
 }
 
-/// Returns how many worlds there are. Each is run wherever it can be placed, but for the pairs, which take turns; or,
-/// in turns, in two places.
+/// Checks all worlds and returns how many there are. Each world runs in every placement; of the placements in pairs it
+/// runs in only one, in rotation. With `in_turns` it runs in only two placements, in rotation.
 std::size_t check_all(const Bounds& bounds, bool in_turns = false) {
     std::size_t worlds = 0;
     for_every_world(bounds, [&](const SmallWorld& world) {
-        check_course(world, nowhere, std::nullopt); // executives share themselves out in their own order
+        check_course(world, nowhere, std::nullopt); // executives distribute processes in their own order
         const std::size_t turn = worlds++;
         if (in_turns)
             for (std::size_t where : {turn % 6, (turn + 3) % 6})
@@ -149,8 +149,8 @@ std::size_t check_all(const Bounds& bounds, bool in_turns = false) {
     return worlds;
 }
 
-/// An independent way to the kinds of worlds: all programs over so many channels for each two processes, whether they
-/// do what they say or not.
+/// Finds the kinds of worlds independently: all programs with this many channels for each pair of processes, whether or
+/// not every action is reached.
 class AllPrograms {
 public:
     AllPrograms(std::size_t longest, std::size_t channels_alike) : longest_(longest) {
@@ -217,7 +217,7 @@ private:
     std::set<std::string> kinds_;
 };
 
-/// How many channels lead from one process to one other, at most.
+/// Returns the greatest number of channels from one process to another.
 std::size_t most_channels_alike(const SmallWorld& world) {
     std::array<std::size_t, 9> alike{};
     for (const SmallWorld::Ends& ends : world.channels)
@@ -239,7 +239,7 @@ TEST_CASE("every world of up to two actions, with polls and alternations on any 
         CHECK(check_all({.longest = 2, .polls = true, .any_guards = true}) == 6503);
 }
 
-// Half an hour: ctest -C studies -L studies
+// This takes half an hour: ctest -C studies -L studies
 TEST_CASE("all worlds of up to four actions, wherever they are placed" * doctest::skip()) {
     CHECK(check_all({4}) == 4258915);
 }

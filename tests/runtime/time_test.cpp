@@ -1,4 +1,4 @@
-// How long cycles last, to the picosecond.
+// Tests how long cycles last, to the picosecond.
 
 #include "runtime/time.hpp"
 

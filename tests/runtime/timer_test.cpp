@@ -1,4 +1,4 @@
-// TIMERs: a microsecond a tick at high priority, 64 at low.
+// Tests TIMERs: a tick is a microsecond at high priority, 64 at low priority.
 
 #include "runtime/hardware/processor.hpp"
 #include "runtime/simulation.hpp"
@@ -62,7 +62,7 @@ TEST_CASE("the clock has 32 bits: PLUS, MINUS and AFTER count on through its end
                            first = std::numeric_limits<std::int32_t>::min();
     static_assert(plus(last, 1) == first && minus(first, last) == 1);
     static_assert(is_after(first, last) && !is_after(last, first) && !is_after(last, last));
-    static_assert(is_after(last, 0) && !is_after(first, 0)); // half of a round away: neither is later
+    static_assert(is_after(last, 0) && !is_after(first, 0)); // half a round apart, neither is later
 
     constexpr Time half_round = (std::int64_t{1} << 31) * microseconds{1};
     Simulation simulation;
@@ -115,7 +115,7 @@ TEST_CASE("a T2's clock has 16 bits and wraps round where a T8's goes on") {
                 [&] {
                     Timer timer;
                     CHECK(timer.bits() == (is_t2 ? 16 : 32));
-                    wait_until(32'758 * tick); // 10 ticks before half of a T2's round
+                    wait_until(32'758 * tick); // 10 ticks before half a round of a T2's clock
                     before = timer.read();
                     std::int32_t due = timer.plus(before, 20);
                     later = timer.is_after(due, before);

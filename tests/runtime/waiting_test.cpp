@@ -1,4 +1,4 @@
-// How long a process has waited, for the report.
+// Tests how long processes have waited, for the report.
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/hardware/processor.hpp"
@@ -28,7 +28,7 @@ TEST_CASE("a process whose components compute does not wait; it does when all of
     });
     simulation.run();
     CHECK(works.time_waited() == Time{0});
-    CHECK(both.time_waited() == milliseconds{2} - 13 * test::cycle); // the endp of the one that computes
+    CHECK(both.time_waited() == milliseconds{2} - 13 * test::cycle); // endp of the computing process
     CHECK(sleeps.time_waited() == milliseconds{6});
 }
 
@@ -70,8 +70,8 @@ TEST_CASE(
     Process& receives = simulation.process(
         "receives", [&] { c.in().input(), c.in().input(); }, &simulation.add<Processor>("b"));
     simulation.run();
-    // Four bytes of 560 ns each, but the last until its acknowledge of 100 ns, which begins after 260, or its end
-    // after 550 has arrived (LinkTiming).
+    // Four bytes take 560 ns each. For the sender, the last one lasts until the end of its acknowledge, which begins
+    // after 260 ns and takes 100. For the receiver it lasts 550 ns (LinkTiming).
     constexpr Time sent = 3 * nanoseconds{560} + nanoseconds{360}, received = 3 * nanoseconds{560} + nanoseconds{550};
     CHECK(sends.time_waited() == 2 * sent);
     CHECK(receives.time_waited() == received + sent + milliseconds{1});

@@ -14,7 +14,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A file of its own for each test.
+/// A file for one test.
 class ScratchFile {
 public:
     ScratchFile() : path_(std::filesystem::temp_directory_path() / ("placedpar-store-" + std::to_string(::getpid()))) {

@@ -22,8 +22,8 @@ TEST_CASE("the nearest name, if one is near enough to be meant") {
     CHECK(nearest_name("host", names) == "Host");
     CHECK(nearest_name("island", names).empty());
     CHECK(nearest_name("", names).empty());
-    CHECK(nearest_name("master", {"master"}).empty()); // it is there: another thing is wrong
-    CHECK(nearest_name("ab", {"ac", "ad"}) == "ac");   // the first of equals
+    CHECK(nearest_name("master", {"master"}).empty()); // the name exists, so something else is wrong
+    CHECK(nearest_name("ab", {"ac", "ad"}) == "ac");   // the first of equally near names
     CHECK(nearest_name("a", {"b", "ab"}).empty());
     CHECK(nearest_name("wire", {"size"}).empty()); // two of four letters
     CHECK(nearest_name("procesor", {"PROCESSOR", "processor"}) == "processor");
@@ -33,9 +33,9 @@ TEST_CASE("the nearest name, if one is near enough to be meant") {
 
 TEST_CASE("a word that is cut short means the only name that begins with it") {
     const std::vector<std::string> kinds{"csp.fork", "csp.prefix", "csp.producer"};
-    CHECK(nearest_name("csp.prod", kinds) == "csp.producer"); // csp.fork is nearer, but not near
+    CHECK(nearest_name("csp.prod", kinds) == "csp.producer"); // csp.fork is nearer, but not near enough
     CHECK(nearest_name("CSP.Prod", kinds) == "csp.producer");
-    CHECK(nearest_name("csp.pr", kinds).empty()); // either
+    CHECK(nearest_name("csp.pr", kinds).empty()); // neither of two equally near names
     CHECK(nearest_name("csp.forks", kinds) == "csp.fork");
     CHECK(nearest_name("PROCESS", {"process", "processor"}) == "process");
     CHECK(nearest_name("ex", {"excavator"}).empty());

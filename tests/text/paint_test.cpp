@@ -17,7 +17,7 @@ TEST_CASE("nothing is coloured until the program says that its stream is") {
     CHECK(printed(Paint::heading, "ports") == "ports"); // on the other stream
     set_painted(PaintedStream::errors, false);
     set_painted(PaintedStream::output, true);
-    CHECK(printed(Paint::heading, "\nports\n") == "\n\033[1mports\033[0m\n"); // lines' ends stay outside
+    CHECK(printed(Paint::heading, "\nports\n") == "\n\033[1mports\033[0m\n"); // newlines stay outside the colour codes
     CHECK(printed(Paint::success, "") == "");
     CHECK(printed(Paint::caret, "^") == "^");
     set_painted(PaintedStream::output, false);

@@ -9,7 +9,7 @@ using namespace placedpar;
 
 namespace {
 
-/// "2:6: message" of the only problem.
+/// Returns the only problem as "2:6: message".
 std::string problem_of(const LoadedSource& loaded) {
     REQUIRE(loaded.problems.size() == 1);
     REQUIRE(loaded.file);

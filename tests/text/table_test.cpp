@@ -94,5 +94,5 @@ TEST_CASE("numbers") {
     CHECK(message == "no value");
     number("1e999", &message);
     CHECK(message == "\"1e999\" is beyond the range of numbers");
-    CHECK(number("-1e-999") == 0); // too near to 0 to be told from it
+    CHECK(number("-1e-999") == 0); // too near to 0 for a double
 }

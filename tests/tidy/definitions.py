@@ -1,17 +1,17 @@
-"""A type of a namespace is defined once: of two with one name the linker takes either's members for both."""
+"""Checks that each type of a namespace is defined once: if two have the same name, the linker may mix their members."""
 
 import re
 
 import walls
 
-# As clang-format writes them: a namespace is not indented, and what closes it says so.
+# clang-format does not indent namespaces, and marks their closing braces.
 OPENED = re.compile(r"namespace(?: ([\w:]+))? \{$")
 CLOSED = re.compile(r"\} // (?:anonymous )?namespace")
 TYPE = re.compile(r"(?:struct|class|enum class) (\w+)(?: final)?(?: :[^;]*)? \{")
 
 
 def types(text):
-    """Those defined at the top of namespaces that have a name, qualified."""
+    """Returns the qualified names of types defined at the top of named namespaces."""
     namespaces = []
     for line in text.splitlines():
         opened, defined = OPENED.match(line), TYPE.match(line)
@@ -24,7 +24,7 @@ def types(text):
 
 
 def faults(texts):
-    """What is defined twice in the rooms."""
+    """Returns the types that the rooms define twice."""
     files = {}
     for name, text in texts.items():
         if walls.room_of(name) and name.endswith((".cpp", ".hpp")):

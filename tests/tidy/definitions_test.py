@@ -1,4 +1,4 @@
-"""Types that two rooms define are seen, and no others."""
+"""Tests that types defined in two rooms are found, and no others."""
 
 import unittest
 

@@ -16,7 +16,7 @@ DIALECT = re.compile(r"(?<![Tt]here )\b(is no|are no|comes to|is told) (?!longer
 COMMENT = re.compile(r"^\s*///?<?\s?(.*)$")
 TRAILING = re.compile(r"^[^\"']*[;,{}()]\s*///?<?\s?(.*)$")
 
-# How many faults a room may still have. Lower a number when you mend some; at 0 the room needs no line.
+# Faults that a room may still have. Lower the number when you mend some; a room with 0 needs no entry.
 LEFT = {}
 
 
@@ -48,12 +48,12 @@ def prose(text):
 
 
 def sentences(text):
-    """The sentences of a comment or a paragraph."""
+    """Returns the sentences of a comment or a paragraph."""
     return re.split(r"(?<=[.:;?!])\s+", text)
 
 
 def faults(name, text):
-    """What a pattern finds in a file, a sentence each."""
+    """Returns the faults of a file that a pattern can find, a sentence each."""
     if name.endswith((".cpp", ".hpp")):
         for number, comment in comments(text):
             where = f"{name}:{number}"
@@ -73,12 +73,12 @@ def faults(name, text):
 
 
 def room_of(name):
-    """The room whose allowance covers a file: tests and pages count apart."""
+    """Returns the room whose allowance covers a file: tests and pages count separately."""
     return name.split("/")[0] if "/" in name else "top"
 
 
 def house_faults(texts):
-    """Faults of a whole tree, of rooms that have more of them, or fewer, than LEFT says."""
+    """Returns the faults of a tree's rooms that have more faults, or fewer, than LEFT says."""
     found = collections.defaultdict(list)
     for name, text in texts.items():
         for fault in faults(name, text):

@@ -1,4 +1,4 @@
-"""The checker of plain English must see each fault, and no fault where there is none."""
+"""Tests that the checker of plain English finds each fault, and none where there is none."""
 
 import unittest
 from unittest import mock

@@ -14,7 +14,7 @@ import tree
 
 
 def clang_format():
-    """The name of a clang-format of version 14, or nothing."""
+    """Returns the name of a clang-format of version 14, or nothing."""
     for name in ("clang-format-14", "clang-format"):
         if shutil.which(name):
             version = subprocess.run([name, "--version"], capture_output=True, text=True, check=False).stdout
@@ -24,7 +24,7 @@ def clang_format():
 
 
 def badly_formatted(program, top, names):
-    """Of the names, those whose text is not as the program would have it; found by a call for many of them."""
+    """Returns the files whose text clang-format would change; one call checks many files."""
     check = [program, "--dry-run", "--ferror-limit=1", *names]
     said = subprocess.run(check, cwd=top, capture_output=True, text=True, check=True).stderr
     return sorted({line.split(":")[0] for line in said.splitlines() if "[-Wclang-format-violations]" in line})

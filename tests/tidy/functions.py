@@ -1,10 +1,10 @@
-"""Finds the functions of a C++ file by its braces; enough to measure them, no parser."""
+"""Finds the functions of a C++ file by its braces, to measure them. This is not a parser."""
 
 import dataclasses
 import re
 
-# Comments, raw strings, strings, characters and directives, in the order in which they must be tried. A quote after a
-# digit or letter separates digits.
+# Matches comments, raw strings, strings, characters and directives; the order matters. A quote after a digit or letter
+# separates digits.
 OPAQUE = re.compile(
     r'//[^\n]*|/\*.*?\*/|R"([^(\s]*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?<![0-9A-Za-z])\'(?:\\.|[^\'\\\n])+\''
     r"|^[ \t]*#(?:\\\n|[^\n])*", re.DOTALL | re.MULTILINE)
@@ -21,12 +21,12 @@ class Function:
 
 
 def blank(text):
-    """The text with everything opaque replaced by blanks, lines kept."""
+    """Returns the text with everything opaque replaced by blanks, lines kept."""
     return OPAQUE.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text)
 
 
 def without_template(head):
-    """The head of a definition without a leading template <...>, whose `class` would mislead."""
+    """Returns the head of a definition without a leading template <...>, whose `class` would mislead."""
     while TEMPLATE.match(head):
         depth, position = 0, head.index("<")
         for position in range(position, len(head)):
@@ -43,7 +43,7 @@ def is_function(head):
 
 
 def functions(text):
-    """The outermost functions of the text, members and test cases among them."""
+    """Returns the outermost functions of the text, including members and test cases."""
     text = blank(text)
     found, open_blocks, head_start, inside = [], [], 0, None
     for position, character in enumerate(text):

@@ -1,4 +1,4 @@
-"""Rules of the house as a whole: the size of rooms, the length of their functions, what each must have."""
+"""Checks rules for the whole project: size of rooms, length of functions, and required files."""
 
 import collections
 import math
@@ -8,17 +8,17 @@ import tree
 import walls
 
 ROOM_PERCENT = 17
-SHARES = ((50, 7), (90, 17))  # so many percent of a room's functions have at most so many lines
-HOUSE_SHARES = ((50, 6), (90, 14))  # and of all rooms together
+SHARES = ((50, 7), (90, 17))  # (percent, lines): this percentage of a room's functions have at most this many lines
+HOUSE_SHARES = ((50, 6), (90, 14))  # the limits for all rooms together
 
 
 def nearest_rank(values, percent):
-    """The least of the values that so many percent of them do not exceed."""
+    """Returns the least value that the given percentage of the values do not exceed."""
     return sorted(values)[math.ceil(len(values) * percent / 100) - 1]
 
 
 def too_long(place, lengths, shares):
-    """A sentence for each share of a place's functions that are longer than they may be."""
+    """Returns a sentence for each percentage of a room's functions that exceeds its limit."""
     for percent, most in shares:
         lines = nearest_rank(lengths or [0], percent)
         if lines > most:
@@ -26,7 +26,7 @@ def too_long(place, lengths, shares):
 
 
 class House:
-    """What of {name: text of each C++ file} lies in which room."""
+    """Groups {name: text of each C++ file} by room."""
 
     def __init__(self, texts):
         self.lines = collections.Counter()
@@ -42,20 +42,20 @@ class House:
         return 100 * self.lines[room] / sum(self.lines.values())
 
     def line_of(self, room):
-        """For people: how large the room is, and its functions."""
+        """Describes the size of the room and of its functions."""
         lengths = self.functions[room] or [0]
         shares = ", ".join(f"p{percent} {nearest_rank(lengths, percent):2}" for percent, _ in SHARES)
         return (f"{room:15}{self.lines[room]:6} lines {self.percent(room):5.1f} %   "
                 f"functions: {shares}, longest {max(lengths):2}")
 
     def chain_faults(self):
-        """That a row of headers is too long, each of which includes the next."""
+        """Returns a fault if the longest chain of headers, each including the next, is too long."""
         chain = walls.longest_chain({name: included for name, included in self.includes.items() if name.endswith(".hpp")})
         if len(chain) > walls.LONGEST_CHAIN:
             yield f"{len(chain)} headers in a chain, more than {walls.LONGEST_CHAIN}: " + " > ".join(chain)
 
     def faults(self, names):
-        """What is wrong, a sentence each. `names` are all files of the tree."""
+        """Returns the faults, a sentence each. `names` are all files of the tree."""
         circle = walls.circle(self.includes) or walls.circle(walls.pieces(self.includes))
         if circle:
             yield "files include each other in a circle: " + " -> ".join(circle)
@@ -73,5 +73,5 @@ class House:
 
 
 def read(texts):
-    """The house of the C++ files among {name: text}."""
+    """Returns the house made of the C++ files in {name: text}."""
     return House({name: text for name, text in texts.items() if tree.is_cpp(name)})

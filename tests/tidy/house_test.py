@@ -1,4 +1,4 @@
-"""The rules of the house as a whole."""
+"""Tests the rules for the whole project."""
 
 import unittest
 

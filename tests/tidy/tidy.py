@@ -24,7 +24,7 @@ ROOM_FUNCTION_LINES = 50
 FUNCTION_LINES = 70
 SOURCES = (".cpp", ".hpp", ".py", ".sh", ".cmake", ".cfs", ".inc", "CMakeLists.txt")
 
-# Written so that this file does not break its own rules.
+# The brackets keep this file from breaking its own rule.
 UNFINISHED = re.compile(r"\b(TO[D]O|FIX[M]E|XX[X]|HA[C]K)\b")
 MACHINE_PATH = re.compile(r"(?<![\w.}])/(?:work|root|home)/")
 SCRATCH_PATH = re.compile(r"(?<![\w.}])/tmp/")
@@ -33,7 +33,7 @@ USING_NAMESPACE = re.compile(r"^\s*using\s+namespace\b")
 
 
 def line_faults(name, number, line):
-    """What is wrong with one line of any file."""
+    """Returns the faults of one line of any file."""
     unfinished = UNFINISHED.search(line)
     if unfinished:
         yield f"{name}:{number}: {unfinished[0]}: finish it, or make it an issue"
@@ -42,7 +42,7 @@ def line_faults(name, number, line):
 
 
 def cpp_line_faults(name, text):
-    """What is wrong with the lines of a C++ file: what they include, namespaces opened on those who include them."""
+    """Returns faults of a C++ file's lines: includes, and namespaces opened in headers."""
     for number, line in enumerate(text.splitlines(), 1):
         for included in walls.includes(line):
             fault = walls.include_fault(name, included)
@@ -58,7 +58,7 @@ def cpp_line_faults(name, text):
 
 
 def cpp_faults(name, text):
-    """What is wrong with a C++ file."""
+    """Returns the faults of a C++ file."""
     misplaced = walls.folder_fault(name)
     if misplaced:
         yield misplaced
@@ -70,7 +70,7 @@ def cpp_faults(name, text):
 
 
 def faults(name, text):
-    """What is wrong with a file, a sentence each."""
+    """Returns the faults of a file, a sentence each."""
     lines = text.splitlines()
     if name.endswith(SOURCES) and len(lines) > FILE_LINES:
         yield f"{name}: {len(lines)} lines, more than {FILE_LINES}: one idea a file"
@@ -81,12 +81,12 @@ def faults(name, text):
 
 
 def read(top, names):
-    """Yields name and text of each file that is text."""
+    """Yields name and text of each text file."""
     for name in names:
         try:
             yield name, (pathlib.Path(top) / name).read_text(encoding="utf-8")
         except UnicodeDecodeError:
-            pass  # a picture, or the rubbish of a test
+            pass  # a picture, or leftovers of a test
 
 
 def main(top):

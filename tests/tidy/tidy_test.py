@@ -1,4 +1,4 @@
-"""The checker of the house rules must see each fault, and no fault where there is none."""
+"""Tests that the checker of the rules finds each fault, and none where there is none."""
 
 import unittest
 

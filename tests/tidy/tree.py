@@ -1,4 +1,4 @@
-"""The files of the source tree."""
+"""Lists the files of the source tree."""
 
 import os
 import pathlib
@@ -8,7 +8,8 @@ SKIPPED = {".git", "build", "__pycache__"}
 
 
 def names(top):
-    """Paths relative to top: what git knows or would take; without git, everything but builds."""
+    """Returns paths relative to `top`: tracked files and new ones not ignored; without git, all files outside
+    builds."""
     listing = ["git", "-C", str(top), "ls-files", "--cached", "--others", "--exclude-standard", "-z"]
     try:
         found = subprocess.run(listing, capture_output=True, text=True, check=True).stdout.split("\0")

@@ -70,24 +70,25 @@ BELOW = {
 }
 ROOMS = sorted({folder.split("/")[0] for folder in BELOW})
 
-# What may include everything; no room includes them. Tests mirror the rooms.
+# These folders may include everything; no room includes them. Tests mirror the rooms.
 OUTSIDE = ("bench", "examples", "tests")
 TEST_PROJECTS = ("tests/consumer", "tests/fuzz", "tests/own_kinds") # programs of their own
 
-# A header and its source are one piece, and no pieces include each other in a circle, but for these, which are one idea
-# in several files.
+# A header and its source are one piece. Pieces must not include each other in a circle, except these knots: each is one
+# idea in several files.
 KNOTS = (
-    # A process waits by its executive, which asks the kernel, which resumes the process on a worker. A trace is told
-    # which process did what.
+    # A process waits through its executive. The executive asks the kernel, which resumes the process on a worker. All
+    # of them report to the trace.
     {"runtime/executive", "runtime/kernel", "runtime/process", "runtime/trace", "runtime/worker"},
 )
 
-# A header that includes a second one, which includes a third: so many at most.
+# The longest allowed chain of headers, each including the next.
 LONGEST_CHAIN = 12
 
-# Sources include these libraries, which take long to compile. Headers declare what they name of them (boost/json/fwd.hpp).
+# Only sources include these libraries, which take long to compile. Headers declare the names they need
+# (boost/json/fwd.hpp).
 LARGE_LIBRARY = re.compile(r"""^\s*#\s*include\s*[<"](CLI|Eigen|fmt|boost/json)(?!/fwd\.hpp)[/.]""")
-# Headers that hold a library's values, or that one source includes.
+# Exceptions: headers that hold a library's values, or that only one source includes.
 HEADERS_WITH_LIBRARIES = {
     "experiments/chapter_5/kit/covariance_adaptation.hpp": "Eigen",
     "experiments/chapter_5/kit/differential_evolution.hpp": "Eigen",
@@ -98,7 +99,7 @@ HEADERS_WITH_LIBRARIES = {
     "monitor/memory/kept_json.hpp": "boost/json",
     "report/field.hpp": "boost/json",
 }
-# CLI11 takes longest: two sources include it.
+# CLI11 takes longest to compile: only two sources include it.
 SOURCES_WITH_CLI = {"app/command_line.cpp", "app/options.cpp"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)', re.MULTILINE)
@@ -106,18 +107,18 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)', re.MULTILINE)
 
 @functools.lru_cache(maxsize=None)
 def reach(folder):
-    """The folders that one may include."""
+    """Returns the folders that a folder may include."""
     return {folder}.union(*(reach(below) for below in BELOW[folder]))
 
 
 def room_of(name):
-    """The room of a file; none outside of the rooms."""
+    """Returns the room of a file; None outside the rooms."""
     top = name.split("/")[0]
     return top if "/" in name and top in ROOMS else None
 
 
 def folder_fault(name):
-    """What is wrong with where a C++ file lies."""
+    """Returns a fault if a C++ file lies in a wrong folder."""
     folder = posixpath.dirname(name)
     if room_of(name):
         return None if folder in BELOW else f"{name}: no wall is known of {folder}: see tests/tidy/walls.py"
@@ -131,12 +132,12 @@ def folder_fault(name):
 
 
 def includes(text):
-    """What a C++ file includes of ours, as it is written there."""
+    """Returns the names of our headers that a C++ file includes, as written there."""
     return [name for mark, name in INCLUDE.findall(text) if mark == '"' or room_of(name)]
 
 
 def include_fault(name, included):
-    """What is wrong with a C++ file's including another, which it should name as "room/folder/header.hpp"."""
+    """Returns the fault in one C++ file's include of another, which should be written "room/folder/header.hpp"."""
     folder, other = posixpath.dirname(name), posixpath.dirname(included)
     if not room_of(name) or folder not in BELOW or other in reach(folder):
         return None
@@ -144,7 +145,7 @@ def include_fault(name, included):
 
 
 def library_fault(name, line):
-    """What is wrong with a line of a C++ file that includes a library."""
+    """Returns the fault in a line of a C++ file that includes a library."""
     large = LARGE_LIBRARY.match(line)
     if not large or not room_of(name):
         return None
@@ -156,7 +157,7 @@ def library_fault(name, line):
 
 
 def longest_chain(graph):
-    """The longest row of nodes of {node: nodes} each of which leads to the next. REQUIRES: there is no circle."""
+    """Returns the longest path through the graph {node: successors}. REQUIRES: the graph has no circle."""
     @functools.lru_cache(maxsize=None)
     def begun_by(node):
         return (node, *max(map(begun_by, sorted(graph.get(node, ()))), key=len, default=()))
@@ -165,18 +166,18 @@ def longest_chain(graph):
 
 
 def stem_of(name):
-    """What a header and its source are both called."""
+    """Returns the common name of a header and its source."""
     return posixpath.splitext(name)[0]
 
 
 def piece_of(name):
-    """A header with its source, by their common name; a knot by the first of its names."""
+    """Returns the common name of a header and its source; for a knot, the first of its names."""
     stem = stem_of(name)
     return min(next((knot for knot in KNOTS if stem in knot), {stem}))
 
 
 def pieces(graph):
-    """{piece: pieces that it includes} of {file: files that it includes}."""
+    """Returns {piece: pieces that it includes}, from {file: files that it includes}."""
     found = {}
     for name, included in graph.items():
         others = {piece_of(other) for other in included} - {piece_of(name)}
@@ -185,8 +186,8 @@ def pieces(graph):
 
 
 def loose_ends(graph, knots=KNOTS):
-    """Those of the knots' names that no circle of {file: files that it includes} ties to the others any more. Knots of a
-    tree without any of their files do not count."""
+    """Returns the names in knots that no circle of {file: files that it includes} ties to the others any more. Knots of
+    a tree without any of their files do not count."""
     stems = {}
     for name, included in graph.items():
         stems.setdefault(stem_of(name), set()).update(stem_of(other) for other in included)
@@ -202,7 +203,8 @@ def loose_ends(graph, knots=KNOTS):
 
 
 def circle(graph):
-    """The nodes of one circle of {node: nodes}, in order, the first one again at the end; empty when there is none."""
+    """Returns the nodes of one circle of {node: successors}, in order, with the first repeated at the end; empty if
+    there is none."""
     done, path = set(), []
 
     def follow(node):

@@ -1,4 +1,4 @@
-"""Each wall must hold, and be no wider than it is."""
+"""Tests that each wall holds, and that no wall is too wide."""
 
 import unittest
 

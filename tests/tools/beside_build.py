@@ -1,5 +1,5 @@
-"""Compiles new and changed sources of a copied tree and links them with the libraries of the build that is tested, before
-what those have of the same names. It takes seconds, where a build of the copy takes minutes."""
+"""Compiles new and changed sources of a copied tree, and links them before the libraries of the tested build. This
+takes seconds, where a build of the copy would take minutes."""
 
 import json
 import os
@@ -41,21 +41,22 @@ class BesideBuild:
         self.link_words = shlex.split(links[-1])
 
     def flags(self, target):
-        """The compiler and its options for the sources of a target, without optimisation, which takes twice the time."""
+        """Returns the compiler and its options for a target's sources, without optimisation, which would double the
+        time."""
         command = next(each["command"] for each in self.compilations if f"/{target}.dir/" in each["output"])
         words = shlex.split(command.split(" -o ")[0])
         kept = [word for word in words if not re.match(r"-M|-O|-D_FORTIFY_SOURCE|.*\.d$|.*\.o$", word)]
         return [word.replace(str(ROOT), str(self.top)) if str(BUILD) not in word else word for word in kept] + ["-O0", "-Werror"]
 
     def compile(self, sources, target):
-        """The object of all the sources as one, with the options of the target."""
+        """Compiles all the sources as one object, with the target's options."""
         unit = self.folder / f"{target}.cpp"
         unit.write_text("".join(f'#include "{source}"\n' for source in sources), encoding="utf-8")
         run([*self.flags(target), "-c", unit, "-o", unit.with_suffix(".o")], cwd=BUILD)
         return unit.with_suffix(".o")
 
     def link(self, name, objects, *libraries, main=True):
-        """Links a program of the objects; without `main` they or the libraries have a main() of their own."""
+        """Links a program from the objects; without `main`, the objects or libraries must contain main()."""
         words = [word for word in self.link_words if main or f"{PROGRAM}.dir/" not in word.replace("CMakeFiles/", "")]
         words[words.index("-o") + 1] = str(self.folder / name)
         first = next(i for i, word in enumerate(words) if word.endswith(".a"))
@@ -64,7 +65,7 @@ class BesideBuild:
         return self.folder / name
 
     def list_experiments(self):
-        """The source that CMake makes from the names of the experiments' files."""
+        """Writes the source that CMake generates from the experiments' file names."""
         listing = (self.top / "experiments" / "CMakeLists.txt").read_text(encoding="utf-8").split("placedpar_room(")[0]
         script = self.folder / "list.cmake"
         script.write_text(f'list(APPEND CMAKE_MODULE_PATH "{self.top}/cmake")\n' + listing.replace("CONFIGURE_DEPENDS ", ""),

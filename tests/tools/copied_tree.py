@@ -1,4 +1,4 @@
-"""A copy of the source tree, in which the tools make one piece of each sort."""
+"""Copies the source tree, and lets the tools make one piece of each sort there."""
 
 import pathlib
 import shutil
@@ -13,7 +13,7 @@ MADE = {"kind": "hour-glass", "device": "abacus", "problem": "steep-valley", "ex
 
 
 def copy_tree(folder):
-    """Copies what git knows or would take to a new folder below this one; its path."""
+    """Copies tracked and new files to a new folder below this one; returns its path."""
     top = pathlib.Path(folder) / "placedpar"
     for name in tree.names(ROOT):
         (top / name).parent.mkdir(parents=True, exist_ok=True)
@@ -22,12 +22,12 @@ def copy_tree(folder):
 
 
 def run_tool(top, what, *arguments):
-    """The finished process: returncode, stdout, stderr. It runs from elsewhere."""
+    """Runs a tool from another folder. Returns the finished process: returncode, stdout, stderr."""
     return subprocess.run([top / "tools" / f"new-{what}", *arguments], cwd="/", capture_output=True, text=True, check=False)
 
 
 def make_all(top):
-    """Makes the four; {path: text before, or None} of the files that are new or changed."""
+    """Makes the four pieces; returns {path: text before, or None} of new and changed files."""
     before = contents(top)
     for what, name in MADE.items():
         done = run_tool(top, what, name)

@@ -1,4 +1,5 @@
-"""What the tools refuse: names that cannot be, names that are taken, trees that they do not know. Nothing is written then."""
+"""Tests names that the tools refuse: impossible ones, taken ones, and trees that they do not know. Nothing is written
+then."""
 
 import itertools
 import pathlib
@@ -18,7 +19,7 @@ class Refusals(unittest.TestCase):
         cls.top = copy_tree(folder.name)
 
     def stamps(self):
-        """When each file of the tree was written, and its size."""
+        """Returns time of change and size of each file of the tree."""
         found = {name: (self.top / name).stat() for name in tree.names(self.top)}
         return {name: (stat.st_mtime_ns, stat.st_size) for name, stat in found.items()}
 

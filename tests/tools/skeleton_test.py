@@ -1,4 +1,4 @@
-"""What the tools write keeps to the rules of the house, compiles, and passes its tests; its pages say what happens."""
+"""Tests that pieces made by the tools keep the rules, compile and pass their tests, and that their pages are true."""
 
 import os
 import pathlib
@@ -15,7 +15,7 @@ TESTED = ["classics", "netlist", "problems", "runtime"]
 
 
 class Made(unittest.TestCase):
-    """The four in a copy of the tree."""
+    """A copy of the tree with the four pieces."""
 
     @classmethod
     def setUpClass(cls):
@@ -54,7 +54,7 @@ class Made(unittest.TestCase):
         self.run_program(build.link("placedpar", objects))
 
     def run_program(self, program):
-        """The pages of the examples and the tests of the command line, with a program that knows the four."""
+        """Checks the examples' pages and the command line's tests with a program that knows the four pieces."""
         environment = {"PLACEDPAR": str(program), "PLACEDPAR_EXAMPLES": str(self.top / "examples")}
         pages = [name for name in self.changed if name.startswith("examples/") and name.endswith("README.md")]
         self.assertEqual(len(pages), len(MADE))
@@ -67,14 +67,14 @@ class Made(unittest.TestCase):
         self.assertLess(experiments.index("one-way"), experiments.index("evidence"))
 
     def sources(self):
-        """The new and changed sources of rooms and those of tests: {room: [paths]} of each."""
+        """Returns the new and changed sources of rooms, and those of tests: each {room: [paths]}."""
         rooms, tests = {}, {}
         for name in self.changed:
             if name.endswith(".cpp"):
                 first, _, rest = name.partition("/")
                 found, room = (tests, rest.split("/")[0]) if first == "tests" else (rooms, first)
                 found.setdefault(room, []).append(self.top / name)
-        rooms["netlist"].append(self.top / "netlist/kinds/catalogue.cpp")  # goes over the list in devices.hpp
+        rooms["netlist"].append(self.top / "netlist/kinds/catalogue.cpp")  # it iterates over the list in devices.hpp
         return rooms, tests
 
 

@@ -18,7 +18,7 @@ import format as formatting  # noqa: E402
 import tree  # noqa: E402
 
 LONGEST = 24
-# The words of C++, and the macros that GCC and Clang predefine in small letters.
+# C++ keywords, and macros in lower case that GCC and Clang predefine.
 RESERVED = set("""
     alignas alignof and and-eq asm auto bitand bitor bool break case catch char class compl concept const consteval constexpr
     constinit const-cast continue co-await co-return co-yield decltype default delete do double dynamic-cast else enum
@@ -28,16 +28,16 @@ RESERVED = set("""
     union unix unsigned using virtual void volatile wchar-t while xor xor-eq char8-t char16-t char32-t main std
 """.split())
 NETLIST_WORDS = set("val define connection input output process connect use place rep if else node fault".split())
-NAMES_IN_NETLISTS = set("a b c d p count clock producer consumer".split())  # of the templates of a device
+NAMES_IN_NETLISTS = set("a b c d p count clock producer consumer".split())  # used in the templates of a device
 
 
 class Refusal(Exception):
-    """What is wrong, where, and what would be right."""
+    """An error message: what is wrong, where, and what would be right."""
 
 
 @dataclasses.dataclass
 class Insertion:
-    """Text that is put before a place in a file, which must be there once."""
+    """Text inserted before a place in a file; the place must occur exactly once."""
 
     file: str
     before: str
@@ -55,16 +55,16 @@ class Insertion:
 class Piece:
     """What one of the tools writes besides its templates, and which names are taken."""
 
-    topic: str    # the folder of examples that its example goes to
-    example: str  # what the line of its example says in the index of that folder
+    topic: str    # the folder of examples that gets its example
+    example: str  # the example's line in that folder's index
     insertions: list
     taken: list  # (files, pattern): the name is taken where the pattern is found in one of the files
-    reserved: set = dataclasses.field(default_factory=set)  # besides those of C++
-    next: str = ""  # what to say for a look at what was made
+    reserved: set = dataclasses.field(default_factory=set)  # in addition to C++ keywords
+    next: str = ""  # the command to print, for a look at the new piece
 
 
 END_OF_NAMESPACE = "\n} // namespace placedpar\n"
-# A type, or a function at the scope of a namespace, of the same name.
+# Matches a type, or a function in a namespace, of the same name.
 TYPE = (r"[a-z].*\.[ch]pp", r"\b(?:class|struct|enum|namespace|concept|using) (?:@Pascal@|@snake@)\b")
 FUNCTION = (r"[a-z].*\.hpp", r"(?m)^(?:[\w:<>,]+[ &*]+)+@snake@\(")
 PIECES = {
@@ -108,12 +108,12 @@ PIECES = {
 
 
 def filled(text, words):
-    """The text with the words in the places of their names."""
+    """Returns the text with the placeholders replaced."""
     return re.sub(r"@(\w+)@", lambda found: words[found[1]], text)
 
 
 def check_name(name, piece):
-    """Throws Refusal unless the name can be one in C++, in netlists and on the command line."""
+    """Throws Refusal unless the name is possible in C++, in netlists and on the command line."""
     if not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", name):
         proper = re.sub(r"[^a-z0-9]+", "-", re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", name).lower()).strip("-0123456789")
         raise Refusal(f'"{name}" cannot be a name: it is small letters and digits, with a hyphen between words, such as '
@@ -126,7 +126,7 @@ def check_name(name, piece):
 
 
 def words_for(name, topic):
-    """What the placeholders stand for."""
+    """Returns the values of the placeholders."""
     words = name.replace("-", " ")
     article = "an" if name[0] in "aeiou" else "a"
     return {"kebab": name, "snake": name.replace("-", "_"), "Pascal": "".join(word.capitalize() for word in name.split("-")),
@@ -135,7 +135,7 @@ def words_for(name, topic):
 
 
 def words_for_experiment(folder, top):
-    """The chapter of the folder's experiments, and the next number among them; 100 and more stay the last."""
+    """Returns the chapter of the folder's experiments, and its next free number; numbers from 100 on stay last."""
     files = sorted((top / "experiments" / folder).glob("*.cpp"))
     if not re.fullmatch(r"chapter_\w+|appendix_\w+|machine", folder) or not files:
         known = sorted(path.name for path in (top / "experiments").iterdir() if path.is_dir() and path.name != "kit")
@@ -147,7 +147,7 @@ def words_for_experiment(folder, top):
 
 
 def check_taken(piece, words, top):
-    """Throws Refusal where the tree has something of that name."""
+    """Throws Refusal if something in the tree already has that name."""
     if (top / "examples" / words["example"]).exists():
         raise Refusal(f'examples/{words["example"]} is there already: take another name than "{words["kebab"]}"')
     names = tree.names(top)
@@ -163,7 +163,7 @@ def check_taken(piece, words, top):
 
 
 def new_files(what, words, top):
-    """{path: text} of the filled templates. Throws Refusal where one of the files is there."""
+    """Returns {path: text} of the filled templates. Throws Refusal if one of the files exists."""
     folder = HERE / what
     made = {}
     for template in sorted(path for path in folder.rglob("*.in")):
@@ -175,7 +175,7 @@ def new_files(what, words, top):
 
 
 def changed_files(piece, words, top):
-    """{path: text} of the files that name the new piece from now on."""
+    """Returns {path: text} of the files in which the new piece must be listed."""
     row = Insertion(f"examples/{piece.topic}/README.md", "\n\nBack to the [README]", f"\n| [@kebab@](@kebab@/README.md) | {piece.example} |")
     changed = {}
     for insertion in [*piece.insertions, row]:
@@ -188,7 +188,7 @@ def changed_files(piece, words, top):
 
 
 def formatted(texts, top):
-    """The same texts, C++ as clang-format 14 would have it; unchanged where that is not installed."""
+    """Returns the texts, with C++ formatted by clang-format 14; unchanged if it is not installed."""
     program = formatting.clang_format()
     if not program:
         print("clang-format 14 is not installed: where it is, say python3 tests/tidy/format.py . --mend")
@@ -229,7 +229,7 @@ def put_back(before, folders, top):
 
 
 def make(what, name, folder="machine", top=TOP):
-    """Makes the piece; what it wrote, and the words of its name. Throws Refusal."""
+    """Makes the piece. Returns what it wrote and the placeholders' values. Throws Refusal."""
     piece = PIECES[what]
     check_name(name, piece)
     words = words_for(name, piece.topic)
@@ -242,7 +242,7 @@ def make(what, name, folder="machine", top=TOP):
 
 
 def main(what, arguments, about):
-    """The exit code of tools/new-WHAT."""
+    """Returns the exit code of tools/new-WHAT."""
     most = 2 if what == "experiment" else 1
     if arguments in (["-h"], ["--help"]):
         print(about.strip())

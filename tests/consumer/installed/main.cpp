@@ -1,4 +1,4 @@
-// Two processes of a program that uses PlacedPar as a library, and something of every room.
+// Uses PlacedPar as a library: two communicating processes, and something of every room.
 
 #include "placedpar/experiments/kit/experiment.hpp"
 #include "placedpar/explore/problems.hpp"
@@ -28,7 +28,7 @@ struct Parabola {
     double objective(std::span<const double> x) const { return x[0] * x[0]; }
 };
 
-/// A problem of this program's own, in the library.
+/// A search problem defined by this program, solved by the library.
 bool parabola_is_searched() {
     auto parabola = placedpar::minimise(Parabola{});
     auto settings = placedpar::usual_settings(*parabola);

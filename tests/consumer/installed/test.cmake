@@ -16,7 +16,7 @@ must(${SCRATCH}/build/consumer)
 # The programs of docs/guides/own-processes.md, docs/guides/own-problem.md and docs/guides/own-policy.md, as the pages say.
 foreach(example csp/own-process/thin genetic/own-problem/tin genetic/own-policy/islands)
     cmake_path(GET example PARENT_PATH folder)
-    string(REGEX REPLACE "^[0-9]+-own-(.*)$" "own_\\1" program ${folder})
+    string(REGEX REPLACE "^[a-z]+/own-" "own_" program ${folder})
     must(${CMAKE_COMMAND} -G Ninja -S ${SCRATCH}/installed/share/placedpar/examples/${folder} -B ${SCRATCH}/${program}
          -DCMAKE_PREFIX_PATH=${SCRATCH}/installed -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=${BUILD_TYPE}
          -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})

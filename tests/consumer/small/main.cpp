@@ -1,5 +1,5 @@
 // The smallest program that uses a channel, a PAR, an ALT, a timer, an exception and the report of a deadlock.
-// With arguments, a process of it has a local array: `array BYTES` or `alloca BYTES`.
+// With the arguments `array BYTES` or `alloca BYTES`, a process of the program has a local array of that size.
 
 #include "placedpar/runtime/alternation.hpp"
 #include "placedpar/runtime/parallel.hpp"
@@ -69,7 +69,7 @@ void deadlock() {
     require(result.deadlock && result.deadlock->text().find("place.cpp:1") != std::string::npos, "the place is named");
 }
 
-/// No optimisation knows what is called.
+/// The pointer is volatile, so that the optimiser cannot remove the writes.
 void (*volatile write_ends)(char*, std::size_t) = [](char* array, std::size_t bytes) {
     array[0] = array[bytes - 1] = 1;
 };
@@ -91,7 +91,7 @@ void write_local(const std::string& how, std::size_t bytes) {
         write_array<4'000'000>();
 }
 
-/// The other processes' stacks lie around that of "large".
+/// Runs "large" among 20 other processes, so that their stacks lie next to its stack.
 int overflow(const std::string& how, std::size_t bytes) {
     Simulation simulation;
     for (int i = 0; i < 20; ++i)

@@ -1,4 +1,4 @@
-// The smallest program of PlacedPar.
+// The smallest program that uses PlacedPar.
 
 #include "placedpar/runtime/simulation.hpp"
 

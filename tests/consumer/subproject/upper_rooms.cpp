@@ -2,7 +2,7 @@
 #include "placedpar/identification/identification.hpp"
 #include "placedpar/monitor/service/service.hpp"
 
-/// What a program of its own would begin with.
+/// A program that uses the monitor would begin with such a function.
 std::size_t samples_needed(const placedpar::monitor::ServiceSettings& service) {
     return service.diagnosis.search.window.length +
            placedpar::identification::samples_for_first_generation(placedpar::identification::thesis_way());

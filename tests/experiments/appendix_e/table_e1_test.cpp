@@ -1,4 +1,4 @@
-// Table E.1 of the thesis, and what holds between its rows.
+// Tests Table E.1 of the thesis, and relations between its rows.
 
 #include "tests/experiments/kit/replay_in_memory.hpp"
 
@@ -34,8 +34,8 @@ TEST_CASE("a generation with 0 to 3 slaves: the thesis's milliseconds to 3 %, an
         CHECK(ms("P_time2", slaves) ==
               doctest::Approx(ms("P_time2", 0) / (1.0 + static_cast<double>(slaves))).epsilon(0.01));
     }
-    CHECK(ms("T_sr", 3) - ms("P_time2", 3) < ms("C_time2", 3)); // some of the communication is hidden
-    // The constants that it names are those of its netlist, under 120 individuals (and under 30).
+    CHECK(ms("T_sr", 3) - ms("P_time2", 3) < ms("C_time2", 3)); // some of the communication overlaps with computing
+    // The stated constants are those of the netlist, for 120 individuals (and for 30).
     CHECK(replay.constants.find("1440 cycles an error evaluation (5760 under the reading 30) and 1750 (7000) cycles") !=
           std::string::npos);
     CHECK(replay.constants.find("148 bytes of measurements") != std::string::npos);

@@ -1,4 +1,5 @@
-// Chapter 2: steady flow, oil with air in it, and the P-D loop, beside the thesis and formulas by hand.
+// Tests chapter 2 (steady flow, oil with air in it, and the P-D loop) against the thesis and formulas worked out by
+// hand.
 
 #include "tests/experiments/kit/replay_in_memory.hpp"
 
@@ -13,8 +14,8 @@ using namespace placedpar;
 
 namespace {
 
-/// The modulus of oil of 220 000 psi with a share of free air at 14.7 psia, which is compressed at a constant
-/// temperature: the volume over how much of it a psi takes away.
+/// Returns the modulus of oil of 220 000 psi that contains this share of free air at 14.7 psia. The air is compressed
+/// at constant temperature. The modulus is the volume divided by its decrease for one psi.
 double isothermal_modulus_psi(double air, double psia) {
     const double air_volume = air * 14.7 / psia;
     return (1 - air + air_volume) / ((1 - air) / 220'000 + air_volume / psia);
@@ -56,7 +57,7 @@ TEST_CASE(
             CHECK(at(50) > at(60));
             CHECK(at(60) > 0);
         }
-    for (int flow : {40, 50, 60}) // a step of .01 in, by the slope and by the flow itself
+    for (int flow : {40, 50, 60}) // a step of .01 in: by the slope, and by the difference of flows
         for (std::size_t i = 0; i < 3; ++i) {
             const double
                 slope = test::row_named(table, fmt::format("dQ_i/dx at {} in^3/s", flow)).at(i).simulated,
@@ -77,12 +78,12 @@ TEST_CASE("oil with air in it is as soft as volumes that are compressed beside e
                   doctest::Approx(isothermal_modulus_psi(percent / 100, psia)).epsilon(1e-9));
         }
     }
-    for (double percent : {1.0, 2.0, 5.0, 10.0}) { // a compliance is V over the modulus
+    for (double percent : {1.0, 2.0, 5.0, 10.0}) { // the compliance is V divided by the modulus
         const auto row = test::row_named(table, fmt::format("C over that of oil, {:g} % air", percent));
         REQUIRE(row.size() == 4);
         CHECK(row[0].simulated == doctest::Approx(220'000 / isothermal_modulus_psi(percent / 100, 100)).epsilon(1e-9));
         for (std::size_t i = 1; i < 4; ++i)
-            CHECK(row[i].simulated < row[i - 1].simulated); // pressure dissolves it, as it were
+            CHECK(row[i].simulated < row[i - 1].simulated); // the effect of air shrinks with pressure
     }
 }
 
@@ -96,12 +97,12 @@ TEST_CASE("the P-D loop: its margin falls as the compliance grows, and at the li
     REQUIRE(margin.size() == 5); // at 1, 2, 4, 6 and 7 times C
     for (std::size_t i = 0; i < 5; ++i) {
         const double factor = std::vector{1.0, 2.0, 4.0, 6.0, 7.0}[i];
-        CHECK(margin[i].simulated == doctest::Approx(6 / factor)); // a margin of C alone
+        CHECK(margin[i].simulated == doctest::Approx(6 / factor)); // a margin set by C alone
         CHECK(frequency[i].simulated == doctest::Approx(std::hypot(pair[i].simulated, imaginary[i].simulated)));
         CHECK(damping[i].simulated == doctest::Approx(-pair[i].simulated / frequency[i].simulated));
-        // Terms of s^3 and s^2: the sum of the poles falls with 1 / C.
+        // Coefficients of s^3 and s^2: the sum of the poles falls with 1 / C.
         CHECK(real[i].simulated + 2 * pair[i].simulated == doctest::Approx(-30 / factor).epsilon(0.01));
     }
     CHECK(damping[3].simulated == doctest::Approx(0));
-    CHECK(test::row_named(loop, "overshoot").size() == 3); // what does not settle has none
+    CHECK(test::row_named(loop, "overshoot").size() == 3); // a loop that does not settle has none
 }

@@ -24,7 +24,7 @@ namespace {
 namespace asio = boost::asio;
 namespace json = boost::json;
 
-/// `placedpar monitor`, in a thread of its own.
+/// Runs `placedpar monitor` in a thread of its own.
 class RunningService {
 public:
     RunningService() : service_(settings(), log_), thread_([this] { service_.run(); }) {}
@@ -55,7 +55,7 @@ json::object reading_json(const Reading& reading) {
     return object;
 }
 
-/// The control system of a digger, on the monitor's socket.
+/// Sends a digger's samples to the monitor's socket, as the digger's control system would.
 class ControlSystem {
 public:
     ControlSystem(const RunningService& service, const std::string& machine, const SimulatedExcavator& digger)
@@ -70,7 +70,7 @@ public:
         say({{"type", "configuration"}, {"configuration", "a"}, {"active", {"BO"}}});
     }
 
-    /// The first alarm that the movement raises.
+    /// Returns the first alarm that the movement raises.
     std::optional<std::string> move(const PlantFault& fault, double compliance_factor, std::uint64_t number) {
         const Record movement = digger_.movement(fault, compliance_factor, number);
         for (std::size_t i = 0; i < movement.size(); ++i)
@@ -115,7 +115,7 @@ struct TestedKind {
     AreasFrom from;
 };
 
-/// Of so many machines.
+/// Counts the machines, those with an alarm, and those whose alarm names the right fault or leaves it undecided.
 struct Said {
     std::size_t machines = 0, found = 0, called = 0;
 
@@ -159,7 +159,7 @@ void check_said(const TestedKind& kind, std::size_t machines, std::uint64_t firs
         const Said said = watch(kind, fault, faulty_movements, machines, first_seed);
         MESSAGE(plant, ", ", std::string(fault.fault.name), ": found in ", said.found, " of ", said.machines,
                 ", called so or left undecided in ", said.called);
-        // One machine may be missed by chance, where there are only a few.
+        // With few machines, one may be missed by chance.
         CHECK(100.0 * static_cast<double>(said.found + 1) >= fault.least_found * static_cast<double>(said.machines));
         CHECK(said.called_percent() >= fault.least_called);
     }
@@ -173,7 +173,8 @@ TEST_CASE("what the monitor says over its socket is so: some machines of either 
     check_said({{"excavator", "low", true}, AreasFrom::servo}, 2, 33'000);
 }
 
-// Most of an hour: ctest -C studies -R studies/verdicts. One of the nine: --no-skip --subcase="excavator by spool*mid*"
+// This takes most of an hour: ctest -C studies -R studies/verdicts. For one of the nine: --no-skip --subcase="excavator
+// by spool*mid*"
 TEST_CASE("what the monitor says over its socket is so: 200 machines of each fault" * doctest::skip()) {
     for (const char* noise : {"low", "mid", "high"}) {
         const TestedKind kinds[]{{{"scenario-a", noise, false}, AreasFrom::spool},
@@ -189,7 +190,7 @@ TEST_CASE("what the monitor says over its socket is so: 200 machines of each fau
 
 namespace {
 
-/// Of sound machines whose loggers read so often, how many an alarm accuses.
+/// Returns how many sound machines raise an alarm when their loggers read at this rate.
 std::size_t accused_at(const RecordSource& source, const LoggerRate& rate, std::size_t movements, std::size_t machines,
                        std::uint64_t first_seed) {
     RecordSource at_rate = source;
@@ -224,7 +225,7 @@ TEST_CASE("over the socket no sound machine is accused because its logger is qui
     check_sound(3, 2, 51'000);
 }
 
-// An hour: ctest -C studies -R studies/rates
+// This takes an hour: ctest -C studies -R studies/rates
 TEST_CASE("over the socket no sound machine is accused because its logger is quick: 200 of either" * doctest::skip()) {
     check_sound(8, 200, 52'000);
 }

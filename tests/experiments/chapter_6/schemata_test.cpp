@@ -1,4 +1,4 @@
-// Schemata beside equation 6.2: what crossover and mutation leave of them by their defining length.
+// Tests equation 6.2: which share of schemata survives crossover and mutation, by defining length.
 
 #include "tests/experiments/kit/replay_in_memory.hpp"
 
@@ -11,7 +11,7 @@ using namespace placedpar;
 
 namespace {
 
-/// The only cell of a row and a column.
+/// Returns the only cell of a row and a column.
 Cell cell_in(const Comparison& table, const std::string& row, const std::string& column) {
     for (const Cell& cell : table.cells)
         if (cell.row == row && cell.column == column)
@@ -33,7 +33,7 @@ TEST_CASE("equation 6.2 leaves (1 - .8 d / 7) .99^n of schemata of defining leng
         const Cell cell = cell_in(survival, row_of_length(length), "rates .8 and .01");
         REQUIRE(cell.reference);
         CHECK(*cell.reference == doctest::Approx((1 - 0.8 * length / 7) * (length == 0 ? 0.99 : 0.99 * 0.99)));
-        CHECK(cell.simulated > 0.98 * *cell.reference); // it is a lower bound
+        CHECK(cell.simulated > 0.98 * *cell.reference); // the equation is a lower bound
     }
     CHECK(cell_in(survival, row_of_length(7), "rates .8 and .01").simulated <
           cell_in(survival, row_of_length(1), "rates .8 and .01").simulated);
@@ -41,7 +41,7 @@ TEST_CASE("equation 6.2 leaves (1 - .8 d / 7) .99^n of schemata of defining leng
 
 TEST_CASE("reproduction alone makes of schemata what it is expected to, whatever their defining length") {
     const Replay replay = test::replay_named("schemata", 20);
-    for (const Comparison* table : {&replay.comparisons.at(0), &replay.comparisons.at(1)}) // of the fit, of the others
+    for (const Comparison* table : {&replay.comparisons.at(0), &replay.comparisons.at(1)}) // the fit schema, the others
         for (int length = 0; length <= 7; ++length)
             CHECK(cell_in(*table, row_of_length(length), "reproduction alone").simulated ==
                   doctest::Approx(1).epsilon(0.06));

@@ -18,7 +18,7 @@ TEST_CASE("the interval of a median holds it, and narrows with more values") {
     CHECK(of_many.high - of_many.low < (of_few.high - of_few.low) / 2);
     CHECK(of_many.low == median_interval(many).low);
     CHECK(median_interval({3}).low == 3);
-    // Of 1000 even values the median's deviation is 500 / sqrt(1000): 31 to either side at 95 %.
+    // The median of 1000 evenly spread values has a standard deviation of 500 / sqrt(1000): 31 to either side at 95 %.
     CHECK(of_many.high - of_many.low == doctest::Approx(62).epsilon(0.15));
 }
 
@@ -33,6 +33,6 @@ TEST_CASE("the interval of a quotient is of the sums, and is none where all runs
     }
     Interval around = quotient_interval(above, below);
     CHECK(around.contains(1));
-    // The mean of 400 values 4/3 or 2/3 has the deviation 1/60: 1.96 of it to either side.
+    // The mean of 400 values of 4/3 or 2/3 has a standard deviation of 1/60, times 1.96 to either side.
     CHECK(around.high - around.low == test::nearly(2 * 1.96 / 60, 0.15));
 }

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder that is gone afterwards.
+/// A folder that is deleted afterwards.
 struct Scratch {
     fs::path folder = fs::temp_directory_path() / ("placedpar-examples-" + std::to_string(::getpid()));
 

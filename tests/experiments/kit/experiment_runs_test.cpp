@@ -1,4 +1,4 @@
-// Runs of netlists that an experiment needs to their end.
+// Tests runs of netlists that must complete for an experiment.
 
 #include "experiments/kit/experiment_runs.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 
 const std::filesystem::path own_examples = std::filesystem::path(PLACEDPAR_SOURCE_DIR) / "examples";
 
-/// How the run of this netlist does not come to its end; completed if it does.
+/// Returns how the run of this netlist failed, or `completed`.
 Ending ending_of(const test::ReplayInMemory& replay, const char* netlist) {
     try {
         return run_to_the_end(own_examples / netlist, {}, replay.context).result.ending;

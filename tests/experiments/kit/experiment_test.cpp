@@ -1,4 +1,4 @@
-// What the experiments' files say of themselves.
+// Tests the descriptions in the experiments' files.
 
 #include "experiments/kit/experiment.hpp"
 
@@ -37,7 +37,7 @@ TEST_CASE("a replay without processes has the fingerprint of its tables as they 
         return replay_of({{.name = "table", .cells = {plain_cell("x", "a", "", figure, 2)}, .notes = note}}, {})
             .fingerprint;
     };
-    CHECK(fingerprint(1.5, "") == fingerprint(1.5 + 1e-12, "")); // its last bits do not count
+    CHECK(fingerprint(1.5, "") == fingerprint(1.5 + 1e-12, "")); // the last bits do not count
     CHECK(fingerprint(1.5, "") != fingerprint(1.51, ""));
     CHECK(fingerprint(1.5, "") != fingerprint(1.5, "but"));
 }

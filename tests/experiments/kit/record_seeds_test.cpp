@@ -1,4 +1,4 @@
-// Records of a study: as many as were asked for, none shared with another study.
+// Tests the seeds of a study's records: as many as asked for, none shared with another study.
 #include "experiments/chapter_3/kit/study.hpp"
 #include "experiments/chapter_3/kit/two_link_study.hpp"
 #include "experiments/kit/record_seeds.hpp"

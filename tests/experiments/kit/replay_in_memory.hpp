@@ -17,7 +17,7 @@
 
 namespace placedpar::test {
 
-/// A replay with the seed 1 over so many seeds, whose runs are kept in memory.
+/// A replay with the seed 1 and this many seeds, whose runs are kept in memory.
 struct ReplayInMemory {
     explicit ReplayInMemory(std::size_t seeds, const std::filesystem::path& examples = {})
         : context{examples,
@@ -36,8 +36,8 @@ struct ReplayInMemory {
     ReplayContext context;
 };
 
-/// The experiment of this name, run with the seed 1 over the project's examples; a study over as many seeds as are
-/// said, or as it says itself.
+/// Runs the experiment of this name with the seed 1 and the project's examples. A study takes `seeds` seeds, or its own
+/// number by default.
 inline Replay replay_named(std::string_view name, std::optional<std::size_t> seeds = {}) {
     const auto& all = experiments();
     const auto found = std::ranges::find(all, name, &Experiment::name);
@@ -46,7 +46,7 @@ inline Replay replay_named(std::string_view name, std::optional<std::size_t> see
     return found->run(replay.context);
 }
 
-/// The cells of a row, in their order.
+/// Returns the cells of a row, in order.
 inline std::vector<Cell> row_named(const Comparison& table, std::string_view row) {
     std::vector<Cell> cells;
     std::ranges::copy_if(table.cells, std::back_inserter(cells), [&](const Cell& each) { return each.row == row; });

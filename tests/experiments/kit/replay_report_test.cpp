@@ -1,4 +1,4 @@
-// A replay's document for machines.
+// Tests the JSON document of a replay.
 
 #include "experiments/kit/replay_report.hpp"
 
@@ -41,7 +41,7 @@ TEST_CASE("for people a replay is its tables, its constants, its fingerprint, an
     CHECK(text.starts_with("first\n"));
     CHECK(text.find("\n\nsecond\n") != text.npos);
     CHECK(text.find("\nlink\n  bits of a byte") != text.npos);
-    CHECK(text.find("\n  bits of an acknowledge") != text.npos); // the group is named once
+    CHECK(text.find("\n  bits of an acknowledge") != text.npos); // the group's name occurs once
     CHECK(text.find("\nprocessor\n  clock ") != text.npos);
     CHECK(text.find(" 2e+07 Hz ") != text.npos);
     CHECK(text.find("\n\ncells judged against the thesis: 1; against own figures: 0; not judged: 1\n\n") != text.npos);

@@ -1,4 +1,4 @@
-// Runs of many seeds are made at once, and kept in a file that is read as it was written or refused.
+// Tests that runs of many seeds are made in parallel, and stored in a file that is either read exactly or refused.
 
 #include "experiments/kit/experiment_runs.hpp"
 #include "experiments/kit/seed_runs.hpp"
@@ -25,7 +25,7 @@ namespace {
 
 StudySource source_named(const std::string& replay) { return {replay, {}, replay, ""}; }
 
-/// A file in a folder of its own, which goes with it.
+/// A file in its own folder; both are deleted at the end.
 class RunsFile {
 public:
     RunsFile() { std::filesystem::create_directory(folder_); }
@@ -46,7 +46,7 @@ private:
         std::filesystem::temp_directory_path() / fmt::format("placedpar-seed-runs-{}", ::getpid());
 };
 
-/// A replay of so many seeds, and how many runs it made.
+/// A replay with this many seeds that counts its runs.
 struct SmallReplay {
     Interruption interruption;
     std::atomic<int> made = 0;
@@ -104,7 +104,7 @@ TEST_CASE("an interrupted replay keeps the runs that ended") {
     RunsFile file;
     SmallReplay replay;
     StudyResults kept = file.open();
-    std::atomic<int> told = 0; // how often progress was told since: the second time all workers have been stopped
+    std::atomic<int> told = 0; // reports of progress since the interruption; at the second, all workers have stopped
     ReplayContext context = replay.context(1000, kept);
     context.progress = [&](const std::string&) { told += replay.interruption.requested(); };
     auto interrupts = [&](std::uint64_t) {

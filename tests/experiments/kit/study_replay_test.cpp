@@ -1,4 +1,4 @@
-// A replay that is a study with tables: what it shows, and what is refused of a file that was edited.
+// Tests a replay made from a study with tables: its content, and refusals of an edited file.
 
 #include "experiments/kit/study_replay.hpp"
 
@@ -19,7 +19,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A folder of examples with a study of a netlist of this project, which goes with it.
+/// A folder of examples with a study of one of the project's netlists, deleted at the end.
 class EditedStudy {
 public:
     explicit EditedStudy(const std::string& text, const std::string& netlist = "csp/commstime/commstime.cfs") {
@@ -48,7 +48,7 @@ columns = [{name = "10 packets", set = {count = 10}}, {name = "20 packets", set 
 rows = [{name = "time", figure = "time", unit = "ms", decimals = 4, known = [1, nan], tolerance = "1 %"}]
 )";
 
-/// Checks that a replay of this study is refused with the message, which begins with the file's name.
+/// Checks that a replay of this study is refused with this message, after the file's name.
 void check_refused(const std::string& text, const std::string& why) {
     const EditedStudy study(text);
     test::ReplayInMemory replay(0, study.folder());
@@ -72,7 +72,7 @@ TEST_CASE("a replay has the tables and notes of its study, with the figures of i
     CHECK(table.cells[0].simulated == study.measured({{"count", "10"}}, "time"));
     CHECK(table.cells[1].simulated == study.measured({{"count", "20"}}, "time"));
     CHECK(table.cells[0].simulated < table.cells[1].simulated);
-    CHECK_FALSE(table.cells[0].within_tolerance()); // some .1 ms
+    CHECK_FALSE(table.cells[0].within_tolerance()); // about .1 ms
     CHECK_FALSE(replay.within_tolerance());
 }
 

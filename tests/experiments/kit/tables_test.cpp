@@ -1,4 +1,4 @@
-// What is so of the tables of every replay, on those that take no time.
+// Tests properties of the tables of every quick replay.
 
 #include "tests/experiments/kit/replay_in_memory.hpp"
 
@@ -20,7 +20,7 @@ TEST_CASE("a table has a figure once, and what is judged has what it is judged b
         for (const Comparison& table : replay.comparisons) {
             CAPTURE(table.name);
             CHECK(tables.insert(table.name).second);
-            CHECK(table.against.size() <= 7); // the width of its column
+            CHECK(table.against.size() <= 7); // the column's width
             std::set<std::pair<std::string, std::string>> places;
             for (const Cell& cell : table.cells) {
                 CAPTURE(cell.row);

@@ -1,4 +1,4 @@
-// What a link carries, beside the databook's table 8.1.
+// Tests link rates against table 8.1 of the databook.
 
 #include "tests/experiments/kit/replay_in_memory.hpp"
 
@@ -27,5 +27,5 @@ TEST_CASE("switches slow a link down, the more the more there are, and no link i
     auto rate = [&](const char* row) { return test::row_named(replay.comparisons.at(1), row).at(0).simulated; };
     CHECK(rate("direct") > rate("through one C004"));
     CHECK(rate("through one C004") > rate("through three C004"));
-    CHECK(rate("direct") < 20'000.0 / 11); // bits of a byte
+    CHECK(rate("direct") < 20'000.0 / 11); // 11 bits a byte
 }

@@ -1,4 +1,4 @@
-// A transputer's scheduler and memory beside the databook, and messages beside those measured in Poznan.
+// Tests a transputer's scheduler and memory against the databook, and messages against measurements in Poznan.
 
 #include "runtime/hardware/constants.hpp"
 #include "tests/experiments/kit/replay_in_memory.hpp"
@@ -14,7 +14,7 @@ using namespace placedpar;
 
 namespace {
 
-/// The only figure of a row in one of a replay's tables.
+/// Returns the only figure of a row in one of a replay's tables.
 double figure_of(const Replay& replay, std::size_t table, const std::string& row) {
     const auto cells = test::row_named(replay.comparisons.at(table), row);
     CAPTURE(row);
@@ -42,7 +42,7 @@ TEST_CASE("a turn beside another takes one to two periods, and a wait beside n -
         const std::string row =
             "wait beside " + std::to_string(others) + (others == 1 ? " other" : " others") + ", longest";
         const double periods = figure_of(replay, 0, row);
-        CHECK(periods <= 2.0 * others + 0.01); // some cycles of switching
+        CHECK(periods <= 2.0 * others + 0.01); // a few cycles for switching
         CHECK(periods > 2.0 * others - 0.2);
     }
 }
@@ -62,7 +62,7 @@ TEST_CASE("half a round trip took 11 us and 2.25 us a word in Poznan, 4.30 us a 
 }
 
 TEST_CASE("the evidence has every published figure of the machine's replays, with its mark, and sourced constants") {
-    const Replay evidence = test::replay_named("evidence"); // takes seconds, so once for all that is checked
+    const Replay evidence = test::replay_named("evidence"); // made once for all checks, since it takes seconds
     const Comparison& figures = evidence.comparisons.at(0);
     CHECK(figures.names_origins);
     CHECK(evidence.within_tolerance());
@@ -71,7 +71,7 @@ TEST_CASE("the evidence has every published figure of the machine's replays, wit
         for (const Comparison& table : test::replay_named(name).comparisons)
             others += table.cells.size();
     CHECK(others == 26);
-    CHECK(figures.cells.size() == others + 9); // of the farm
+    CHECK(figures.cells.size() == others + 9); // nine cells belong to the farm
     REQUIRE_FALSE(evidence.constant_table.empty());
     for (const hardware::Constant& constant : evidence.constant_table)
         CHECK_FALSE_MESSAGE(constant.source.empty(), constant.name);

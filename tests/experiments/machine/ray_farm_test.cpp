@@ -1,4 +1,4 @@
-// A farm on 73 transputers beside the times that were published.
+// Tests a farm on 73 transputers against published times.
 
 #include "tests/experiments/kit/replay_in_memory.hpp"
 
@@ -21,6 +21,6 @@ TEST_CASE("a farm takes longer where its routers wait for their turn, or where a
     CHECK(seconds(71, "high") < seconds(71, slow));
     CHECK(seconds(71, slow) < seconds(71, "low"));
     CHECK(seconds(11, slow) > 2.5 * seconds(35, slow));
-    CHECK(seconds(35, "low") < 1.05 * seconds(71, "low")); // more workers are of no use any more
+    CHECK(seconds(35, "low") < 1.05 * seconds(71, "low")); // more workers do not help any further
     CHECK(farm.within_tolerance());
 }

@@ -1,4 +1,4 @@
-// The changes that explain asks about, and what comes of them on a small machine.
+// Tests the changes that `explain` tries, and their effect on a small machine.
 
 #include "explore/explain/changes.hpp"
 
@@ -37,7 +37,7 @@ Network network_with(const std::string& text) {
     return std::move(*result.network);
 }
 
-/// The changed netlist. Throws UserError where it is refused.
+/// Returns the changed netlist. Throws UserError if it is refused.
 Network changed(const Overrides& set) {
     ReadResult result = read_netlist_text(two_processors, all_kinds(), set);
     if (!result.network)
@@ -45,7 +45,7 @@ Network changed(const Overrides& set) {
     return std::move(*result.network);
 }
 
-/// As many processes and processors whatever is set: there is no val.
+/// The netlist has no vals, so overrides declare no further processes or processors.
 Declared nothing_more(const Overrides&) { return {}; }
 
 std::vector<Change> changes_of_text(const std::string& text) {

@@ -1,4 +1,4 @@
-// The program keeps the part of a run's history that the critical path can still use, up to a limit.
+// The program keeps only the part of a run's history that the critical path can still use, up to a limit.
 
 #include "explore/explain/explanation.hpp"
 

@@ -1,4 +1,4 @@
-// What explain prints of a run: the sums, the order, and what is left out.
+// Tests what `explain` prints about a run: sums, order, and omissions.
 
 #include "explore/explain/explanation.hpp"
 
@@ -57,7 +57,7 @@ TEST_CASE("shares are parts of a process's life and of the run") {
     const std::string text = printed(half_busy());
     CHECK(text.find("p           50.0 %          0.0 %   40.0 %   10.0 %    0.0 %  q (3.000)\n") != text.npos);
     CHECK(text.find("t[0]                            50.0 %    50.0 %\n") != text.npos);
-    CHECK(text.find("20.0 %    80.0 %   10.0 %\n") != text.npos);  // the link, and what waited to send on it
+    CHECK(text.find("20.0 %    80.0 %   10.0 %\n") != text.npos);  // the link, and processes waiting to send on it
     CHECK(text.find("t[1].link[0] -> t[0].link[1]") == text.npos); // carried nothing
 }
 

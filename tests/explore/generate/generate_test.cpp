@@ -126,7 +126,7 @@ std::vector<KnownMachine> all_known() {
     return all;
 }
 
-/// A process that tells each of its neighbours its number, and hears theirs.
+/// The process sends its number to each neighbour and receives theirs.
 void exchange_numbers(ProcessEnvironment& environment) {
     auto inputs = environment.inputs<int>("in");
     auto outputs = environment.outputs<int>("out");

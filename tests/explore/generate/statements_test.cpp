@@ -1,4 +1,4 @@
-// Pieces of generated netlists, and how far apart processors are.
+// Tests pieces of generated netlists, and distances between processors.
 
 #include "explore/generate/statements.hpp"
 

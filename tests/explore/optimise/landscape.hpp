@@ -11,9 +11,9 @@
 
 namespace placedpar {
 
-/// Machines whose times are a random landscape: the time of setting each of some vals adds up, with a part for each two
-/// that are neighbours (S. Kauffman's NK landscapes with K = 1). What is simulated is one process that computes for
-/// that long. With `four_links`, a machine is refused where its first two settings want more than four links together.
+/// Makes machines whose run times form a random landscape (S. Kauffman's NK landscape with K = 1). The time is a sum
+/// with one part for each val and one for each two neighbouring vals. The simulated run is one process that computes
+/// for that time. With `four_links`, a machine is refused if its first two settings together want more than four links.
 struct Landscape {
     std::size_t vals = 4, values = 4; ///< of each val
     std::uint64_t seed = 1;
@@ -22,7 +22,7 @@ struct Landscape {
     std::string netlist() const;
 };
 
-/// A search over a landscape, whose runs are kept in a file.
+/// A search over a landscape that keeps its runs in a file.
 class LandscapeSearch {
 public:
     LandscapeSearch(const std::string& folder, const Landscape&, const StudySearch&, const std::string& where = "",

@@ -17,7 +17,7 @@ namespace {
 
 using Costs = std::set<std::vector<double>>;
 
-/// The costs of the machines that none dominates.
+/// Returns the costs of the machines that no other machine dominates.
 Costs best_costs(const SearchCourse& course) {
     Costs costs;
     for (std::size_t place : course.front())
@@ -34,7 +34,7 @@ StudySearch wanting(std::vector<std::string> minimise, std::uint64_t population,
     return {.minimise = std::move(minimise), .population = population, .generations = generations, .seed = seed};
 }
 
-/// The machines and costs, in order.
+/// Whether both searches tried the same machines in the same order, with the same costs.
 bool same_course(const SearchCourse& a, const SearchCourse& b) {
     return a.machines == b.machines &&
            std::ranges::equal(a.merits, b.merits, [](const Merit& x, const Merit& y) { return x.costs == y.costs; });
@@ -85,7 +85,7 @@ TEST_CASE("it is better than as many machines drawn at random") {
         worse += least_cost(*genetic) > least_cost(*random) ? 1 : 0;
     }
     CAPTURE(better);
-    CHECK(better >= 15); // of 20: were neither better, so many would have a chance of 2 %
+    CHECK(better >= 15); // out of 20: if neither were better, the chance of 15 would be 2 %
     CHECK(worse <= 5);
 }
 

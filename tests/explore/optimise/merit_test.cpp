@@ -15,7 +15,8 @@ namespace {
 
 Merit costs(std::vector<double> each) { return {.feasible = true, .costs = std::move(each)}; }
 
-/// With so many costs, of few values, so that many are equal; every fifth is infeasible.
+/// Draws `count` merits of `many` costs each. Costs have few values, so that many are equal; one merit in five is
+/// infeasible.
 std::vector<Merit> random_merits(std::size_t count, std::size_t many, std::uint64_t seed) {
     RandomStream random(seed, "merits");
     std::vector<Merit> merits(count);
@@ -32,7 +33,7 @@ bool dominated(const std::vector<Merit>& merits, std::size_t which) {
     return std::ranges::any_of(merits, [&](const Merit& other) { return dominates(other, merits[which]); });
 }
 
-/// In how many steps whom none dominates can be taken away until it is one of them.
+/// Returns each merit's layer: how often the undominated merits must be removed before it is undominated itself.
 std::vector<std::size_t> layers(const std::vector<Merit>& merits) {
     std::vector<std::size_t> layer(merits.size(), 0);
     for (bool changed = true; changed;) {

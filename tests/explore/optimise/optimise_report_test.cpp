@@ -12,7 +12,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A course through machines 0, 1, 2 ... of these costs; those without costs cannot be built.
+/// Returns a course through machines 0, 1, 2 ... of these costs; machines without costs cannot be built.
 SearchCourse course_of(const std::string& way, const std::vector<std::vector<double>>& costs) {
     SearchCourse course{.way = way};
     for (std::uint64_t machine = 0; const std::vector<double>& each : costs) {

@@ -1,4 +1,4 @@
-// One spelling for settings that mean the same.
+// Tests that settings with the same meaning get one spelling.
 
 #include "explore/study/canonical_settings.hpp"
 
@@ -15,7 +15,7 @@ void keep_run(StudyResults& results, const std::string& slaves, std::uint64_t se
     results.keep({{{"slaves", slaves}}, seed}, {.ended = "completed", .figures = {{"rate", {rate, ""}}}});
 }
 
-/// Each run as "slaves seed: rate".
+/// Returns each run as "slaves seed: rate".
 std::vector<std::string> told_by(CanonicalSettings& spellings) {
     std::vector<std::string> told;
     spellings.for_each([&](const StudyRun& run, const StudyOutcome& outcome) {
@@ -37,7 +37,7 @@ TEST_CASE("settings are spelled as the study spells them, else as the first run 
     CHECK(CanonicalSettings(results, &study).of({{"slaves", "8.0"}}) == Overrides{{"slaves", "8"}});
     CHECK(CanonicalSettings(results, nullptr).of({{"slaves", "8.0"}}) == Overrides{{"slaves", "4+4"}});
     CHECK(CanonicalSettings(results, nullptr).of({{"slaves", "7.0"}}) == Overrides{{"slaves", "7.0"}});
-    CHECK(CanonicalSettings(results, nullptr).of({{"clock", "8.0"}}) == Overrides{{"clock", "8.0"}}); // of another name
+    CHECK(CanonicalSettings(results, nullptr).of({{"clock", "8.0"}}) == Overrides{{"clock", "8.0"}}); // no such val
 }
 
 TEST_CASE("of runs that are the same, the one that was made in the spelling of the study is told") {

@@ -1,4 +1,4 @@
-// The figures of a run, and what is said of a measure that no run has.
+// Tests the figures of a run, and the message for a measure that no run has.
 
 #include "explore/study/measure.hpp"
 
@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// A run of 10 ms on two processors, of which the first computed for a quarter of it.
+/// Returns a run of 10 ms on two processors, the first of which computed for a quarter of the time.
 RunReport quarter_busy() {
     RunReport report;
     report.result.ending = Ending::completed;
@@ -39,7 +39,7 @@ std::vector<std::string> names_in(const StudyFigures& figures) {
     return names;
 }
 
-/// Returns the measures that runs of a farm may have.
+/// Returns the measures available for runs of a farm.
 PossibleMeasures of_a_farm() {
     const ProblemRegistry problems = known_problems(0);
     const Catalogue kinds = known_kinds(problems);

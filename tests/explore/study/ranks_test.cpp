@@ -1,4 +1,4 @@
-// Rank 0 of a sweep and its helpers, without MPI: what they say to each other, and what comes of it.
+// Tests rank 0 of a sweep and its helpers without MPI: their messages and the results.
 
 #include "explore/study/rank_helper.hpp"
 #include "explore/study/rank_zero.hpp"
@@ -20,7 +20,7 @@ using RankKind = RankMessage::Kind;
 
 namespace {
 
-/// Carries the messages between ranks that are threads of this program, or a test.
+/// Carries messages between ranks, which are threads of this program or the test itself.
 class PostOffice {
 public:
     explicit PostOffice(std::size_t ranks) : boxes_(ranks) {}
@@ -82,7 +82,7 @@ std::vector<RankKind> kinds_of(const std::vector<RankMessage>& messages) {
     return kinds;
 }
 
-/// Rank 0 of three, whose helpers are played by the test.
+/// Rank 0 of three ranks, with helpers played by the test.
 struct PlayedHelpers {
     PostOffice post{3};
     RankByPost rank{post, 0};
@@ -91,7 +91,7 @@ struct PlayedHelpers {
     StudySweep sweep{study, results};
 
     void say(int from, const RankMessage& message) { post.send(from, 0, text_of(message)); }
-    /// The run that rank 0 has just handed to this helper.
+    /// Returns the run that rank 0 has just sent to this helper.
     StudyRun run_for(int helper) {
         const std::vector<RankMessage> messages = post.collect(helper);
         REQUIRE(messages.size() == 1);
@@ -107,13 +107,13 @@ struct PlayedHelpers {
     }
 };
 
-/// Rank 0 waits for its helpers when it is destroyed: in a test that ends early, too, they leave.
+/// Lets the helpers leave at the end, even if the test ends early: rank 0's destructor waits for them.
 struct LeavesAtTheEnd {
     PlayedHelpers& played;
     ~LeavesAtTheEnd() { played.leave(); }
 };
 
-/// Returns the answers of a helper with one job to these messages of rank 0.
+/// Returns a one-job helper's answers to these messages of rank 0.
 std::vector<RankMessage> answers_to(const std::vector<RankMessage>& messages, const Interruption& interruption = {}) {
     PostOffice post(2);
     for (const RankMessage& each : messages)

@@ -1,4 +1,4 @@
-// What is remembered of a problem is what was computed, once for each string and coding.
+// Tests that a remembered problem evaluates each string and coding once.
 
 #include "explore/study/remembered_problem.hpp"
 #include "runtime/random.hpp"
@@ -16,7 +16,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Counts its evaluations.
+/// A valley that counts its evaluations.
 struct CountedValley : Valley {
     std::shared_ptr<int> evaluations = std::make_shared<int>(0);
     double objective(std::span<const double> x) const {
@@ -79,7 +79,7 @@ TEST_CASE("what is remembered is bounded, of several problems together") {
         const std::vector<double> expected = fitness_of_all(*minimise(CountedValley{}));
         for (const SearchProblem* each : {&first, &second, &first})
             CHECK(fitness_of_all(*each) == expected);
-        CHECK(*valley.evaluations > 256); // has been forgotten
+        CHECK(*valley.evaluations > 256); // some strings were forgotten and evaluated again
         CHECK(*valley.evaluations <= 512);
         CHECK(*other.evaluations == 256);
         CHECK(*room < 10'000);

@@ -1,4 +1,4 @@
-// A file of results that is not what was written is refused, and never read as another one.
+// Tests that a damaged or foreign file of results is refused, and never read as other results.
 
 #include "explore/study/results.hpp"
 #include "store/database.hpp"
@@ -25,13 +25,13 @@ namespace {
 const StudySource source_of_test{
     "ring.cfs", {{"ring.cfs", "host h;\n"}, {"part.inc", "val n 3;\n"}}, "{\"faults\":[]}"};
 
-/// SQLite waits for disks, memory does not.
+/// The folder is in memory if possible, since SQLite waits for disks.
 std::filesystem::path quick_folder() {
     std::filesystem::path memory = "/dev/shm";
     return std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
 }
 
-/// In a folder of its own, with what SQLite puts beside it.
+/// A file of results in its own folder, which also holds SQLite's extra files.
 class ResultsFile {
 public:
     ResultsFile() { std::filesystem::create_directory(folder_); }
@@ -56,7 +56,7 @@ private:
 
 StudyRun run_of_test(std::uint64_t seed) { return {{{"count", "7"}, {"linkspeed", "20M"}}, seed}; }
 
-/// Some runs, one of them refused, in pages so small that every bit can be tried.
+/// Writes some runs, one of them refused, in pages so small that every bit can be tried.
 void make_results(const ResultsFile& file) {
     {
         StudyResults results(file.path(), source_of_test);
@@ -96,7 +96,7 @@ std::string table_in(const ResultsFile& file) {
     return table_of(results);
 }
 
-/// Adds a run, and takes it away from the table: what was there before must be as it was.
+/// Adds a run and removes it again; the rest of the table must not have changed.
 std::string table_after_adding(const ResultsFile& file) {
     StudyResults results(file.path(), source_of_test);
     std::string before = table_of(results);
@@ -141,7 +141,7 @@ void check_refused(const std::string& sql, const std::string& why) {
     CHECK_THROWS_AS(StudyResults(file.path(), source_of_test), UserError);
 }
 
-/// One bit in a given number is flipped, and runs are added to fewer files.
+/// Flips one bit in every `one_in`; adds runs only to one file in every `one_written_in`.
 void flip_bits(std::size_t one_in, std::size_t one_written_in) {
     ResultsFile file;
     make_results(file);

@@ -9,7 +9,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A study that measured something of each value of one setting.
+/// Returns a study with one measurement for each value of one setting.
 StudySummary swept_over(const std::vector<double>& values) {
     StudySummary summary{.netlist = "a.cfs", .version = "1", .axes = {"n"}, .measures = {"time"}, .units = {"ms"}};
     for (double value : values) {
@@ -20,7 +20,7 @@ StudySummary swept_over(const std::vector<double>& values) {
     return summary;
 }
 
-/// A curve of a value of a second setting, measured so often as it has values.
+/// Adds the curve of one value of a second setting, with these measurements.
 void add_curve(StudySummary& summary, const std::string& name, const std::vector<double>& measured) {
     StudyCell cell;
     for (double each : measured)
@@ -58,7 +58,7 @@ TEST_CASE("points of a study are where they were measured, with Student's interv
         CHECK(series.points.front().y == 2);
     }
     REQUIRE(panel.series[0].intervals.size() == 1);
-    CHECK(panel.series[0].intervals[0].high == doctest::Approx(2 + 12.7062)); // Student's, of one degree of freedom
+    CHECK(panel.series[0].intervals[0].high == doctest::Approx(2 + 12.7062)); // Student's t with one degree of freedom
     CHECK(panel.series[0].intervals[0].low == doctest::Approx(2 - 12.7062));
     CHECK(panel.series[1].intervals.empty());
     CHECK(panel.series[2].intervals.empty());

@@ -1,4 +1,4 @@
-// A study's figures as a table for people, and for programs.
+// Tests a study's figures as a table for people and for programs.
 
 #include "explore/study/study_report.hpp"
 
@@ -14,7 +14,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Two seeds with one slave, of which both completed, and one with two slaves, which did not.
+/// Returns a study with two completed runs with one slave, and one run with two slaves that did not complete.
 StudySummary of_two_lines() {
     StudySummary summary{.netlist = "farm.cfs", .version = "1", .axes = {"slaves"}, .fixed = {{"samples", "12"}}};
     summary.measures = {"time"};
@@ -32,7 +32,7 @@ TEST_CASE("a table of a study has a line a combination, with the interval where 
                                            "all with samples = 12\n"
                                            "\n"
                                            "slaves  runs  time [ms]   95 %\n"
-                                           "     1     2          5   ± 13\n" // 12.7 of one degree of freedom
+                                           "     1     2          5   ± 13\n" // t is 12.7 for one degree of freedom
                                            "     2     1          -         refused: too few\n");
     StudySummary single = of_two_lines();
     single.lines.erase(single.lines.begin());

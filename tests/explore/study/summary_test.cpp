@@ -1,4 +1,4 @@
-// Figures of many runs as one table.
+// Tests the summary of many runs in one table.
 
 #include "explore/study/summary.hpp"
 
@@ -15,7 +15,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Results in memory of a function: rate = slaves + seed / 10, a deadlock with 9 slaves.
+/// Adds runs of a made-up machine: rate = slaves + seed / 10, and a deadlock with 9 slaves.
 StudyResults& add_runs(StudyResults& results, const std::vector<std::string>& slaves, std::uint64_t seeds) {
     for (const std::string& each : slaves)
         for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -42,7 +42,7 @@ TEST_CASE("a cell has the mean, the ends, and Student's interval") {
     CHECK(cell.mean == doctest::Approx(3));
     CHECK(cell.least == 1);
     CHECK(cell.greatest == 5);
-    CHECK(cell.half_width == doctest::Approx(2.776445 * std::sqrt(2.5 / 5)).epsilon(1e-6)); // t of 4, 97.5 %
+    CHECK(cell.half_width == doctest::Approx(2.776445 * std::sqrt(2.5 / 5)).epsilon(1e-6)); // t for 4, 97.5 %
     CHECK(test::cell_of({7}).half_width == 0);
     CHECK(shown_interval(test::cell_of({7})).empty());
     CHECK(shown_mean(StudyCell{}) == "-");

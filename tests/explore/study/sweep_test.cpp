@@ -1,4 +1,4 @@
-// A worker that makes a study's runs one after the other gets the results of separate runs.
+// A worker that makes a study's runs one after the other must get the results of separate runs.
 
 #include "explore/study/sweep.hpp"
 #include "tests/sanitized.hpp"
@@ -36,8 +36,8 @@ std::string all_of(const std::optional<StudyOutcome>& outcome) {
                        outcome->netlist_hash, outcome->refused, figures_text(outcome->figures));
 }
 
-/// Makes each run by one worker, and by a worker of its own, which has no other to repeat. Returns how many were
-/// repeated.
+/// Makes all runs with one worker, and each run with a new worker, which has no run to repeat. Returns how many runs
+/// the one worker repeated.
 std::uint64_t check_worker(const Study& study) {
     Interruption never;
     StudyWorker worker(study);
@@ -122,7 +122,7 @@ TEST_CASE("a netlist of a study is found wherever those that can be read lie, al
     // A population of 1 is refused, at every thousandth combination.
     CHECK_NOTHROW(
         readable_network(study_of(netlist, {"slaves=0..999", "population=1..1000", "master.trials=1..1000"}, 1)));
-    // One of fifty has fewer slaves than individuals; the others are refused for values of their own.
+    // One netlist in fifty has fewer slaves than individuals; all others are refused for their own values.
     CHECK_NOTHROW(readable_network(study_of(netlist, {"population=2..40", "slaves=0..999"}, 1)));
 }
 

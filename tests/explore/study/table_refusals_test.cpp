@@ -1,4 +1,4 @@
-// Tables of a study that do not say what they mean: each is refused with its place, or its cell left without a figure.
+// Tests faulty tables of a study: each is refused with its place, or its cell is left without a figure.
 
 #include "explore/study/comparisons.hpp"
 #include "explore/study/study_file.hpp"
@@ -24,7 +24,7 @@ Study farm_study(const std::string& text) {
     return study;
 }
 
-/// Four lines; what follows stands from the fifth on.
+/// This head has four lines, so the text after it starts at line 5.
 const std::string farm_head = "netlist = \"any.cfs\"\nmeasure = [\"min(t.busy)\", \"max(t.busy)\", \"m.rate\"]\n"
                               "[[table]]\nname = \"x\"\n";
 const std::string farm_columns = "columns = [{name = \"alone\", set = {slaves = 0}}, {name = \"one\", set = {slaves = "
@@ -39,7 +39,7 @@ void check_farm_refused(const std::string& text, const std::string& why) {
     CHECK_THROWS_WITH_AS(farm_study(text), doctest::Contains(why.c_str()), RefusedInput);
 }
 
-/// With one slave there is a deadlock.
+/// Runs the table of a farm that deadlocks with one slave.
 Comparison farm_table(const Study& study) {
     StudyResults results(StudySource{});
     for (std::uint64_t i = 0; i < study.count(); ++i) {

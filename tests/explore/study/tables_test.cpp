@@ -1,4 +1,4 @@
-// Tables of a study: which runs they need, and what stands in their cells.
+// Tests which runs a study's tables need, and what their cells show.
 
 #include "explore/study/comparisons.hpp"
 #include "explore/study/study_file.hpp"
@@ -23,7 +23,7 @@ Study study_in(const std::string& text) {
     return study;
 }
 
-/// A machine whose rate is 10 with a processor, and 10 less 1 of each more; its seed adds as much.
+/// Returns the rate of a made-up machine: 10 with one processor, 1 less for each further processor, plus the seed.
 StudyFigures rate_of(const StudyRun& run) {
     const double processors = std::stod(run.set.contains("slaves") ? run.set.at("slaves") : "0") + 1;
     return {{"master.rate", {processors * (11 - processors) + static_cast<double>(run.seed), "1/s"}},

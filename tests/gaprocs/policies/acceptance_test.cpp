@@ -38,7 +38,7 @@ TEST_CASE("the worst is replaced; of several immigrants none replaces another") 
           Places{1, 0, 4});
     CHECK(home.places("worst", {}).empty());
     home.fitness = {2, 1, 1, 3, 1};
-    CHECK(home.places("worst", {immigrant("1010", 0), immigrant("1010", 0)}) == Places{1, 2}); // the first among equals
+    CHECK(home.places("worst", {immigrant("1010", 0), immigrant("1010", 0)}) == Places{1, 2}); // the first of equals
 }
 
 TEST_CASE("only if better: who is not fitter is turned away, and the place stays free for the next") {
@@ -58,7 +58,7 @@ TEST_CASE("the most alike is replaced; among equals the least fit") {
     CHECK(home.places("alike", {immigrant("1000", 0)}) == Places{0}); // 0000 and 1100 differ in one bit; 3 < 4
     CHECK(home.places("alike", {immigrant("1000", 0), immigrant("1000", 0)}) == Places{0, 4});
     CHECK(home.places("alike", {immigrant("1111", 0)}) == Places{3});
-    CHECK(home.places("alike", {immigrant("1111", 0)}, 1) == Places{2}); // 3 is of the elite
+    CHECK(home.places("alike", {immigrant("1111", 0)}, 1) == Places{2}); // individual 3 belongs to the elite
 }
 
 TEST_CASE("at random: each who is not of the elite with the same chance") {
@@ -96,7 +96,7 @@ TEST_CASE("the elite is never replaced, and no place is given twice") {
             std::set<std::size_t> taken;
             for (auto place : home.places(way.name.c_str(), three, 2, seed))
                 taken.insert(place.value());
-            bool bred = Acceptance::named(way.name).among_offspring(); // then the elite stands at the head
+            bool bred = Acceptance::named(way.name).among_offspring(); // then the elite comes first
             CHECK(taken == (bred ? std::set<std::size_t>{2, 3, 4} : std::set<std::size_t>{0, 1, 4}));
         }
 }

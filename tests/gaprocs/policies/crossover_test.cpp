@@ -15,7 +15,7 @@ using test::strings;
 
 namespace {
 
-/// How often the first of two strings becomes what by this way.
+/// Returns how often the first of two strings becomes each offspring.
 std::map<std::string, int> offspring(const Crossover& cross, const char* a, const char* b, int pairs) {
     RandomStream random(8, "offspring");
     std::map<std::string, int> seen;
@@ -27,7 +27,7 @@ std::map<std::string, int> offspring(const Crossover& cross, const char* a, cons
     return seen;
 }
 
-/// Each of them as often, to five standard deviations.
+/// Checks that all offspring are equally frequent, within five standard deviations.
 void check_even(const std::map<std::string, int>& seen, std::size_t kinds) {
     CHECK(seen.size() == kinds);
     double all = 0;
@@ -89,14 +89,14 @@ TEST_CASE("the last of an odd number has no mate, but by difference") {
         Crossover::named(way)(population, 1, BitString(population.front().size()), random);
         CHECK(population.back() == last);
     }
-    auto population = strings({"0000", "0001", "1111"}); // the second is too near
+    auto population = strings({"0000", "0001", "1111"}); // the second is too similar to the others
     Crossover(DifferenceCrossover{})(population, 1, BitString(population.front().size()), random);
     CHECK(population[2] == Genome::from_string("0001"));
     CHECK(population[0] != Genome::from_string("0000"));
 }
 
 TEST_CASE("two cuts of a ring: each of the pieces as often") {
-    // 4 places have 6 pairs of cuts; the second of the two strings has the complement.
+    // Four places have 6 pairs of cuts; the second string is the complement.
     auto seen = offspring(TwoPointCrossover{}, "0000", "1111", 60000);
     check_even(seen, 6);
     for (const char* never : {"0000", "1111", "0101", "1010"})
@@ -104,11 +104,11 @@ TEST_CASE("two cuts of a ring: each of the pieces as often") {
 }
 
 TEST_CASE("uniform: each of the strings between the parents as often") {
-    check_even(offspring(UniformCrossover{}, "00010", "11110", 60000), 8); // they differ in three
+    check_even(offspring(UniformCrossover{}, "00010", "11110", 60000), 8); // the parents differ in three places
 }
 
 TEST_CASE("by difference: every offspring is new, each of the n - 1 cuts as often") {
-    // The parents differ at 1, 4 and 5: a cut at 2, 3 or 4 takes the first, a cut at 5 the first two.
+    // The parents differ at 1, 4 and 5: a cut at 2, 3 or 4 exchanges the first difference, a cut at 5 the first two.
     auto seen = offspring(DifferenceCrossover{}, "000000", "010011", 40000);
     CHECK(seen.size() == 2);
     CHECK(std::abs(seen["010000"] - 30000) < 5 * std::sqrt(40000 * .75 * .25));
@@ -123,7 +123,7 @@ TEST_CASE("one-point crossover reaches 2 (n - 1) new strings of parents that dif
     for (std::size_t n : {2u, 3u, 8u}) {
         std::string zeros(n, '0'), ones(n, '1');
         auto firsts = offspring(OnePointCrossover{}, zeros.c_str(), ones.c_str(), 2000);
-        CHECK(firsts.size() == n - 1); // the second of the two is the other's complement
+        CHECK(firsts.size() == n - 1); // the second string is the complement
     }
 }
 

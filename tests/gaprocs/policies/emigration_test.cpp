@@ -17,7 +17,7 @@ using Indices = std::vector<std::size_t>;
 const std::vector<double> five_fitnesses{-3, 10, 2, 1, 0};
 constexpr int choices = 20000;
 
-/// How often each individual leaves, of many choices.
+/// Returns how often each individual is chosen, in many choices.
 std::vector<double> chances(const Emigration& emigration, const std::vector<double>& fitness) {
     RandomStream random(1, "emigration");
     std::vector<double> chance(fitness.size());
@@ -31,10 +31,10 @@ void check_chances(const char* emigration, const std::vector<double>& expected) 
     CAPTURE(emigration);
     auto chance = chances(Emigration::named(emigration), five_fitnesses);
     for (std::size_t i = 0; i < expected.size(); ++i)
-        CHECK(std::abs(chance[i] - expected[i]) < 0.018); // five_fitnesses standard deviations at the most
+        CHECK(std::abs(chance[i] - expected[i]) < 0.018); // at most five standard deviations
 }
 
-/// The number that a stream gives next.
+/// Returns the stream's next number without advancing it.
 std::uint32_t next_number(RandomStream random) { return random(); }
 
 } // namespace
@@ -63,7 +63,7 @@ TEST_CASE("by tournament of k: rank r of n with probability ((n - r + 1)/n)^k - 
 }
 
 TEST_CASE("the second of two tournaments is held among the others") {
-    // The better of two drawn from {1, 2}, then the one that is left.
+    // The better of two drawn from {1, 2} comes first, then the other one.
     const std::vector<double> two{1, 2};
     RandomStream random(3, "two");
     int better_first = 0;

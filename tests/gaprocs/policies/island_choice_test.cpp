@@ -17,7 +17,7 @@ using Normaliser = ErrorMatrix::Normaliser;
 
 namespace {
 
-/// Errors of any size and sign, of four islands, small at one time and large at another.
+/// Returns errors of any size and sign for four islands; their scale changes over time.
 ErrorsOfBest any_errors(std::uint64_t seed) {
     RandomStream random(seed, "errors");
     ErrorsOfBest bests{{30, 24, 16, 10}, {}};
@@ -50,13 +50,13 @@ TEST_CASE("the error matrix of two islands by hand") {
     CHECK(plain.error(1, 1) == 0);
     CHECK(means.error(0, 0) == 2.5);
     CHECK(means.error(1, 0) == 4);
-    // 5.3 and 5.4 as they are printed
+    // Equations 5.3 and 5.4 as printed.
     CHECK(squares.sum_over_windows(0, Normaliser::column) == doctest::Approx((10. + 8) / 10));
     CHECK(squares.sum_over_windows(1, Normaliser::column) == doctest::Approx((12. + 2) / 2));
     CHECK(squares.sum_over_islands(0, Normaliser::column) == doctest::Approx(10. / 10 + 12. / 2));
     CHECK(squares.sum_over_islands(1, Normaliser::column) == doctest::Approx(8. / 10 + 2. / 2));
     CHECK(squares.ratio(0, Normaliser::column) == doctest::Approx(7 / 1.8));
-    // by the row's own error
+    // Normalised by the row's own error.
     CHECK(squares.sum_over_windows(0, Normaliser::row) == doctest::Approx(10. / 10 + 8. / 2));
     CHECK(squares.sum_over_islands(1, Normaliser::row) == doctest::Approx(8. / 2 + 2. / 2));
     CHECK(means.ratio(0, Normaliser::row) == doctest::Approx(squares.ratio(0, Normaliser::row)));
@@ -84,7 +84,7 @@ TEST_CASE("as printed, the shortest window is never preferred to the longest") {
         ++chosen[PrintedChoice{}(bests, random)];
     }
     CHECK(chosen[3] == 0);
-    // It does not follow that it always takes the longest.
+    // The longest window is not always chosen.
     CHECK(chosen[0] > 0);
     CHECK(chosen[1] + chosen[2] > 0);
 }
@@ -101,7 +101,7 @@ TEST_CASE("each of the other readings can choose every window") {
 }
 
 TEST_CASE("with the row's own error, a change that only the shortest window has followed is answered by it") {
-    // The last ten samples are after the change: only island 3 explains them, the others explain those before.
+    // The last ten samples come after the change: only island 3 fits them, the others fit those before.
     ErrorsOfBest bests{{30, 24, 16, 10}, {}};
     for (std::size_t island = 0; island < 4; ++island) {
         std::vector<double> errors(30, island == 3 ? 1 : 0.01);
@@ -119,7 +119,7 @@ TEST_CASE("an error that is not a number is the greatest: by the row's own error
     RandomStream random(1, "not drawn from");
     for (double wrong : {nan, infinity, -infinity, 1e300}) {
         CAPTURE(wrong);
-        // The last two samples are after a change that only the island with the shortest window has followed.
+        // The last two samples come after a change that only the island with the shortest window has followed.
         ErrorsOfBest bests{{4, 3, 2}, {{wrong, wrong, wrong, wrong}, {.01, .01, 1, 1}, {1, 1, .01, .01}}};
         CHECK(IslandChoice::named("row")(bests, random) == 2);
         ErrorMatrix matrix(bests, Sum::squares);

@@ -10,7 +10,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Every policy of every noun, with the noun.
+/// Visits every policy of every noun, with the noun.
 template <class Visit>
 void for_each_policy(Visit visit) {
     for (const Noun& noun : policy_nouns())
@@ -18,7 +18,7 @@ void for_each_policy(Visit visit) {
             visit(noun, policy);
 }
 
-/// The numbers by default, but for one.
+/// Returns the default numbers, with one of them replaced.
 std::vector<double> with_number(const PolicyDescription& policy, std::size_t which, double value) {
     std::vector<double> values;
     for (const PolicyNumberDescription& number : policy.numbers)
@@ -37,7 +37,7 @@ TEST_CASE("what is listed of every policy is what its parser takes and prints") 
         auto printed_alone = noun.printed(policy.name), printed_whole = noun.printed(policy.text());
         CHECK(printed_alone == printed_whole);
         CHECK(noun.printed(printed_whole) == printed_whole);
-        CHECK(policy.text().starts_with(printed_whole)); // a coding without don't-care bits is printed without them
+        CHECK(policy.text().starts_with(printed_whole)); // a coding may omit its don't-care bits
     });
     CHECK(policies == 46);
 }
@@ -90,7 +90,7 @@ TEST_CASE("every noun has policies or forms, and every form says what it is and 
         }
         forms += noun.forms.size();
     }
-    CHECK(forms == 15); // a form with a noun that there is not would be listed nowhere
+    CHECK(forms == 15); // a form without a noun would not be listed anywhere
 }
 
 TEST_CASE("what there is to decide is all there") {

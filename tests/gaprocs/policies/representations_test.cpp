@@ -1,4 +1,4 @@
-// The operators of other than binary strings, each alone.
+// Tests each operator for strings that are not binary.
 
 #include "gaprocs/policies/acceptance.hpp"
 #include "gaprocs/policies/crossover.hpp"
@@ -33,7 +33,7 @@ double deviation_of(const std::vector<double>& numbers) {
     return std::sqrt(sum / static_cast<double>(numbers.size()));
 }
 
-/// What becomes of the middle of a range.
+/// Returns mutants of the middle of a range.
 std::vector<double> mutants(const char* way, double probability, int count) {
     const Representation one = RealVector(1, {-8, 8});
     std::vector<Genome> population(static_cast<std::size_t>(count), one.read("0"));
@@ -85,7 +85,7 @@ TEST_CASE("breeder mutation makes steps of every size, either way") {
     int up = 0, small = 0;
     for (double step : steps) {
         up += step > 0;
-        small += std::abs(step) < 0.25; // half of all sizes, by their logarithm
+        small += std::abs(step) < 0.25; // half of all sizes, on a logarithmic scale
         CHECK(std::abs(step) <= 8);
         CHECK(std::abs(step) >= 8 * 0x1p-10);
     }
@@ -135,7 +135,7 @@ TEST_CASE("blend crossover is uniform between and a little beyond, and stays in 
 
 namespace {
 
-/// Every offspring that keeps a stretch of one parent and has the others in the order of the other parent.
+/// Returns all offspring that keep a stretch of one parent, and take the rest in the order of the other.
 std::set<std::string> all_offspring(const std::vector<std::size_t>& kept, const std::vector<std::size_t>& other) {
     std::set<std::string> all;
     for (std::size_t first = 0; first < 7; ++first)
@@ -208,7 +208,7 @@ TEST_CASE("most alike is who is least distant, by what distance is") {
     std::vector<Genome> strings{tours.read("0 2 4 6 1 3 5"), tours.read("3 2 1 0 6 5 4"), tours.read("0 1 2 3 6 5 4")};
     std::vector<double> fitness{1, 2, 3};
     std::vector<Individual> immigrant{{tours.read("0 1 2 3 4 5 6"), 5}};
-    // In bits, the last one is nearer; as tours, the second is the same turned round.
+    // As bits, the last string is nearer; as tours, the second is the same tour reversed.
     CHECK(AlikeAcceptance{}({strings, fitness, 0, &tours}, immigrant, random) == Places{1});
     CHECK(AlikeAcceptance{}({strings, fitness, 0}, immigrant, random) == Places{2});
 }

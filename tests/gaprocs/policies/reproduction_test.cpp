@@ -1,4 +1,4 @@
-// Scaling, ranking and tournaments; roulette and universal sampling have files of their own.
+// Tests scaling, ranking and tournaments; roulette and universal sampling have files of their own.
 
 #include "gaprocs/policies/reproduction.hpp"
 #include "runtime/random.hpp"
@@ -13,7 +13,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Copies of each individual on average, of `times` choices of as many parents as there are individuals.
+/// Returns each individual's mean number of copies, over `times` choices of as many parents as there are individuals.
 std::vector<double> mean_copies(const Reproduction& reproduce, const std::vector<double>& fitness, int times) {
     RandomStream random(1, "copies");
     std::vector<double> copies(fitness.size());
@@ -43,13 +43,13 @@ TEST_CASE("linear ranking: best copies of the best, 2 - best of the worst") {
     check_copies(RankingReproduction{2}, five, {0, 2, 1.5, 1, 0.5});
     check_copies(RankingReproduction{1.2}, five, {0.8, 1.2, 1.1, 1, 0.9});
     check_copies(RankingReproduction{1}, five, {1, 1, 1, 1, 1});
-    check_copies(RankingReproduction{2}, {7, 7, 1, 9}, {1, 1, 0, 2}); // equals share
+    check_copies(RankingReproduction{2}, {7, 7, 1, 9}, {1, 1, 0, 2}); // equals share a rank
     check_copies(RankingReproduction{2}, {5}, {1});
 }
 
 TEST_CASE("linear scaling: the mean has one copy, the best `best`, unless the worst had less than none") {
     check_copies(ScaledReproduction{1.4}, five, {1 - 0.05 * 5, 1.4, 1, 0.95, 0.9}); // slope .4 / 8
-    check_copies(ScaledReproduction{100}, five, {0, 1 + 8. / 5, 1, 0.8, 0.6});      // slope 1 / 5: the worst has none
+    check_copies(ScaledReproduction{100}, five, {0, 1 + 8. / 5, 1, 0.8, 0.6});      // slope 1 / 5: none for the worst
     check_copies(ScaledReproduction{2}, {4, 4, 4}, {1, 1, 1});
     constexpr double most = std::numeric_limits<double>::max();
     check_copies(ScaledReproduction{2}, {-most, most, 0}, {0, 2, 1});
@@ -57,10 +57,10 @@ TEST_CASE("linear scaling: the mean has one copy, the best `best`, unless the wo
 
 TEST_CASE("tournament: the best of k with probability 1 - (1 - 1/n)^k each time") {
     check_copies(TournamentReproduction{1}, five, {1, 1, 1, 1, 1});
-    // Rank r of n, the best being 1, wins when all are of rank r or worse and not all worse.
+    // The individual of rank r of n (1 is the best) wins if all candidates have rank r or worse, but not all are worse.
     auto expected = [](double k) {
         std::vector<double> copies;
-        for (double worse : {0., 4., 3., 2., 1.}) // of each of the five
+        for (double worse : {0., 4., 3., 2., 1.}) // for each of the five
             copies.push_back(5 * (std::pow((worse + 1) / 5, k) - std::pow(worse / 5, k)));
         return copies;
     };

@@ -66,7 +66,7 @@ TEST_CASE("from how many neighbours immigrants come at once") {
     CHECK(most("sequential", star) == IslandNumbers{4, 1, 1, 1, 1});
     CHECK(most("asynchronous", complete) == IslandNumbers{4, 4, 4, 4, 4});
     CHECK(most("sequential", complete) == IslandNumbers{1, 1, 1, 1, 1});
-    // 1 and 2 send to 0 in exchanges 2, 4, 6 ... and 3, 6, 9 ...: both in the sixth.
+    // Islands 1 and 2 send to 0 in exchanges 2, 4, 6 ... and 3, 6, 9 ...: both do in the sixth.
     CHECK(most("sequential", {{1}, {3, 0}, {3, 1, 0}, {2}}) == IslandNumbers{2, 2, 1, 2});
     CHECK(most("broadcast", Neighbours(2)) == IslandNumbers{0, 0});
 }

@@ -20,7 +20,7 @@ bool is_edge(const Neighbours& neighbours, std::size_t from, std::size_t to) {
     return std::count(neighbours[from].begin(), neighbours[from].end(), to) == 1;
 }
 
-/// The greatest distance between two islands. Throws std::bad_optional_access where there is no way.
+/// Returns the greatest distance between two islands. Throws std::bad_optional_access if two are not connected.
 std::size_t diameter(const Neighbours& neighbours) {
     std::size_t greatest = 0;
     for (std::size_t from = 0; from < neighbours.size(); ++from)
@@ -87,7 +87,7 @@ TEST_CASE("a torus: east, south, west and north; half of the rows and half of th
     check_degrees(torus, 4);
     check_edges_both_ways(torus);
     CHECK(diameter(torus) == 1 + 2);
-    CHECK(neighbours_in("torus(2)", 4) == Neighbours{{1, 2}, {0, 3}, {3, 0}, {2, 1}}); // nobody twice
+    CHECK(neighbours_in("torus(2)", 4) == Neighbours{{1, 2}, {0, 3}, {3, 0}, {2, 1}}); // each neighbour occurs once
     CHECK(neighbours_in("torus(1)", 5) == neighbours_in("ring(2)", 5));
     check_edges_both_ways(neighbours_in("torus(2)", 10));
 }
@@ -133,15 +133,15 @@ TEST_CASE("an island whose individuals never come to another of its part") {
     REQUIRE(lost);
     CHECK(lost->from == 1);
     CHECK(lost->never_to == 0);
-    lost = one_way({{1, 2}, {0}, {}}); // from the first to all, from the last nowhere
+    lost = one_way({{1, 2}, {0}, {}}); // the first sends to all, the last to none
     REQUIRE(lost);
     CHECK(lost->from == 2);
     CHECK(lost->never_to == 0);
-    lost = one_way({{1}, {0}, {3}, {2, 4}, {}}); // in the second part
+    lost = one_way({{1}, {0}, {3}, {2, 4}, {}}); // the broken link is in the second part
     REQUIRE(lost);
     CHECK(lost->from == 4);
     CHECK(lost->never_to == 2);
-    CHECK_FALSE(one_way({{1}, {0}, {}})); // the third is a part of its own
+    CHECK_FALSE(one_way({{1}, {0}, {}})); // the third is isolated
     for (const char* topology : {"ring", "torus(2)", "hypercube", "star", "complete"})
         CHECK_FALSE(one_way(neighbours_in(topology, 8)));
 }
@@ -151,7 +151,7 @@ TEST_CASE("parts that exchange nothing with each other") {
         CHECK(separate_parts(neighbours_in(topology, 8)).size() == 1);
     CHECK(separate_parts(neighbours_in("none", 3)) == Neighbours{{0}, {1}, {2}});
     CHECK(separate_parts({{2}, {3}, {0}, {1}}) == Neighbours{{0, 2}, {1, 3}});
-    CHECK(separate_parts({{}, {0}, {1}}) == Neighbours{{0, 1, 2}}); // one way is enough
+    CHECK(separate_parts({{}, {0}, {1}}) == Neighbours{{0, 1, 2}}); // one direction is enough
 }
 
 TEST_CASE("neighbours as they are given, one way too") {

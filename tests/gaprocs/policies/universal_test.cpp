@@ -1,4 +1,4 @@
-// Stochastic universal sampling.
+// Tests stochastic universal sampling.
 
 #include "gaprocs/policies/reproduction.hpp"
 #include "runtime/random.hpp"
@@ -43,7 +43,7 @@ TEST_CASE("everybody becomes a parent floor(e) or ceil(e) times, from any spin")
         std::vector<double> fitness(individuals);
         for (double& each : fitness)
             each = (random.uniform() - 0.3) * 400;
-        fitness.front() = 100; // one at least is positive
+        fitness.front() = 100; // at least one is positive
         double sum = 0;
         for (double each : fitness)
             sum += std::max(each, 0.0);
@@ -61,7 +61,7 @@ TEST_CASE("everybody becomes a parent floor(e) or ceil(e) times, from any spin")
 
 TEST_CASE("on average it is roulette: the spin is uniform") {
     RandomStream random(2, "universal");
-    const std::array<double, 3> fitness{1, 2, 5}; // of 3 parents: 0.375, 0.75, 1.875
+    const std::array<double, 3> fitness{1, 2, 5}; // the expected copies of 3 parents: 0.375, 0.75, 1.875
     std::array<int, 3> seen{};
     constexpr int spins = 20000;
     for (int spin = 0; spin < spins; ++spin) {
@@ -69,7 +69,8 @@ TEST_CASE("on average it is roulette: the spin is uniform") {
         for (std::size_t parent : parents)
             ++seen.at(parent);
     }
-    // Each count of a spin is one of two neighbours: at most 0.5 of standard deviation, 4 of them here.
+    // In one spin, each count is one of two neighbouring integers: its standard deviation is at most 0.5; 4 are
+    // allowed.
     for (std::size_t i = 0; i < 3; ++i)
         CHECK(std::abs(seen.at(i) - spins * 3 * fitness.at(i) / 8) < 4 * 0.5 * std::sqrt(spins));
 }
@@ -110,7 +111,7 @@ TEST_CASE("wherever the only positive one stands, it is everybody's parent") {
 }
 
 TEST_CASE("a last ball that rounding puts on the very end of the wheel lies in the last sector") {
-    constexpr std::size_t balls = std::size_t{1} << 23; // from here on balls - 2^-32 rounds to balls
+    constexpr std::size_t balls = std::size_t{1} << 23; // from this size on, balls - 2^-32 rounds to balls
     RouletteWheel wheel(std::array<double, 4>{1, 0, 1, 0});
     auto found = wheel.sectors(balls, 1 - 0x1p-32);
     CHECK(found.back() == 2);

@@ -27,8 +27,8 @@ TEST_CASE("the Gray code of three bits, as printed in every textbook") {
 TEST_CASE("neighbours differ in one bit, also across the cliffs of natural binary") {
     for (std::uint64_t number = 0; number < 4096; ++number)
         REQUIRE(std::popcount(gray_code(number) ^ gray_code(number + 1)) == 1);
-    CHECK(std::popcount(gray_code(4095) ^ gray_code(0)) == 1); // 12 bits close to a ring
-    CHECK(std::popcount(127u ^ 128u) == 8);                    // the cliff at .0125 of a range of .1 in 10 bits
+    CHECK(std::popcount(gray_code(4095) ^ gray_code(0)) == 1); // the 12-bit code is cyclic
+    CHECK(std::popcount(127u ^ 128u) == 8);                    // a Hamming cliff at .0125 in a range of .1 with 10 bits
 }
 
 TEST_CASE("decoding undoes coding in all 64 bits") {
@@ -70,7 +70,7 @@ TEST_CASE("a problem that knows nothing of codings is read in Gray code") {
 
 namespace {
 
-/// Counts ones: has no fields.
+/// A problem that counts ones, without fields.
 struct OnesProblem {
     std::size_t bits() const { return 8; }
     std::size_t channels() const { return 1; }

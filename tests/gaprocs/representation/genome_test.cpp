@@ -14,7 +14,7 @@ using namespace placedpar;
 
 namespace {
 
-/// The number's last `length` binary digits.
+/// Returns the number's last `length` binary digits.
 std::string digits(std::uint64_t number, std::size_t length) {
     std::string text;
     for (std::size_t i = length; i-- > 0;)

@@ -13,7 +13,7 @@ TEST_CASE("a field of bits is low + (high - low) n / 2^bits") {
     CHECK(field.value(0) == -1);
     CHECK(field.value(1) == -0.75);
     CHECK(field.value(8) == 1);
-    CHECK(field.value(15) == 2.75); // the range is open at its upper end
+    CHECK(field.value(15) == 2.75); // the range excludes its upper end
     CHECK(field.codes() == 16);
     CHECK(field.resolution() == 0.25);
 }

@@ -76,8 +76,8 @@ TEST_CASE("distance: bits, Euclid in ranges, edges not shared") {
     CHECK(two_reals.distance(two_reals.read("1 0"), two_reals.read("4 0.8")) == doctest::Approx(0.5));
     const Representation order_of_6 = Permutation(6);
     Genome tour = order_of_6.read("0 1 2 3 4 5");
-    CHECK(order_of_6.distance(tour, order_of_6.read("3 2 1 0 5 4")) == 0); // the same way round, from elsewhere
-    CHECK(order_of_6.distance(tour, order_of_6.read("0 1 4 3 2 5")) == 2); // a stretch turned round
+    CHECK(order_of_6.distance(tour, order_of_6.read("3 2 1 0 5 4")) == 0); // the same tour, rotated
+    CHECK(order_of_6.distance(tour, order_of_6.read("0 1 4 3 2 5")) == 2); // one stretch reversed
     CHECK(order_of_6.distance(tour, order_of_6.read("0 2 4 1 3 5")) == 5);
     RandomStream random(1, "distance");
     for (const Representation& each : {bits_of_5, two_reals, order_of_6})
@@ -115,7 +115,7 @@ TEST_CASE("a whole parameter is rounded down, coded or not") {
     CHECK(seen.begin()->first == 1);
     CHECK(seen.rbegin()->first == 6);
     CHECK(die.rounded(6.9) == 6);
-    CHECK(die.rounded(7) == 6); // which has no code
+    CHECK(die.rounded(7) == 6); // 6 has no code
     CHECK(ParameterField{.low = 1, .high = 7, .bits = 4}.rounded(6.9) == 6.9);
     CHECK(ParameterCoding({delay, {-2, 2, 6}}).reals().range(1).high == 2);
 }

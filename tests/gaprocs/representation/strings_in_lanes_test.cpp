@@ -18,7 +18,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Each parameter of each individual, read side by side.
+/// Returns each parameter of each individual, decoded in parallel.
 template <bool gray>
 std::vector<double> values_in_lanes(const ParameterCoding& coding, std::span<const Genome> population) {
     std::vector<double> values;
@@ -46,7 +46,7 @@ std::vector<double> values_one_by_one(const ParameterCoding& coding, std::span<c
     return values;
 }
 
-/// The sum of its parameters is to be nothing; it decodes several strings at once.
+/// A problem that decodes several strings at once; the optimum is a sum of 0.
 struct ManyBits {
     ParameterCoding coding;
 
@@ -87,7 +87,7 @@ struct ManyBits {
 TEST_CASE("a problem that decodes several strings at once gives the fitness of each, however long they are") {
     const std::vector<Sample> samples{{1}, {-.5}, {3}};
     RandomStream random(2, "strings");
-    for (std::size_t parameters : {1u, 12u, 13u, 40u}) // 20 to 800 bits: 256 fit into lanes
+    for (std::size_t parameters : {1u, 12u, 13u, 40u}) // 20 to 800 bits, of which up to 256 fit into lanes
         for (Coding coding : {Coding::natural, Coding::gray}) {
             auto problem = make_search_problem(ManyBits{{parameters, {-1, 1, 20}}}, coding);
             auto population = random_population(11, problem->bits(), random);

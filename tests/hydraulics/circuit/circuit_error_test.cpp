@@ -18,7 +18,7 @@ namespace {
 const Circuit boom_alone = circuit_of(Configuration::a, {Link::boom});
 const Circuit bucket_and_boom = circuit_of(Configuration::a, {Link::bucket, Link::boom});
 
-/// A link at rest into which `flow` goes, whatever its compliance.
+/// Returns a sample at constant pressure with this flow into the link; with no slope, its compliance does not matter.
 LinkSample steady(double psi, double flow, double inlet_in2, double bypass_in2) {
     return {psi, 0, flow, inlet_in2, bypass_in2};
 }
@@ -32,7 +32,7 @@ double error_of(const Circuit& circuit, const std::array<double, N>& compliance,
 
 } // namespace
 
-/// Equations 3.5 to 3.8 for one link, written out.
+/// Returns the error by equations 3.5 to 3.8 for one link, written out.
 double error_3_8(double compliance, const LinkSample& sample, const FlowConstants& flow) {
     double inlet = compliance * sample.inlet_slope_psi_per_s + sample.piston_flow_in3_per_s;
     double k = flow.orifice_in3_per_s_in2_sqrt_psi, drop = std::pow(inlet / (k * sample.inlet_in2), 2);
@@ -60,18 +60,18 @@ TEST_CASE("the error of eq. 3.8 at spool .24 in, 1800 psi, rising 1500 psi/s, pi
 }
 
 TEST_CASE("a pressure below the tank's gives no square root of a negative number") {
-    // P = 10 psi, tank 25: no bypass flow, all 175 are missed
+    // P = 10 psi is below the tank's 25: there is no bypass flow, and the error is all of 175.
     CHECK(error_of<1>(boom_alone, {0}, {steady(10, 0, 0.05, 0.05)}) == 175);
 }
 
 TEST_CASE("two junctions: no error at the solution of equations B.3 and B.4") {
-    // k 100, Q_t 175, P_e 25: the worked junction of the design notes, to the digits given there.
+    // k = 100, Q_t = 175, P_e = 25: the worked junction of the design notes, to the digits given there.
     LinkSample bucket = steady(2000, 56.7165, .1, .068), boom = steady(1700, 52.2247, .096, .016);
     CHECK(error_of<2>(bucket_and_boom, {0, 0}, {bucket, boom}) < 2e-3);
 
     SUBCASE("what enters the cylinders and is not accounted for is missed at its junction") {
-        // A little more into the boom raises P_12, so that less comes past the bucket and more goes to the tank:
-        // the sum grows by more than 1 for 1.
+        // More flow into the boom raises P_12, so that less flow passes the bucket and more goes to the tank: the sum
+        // grows by more than the added flow.
         boom.piston_flow_in3_per_s += 1;
         double error = error_of<2>(bucket_and_boom, {0, 0}, {bucket, boom});
         CHECK(error > 1);

@@ -25,7 +25,7 @@ std::vector<CircuitSample> usable(const Record& record) {
     return usable_samples(circuit_samples(record, one_link, calibrations()), one_link, fitted_flow_constants());
 }
 
-/// The record's instants [first, last).
+/// Returns rows [first, last) of the record.
 Record part(Record record, std::size_t first, std::size_t last) {
     auto cut = [&](std::vector<double>& values) {
         values = std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(first),
@@ -62,8 +62,8 @@ TEST_CASE("the piston's flow at each sample is that of the motion, up to the lin
 
 TEST_CASE("samples where the check valve shuts later are left out") {
     Record record = exact_record();
-    record.of(Link::boom, Sensor::spool)[15] = 0.18;  // a glitch: inlet shut
-    record.of(Link::boom, Sensor::spool)[16] = 0.195; // open, but the pump cannot reach the load
+    record.of(Link::boom, Sensor::spool)[15] = 0.18;  // a glitch: the inlet is shut
+    record.of(Link::boom, Sensor::spool)[16] = 0.195; // open, but the pump's pressure is below the load's
     auto samples = usable(record);
     REQUIRE(samples.size() == 20);
     CHECK(samples[4].index == 14);
@@ -82,7 +82,7 @@ TEST_CASE("no slope reaches over a gap") {
         record.time_s[i] += 0.1;
     auto samples = usable(record);
     REQUIRE(samples.size() == 20);
-    CHECK(samples[7].index == 17); // 18 to 21 have a sample within two of the gap
+    CHECK(samples[7].index == 17); // samples 18 to 21 are within two samples of the gap
     CHECK(samples[8].index == 22);
 }
 
@@ -125,7 +125,7 @@ TEST_CASE("areas that were read go before those of the spool; a missing channel 
 
 TEST_CASE("two junctions in series: a link takes no flow while another holds the pressure below its own") {
     Circuit two = circuit_of(Configuration::a, {Link::bucket, Link::boom});
-    // k 100, Q 175, P_e 25: the worked junction of the design notes has 2032.168 psi at the bucket.
+    // With k = 100, Q = 175, P_e = 25, the worked junction of the design notes has 2032.168 psi at the bucket.
     std::array<LinkSample, 2> links{{{2000, 0, 0, .1, .068}, {1700, 0, 0, .096, .016}}};
     CHECK(all_open(two, links, rounded_flow_constants(), 0));
     links[0].inlet_psi = 2700;
@@ -140,7 +140,7 @@ TEST_CASE("the areas come from the voltage where only that was read") {
     std::vector<double>& volts = record.of(Link::boom, Sensor::servo);
     const auto valve = std::get<SpoolOrifices>(single_boom_scenario().links[0].valve);
     const SpoolStep& step = valve.steps[0];
-    for (double time_s : record.time_s) // the step of scenario A, commanded
+    for (double time_s : record.time_s) // the commanded step of scenario A
         volts.push_back(servo_volts(time_s >= step.time_s - 1e-9 ? step.desired_in : valve.rest_in));
     auto by_spool = circuit_samples(record, one_link, calibrations());
     record.of(Link::boom, Sensor::spool).clear();

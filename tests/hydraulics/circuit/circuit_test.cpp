@@ -26,7 +26,7 @@ std::string groups_of(Configuration configuration) {
     return text;
 }
 
-/// One word a junction: its pumps, a plus each, its link, and where the bypass leads.
+/// Returns one word for each junction: a plus for each of its pumps, its link, and where the bypass leads.
 std::string text_of(const Circuit& circuit) {
     std::string text;
     for (const Junction& junction : circuit) {
@@ -69,8 +69,8 @@ TEST_CASE("configuration b: the bucket has pump 1 to itself, branch 2 feeds the 
     check_circuit('b', {BU}, "+BU>nowhere");
     check_circuit('b', {BO, ST, SW}, "+SW>ST ST>BO BO>tank");
     check_circuit('b', {BO, ST}, "+ST>BO BO>tank");
-    check_circuit('b', {BO, SW}, "+SW>BO BO>tank"); // past the stick at rest
-    check_circuit('b', {ST, SW}, "+SW>ST ST>tank"); // past the boom at rest
+    check_circuit('b', {BO, SW}, "+SW>BO BO>tank"); // the stick is at rest, so the flow passes it
+    check_circuit('b', {ST, SW}, "+SW>ST ST>tank"); // the boom is at rest, so the flow passes it
     check_circuit('b', {BO}, "+BO>tank");
     check_circuit('b', {ST}, "+ST>tank");
     check_circuit('b', {SW}, "+SW>tank");
@@ -88,9 +88,9 @@ TEST_CASE("configuration c: the swing has pump 2 to itself, branch 1 feeds the s
 TEST_CASE("configuration d: both branches meet at the boom") {
     check_circuit('d', LinkSet::all(), "+BU>BO +SW>ST ST>BO BO>tank");
     check_circuit('d', {BU, SW, BO}, "+BU>BO +SW>BO BO>tank");
-    check_circuit('d', {BO, ST, SW}, "+SW>ST ST>BO +BO>tank"); // pump 1 past the bucket at rest
+    check_circuit('d', {BO, ST, SW}, "+SW>ST ST>BO +BO>tank"); // pump 1 passes the bucket, which is at rest
     check_circuit('d', {BO}, "++BO>tank");
-    check_circuit('d', {BU, ST}, "+BU>tank +ST>tank"); // they meet where nothing moves
+    check_circuit('d', {BU, ST}, "+BU>tank +ST>tank"); // they meet at the boom, which is at rest
 }
 
 TEST_CASE("configuration e: both branches meet at the stick") {

@@ -15,7 +15,7 @@ using test::rounded_flow;
 
 namespace {
 
-// 1e-4 in, worked out independently, to the digit given: model less table.
+// Model minus table in 1e-4 in, worked out independently, to the digits given.
 constexpr double fitted_residuals[] = {-0.61, -0.22, -0.29, 0.65, 1.38, 0.07, -0.47, -0.50, -0.12};
 constexpr double rounded_residuals[] = {-0.39, -0.24, -0.62, 0.82, 1.29, -0.37, -0.35, -0.66, -0.65};
 

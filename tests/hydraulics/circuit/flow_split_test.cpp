@@ -19,7 +19,7 @@ FlowSplit boom_split(double spool_in, double inlet_psi) {
     return split_flow(areas.inlet_in2, areas.bypass_in2, inlet_psi, rounded_flow);
 }
 
-/// The spool that gives this flow, by bisection: the flow grows with the spool.
+/// Returns the spool position that gives this flow, by bisection: the flow grows with the spool.
 double spool_for(double inlet_in3_per_s, double inlet_psi) {
     double low = boom_dead_band_in, high = boom_bypass_shut_in;
     for (int i = 0; i < 60; ++i) {
@@ -92,7 +92,7 @@ TEST_CASE("any split satisfies the orifice equations and keeps the pump's flow")
         relieved += split.relief_in3_per_s > 0;
         reversed += inlet_psi < rounded_flow.tank_psi;
     }
-    CHECK(shut > 100); // each case has been met
+    CHECK(shut > 100); // each case must occur often
     CHECK(relieved > 100);
     CHECK(reversed > 100);
 }

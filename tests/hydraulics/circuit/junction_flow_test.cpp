@@ -20,7 +20,7 @@ constexpr double pump = 175;
 
 Circuit bucket_then_boom() { return circuit_of(Configuration::a, {Link::bucket, Link::boom}); }
 
-/// The junction's pressure beyond the bypass.
+/// Returns the junction's pressure beyond the bypass.
 double next_psi(const Circuit& circuit, std::size_t j, const std::vector<JunctionFlow>& flows) {
     return circuit[j].through == Through::junction ? flows[circuit[j].next].psi : rounded_flow.tank_psi;
 }
@@ -33,12 +33,12 @@ double inflow(const Circuit& circuit, std::size_t j, const std::vector<JunctionF
     return sum;
 }
 
-/// k a sqrt(drop), never backwards.
+/// Returns the orifice flow k a sqrt(drop), never backwards.
 double law(double area_in2, double from_psi, double to_psi) {
     return 100 * area_in2 * std::sqrt(std::max(from_psi - to_psi, 0.0));
 }
 
-/// Every equation that a solution has to satisfy.
+/// Checks every equation that a solution must satisfy.
 void check_solution(const Circuit& circuit, const std::vector<JunctionOpening>& openings,
                     const std::vector<JunctionFlow>& flows) {
     for (std::size_t j = 0; j < circuit.size(); ++j) {
@@ -72,8 +72,8 @@ std::vector<JunctionOpening> random_openings(const Circuit& circuit, RandomStrea
     return openings;
 }
 
-/// A solution made up first, and the openings of which it is the solution: every junction's inflow is split
-/// between inlet and bypass, pressures fall from junction to junction by what is drawn.
+/// Draws a solution first, and computes openings that have it as their solution. Each junction's inflow is split
+/// between inlet and bypass; the pressure drops between junctions are random.
 struct MadeUp {
     std::vector<JunctionOpening> openings;
     std::vector<JunctionFlow> flows;
@@ -140,7 +140,7 @@ TEST_CASE("any areas and pressures, in every configuration with every set of lin
             }
         });
     CHECK(draws >= 10000);
-    CHECK(relieved > 500); // each case has been met
+    CHECK(relieved > 500); // each case must occur often
     CHECK(shut > 1000);
     CHECK(unreached > 500);
 }
@@ -179,7 +179,7 @@ TEST_CASE("a heavier load on any link lowers no junction's pressure and adds not
 
 TEST_CASE("the bucket alone in configuration b takes its pump's whole flow, up to the relief pressure") {
     Circuit bucket = circuit_of(Configuration::b, {Link::bucket});
-    auto flows = solve_junctions(bucket, {{{1600, 0.1, 0.2}}}, rounded_flow); // the bypass is of no effect
+    auto flows = solve_junctions(bucket, {{{1600, 0.1, 0.2}}}, rounded_flow); // the bypass has no effect
     CHECK(flows[0].inlet_in3_per_s == 175);
     CHECK(flows[0].psi == doctest::Approx(1600 + 17.5 * 17.5));
     flows = solve_junctions(bucket, {{{4400, 0.1, 0.2}}}, rounded_flow);
@@ -195,17 +195,17 @@ TEST_CASE("the boom alone in configuration d is fed by both pumps") {
 }
 
 TEST_CASE("a junction that no flow reaches has the pressure before it") {
-    // The bucket takes all: its own pressure stays below the tank's.
+    // The bucket takes the whole flow, so its pressure stays below the tank's.
     auto flows = solve_junctions(bucket_then_boom(), {{{-100, 2, 0.3}, {50, 0.1, 0.1}}}, rounded_flow);
     CHECK(flows[0].psi == doctest::Approx(-100 + 0.875 * 0.875));
     CHECK(flows[1].psi == flows[0].psi);
     CHECK(flows[1].inlet_in3_per_s == 0);
     CHECK(flows[1].bypass_in3_per_s == 0);
-    // A dead end: all of the boom's ways are shut.
+    // The boom is a dead end: both its orifices are shut.
     flows = solve_junctions(bucket_then_boom(), {{{1700, 0.1, 0.3}, {50, 0, 0}}}, rounded_flow);
     CHECK(flows[0].psi == doctest::Approx(1700 + 17.5 * 17.5));
     CHECK(flows[1].psi == flows[0].psi);
-    // Cut off from the pump: where its own ways lead.
+    // The boom is cut off from the pump; only its own orifices matter.
     flows = solve_junctions(bucket_then_boom(), {{{1700, 0.1, 0}, {50, 0.1, 0.1}}}, rounded_flow);
     CHECK(flows[1].psi == 25);
     flows = solve_junctions(bucket_then_boom(), {{{1700, 0.1, 0}, {50, 0.1, 0}}}, rounded_flow);

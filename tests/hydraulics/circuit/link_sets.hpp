@@ -6,7 +6,7 @@
 
 namespace placedpar {
 
-/// The non-empty subsets of `links`.
+/// Returns the non-empty subsets of `links`.
 inline std::vector<hydraulics::LinkSet> non_empty_subsets(hydraulics::LinkSet links) {
     std::vector<hydraulics::LinkSet> subsets{{}};
     for (hydraulics::Link link : hydraulics::all_links)

@@ -15,7 +15,7 @@ using namespace placedpar::hydraulics;
 
 namespace {
 
-/// Scenario A between .18 and .66 s, in samples of so many steps of .5 ms.
+/// Scenario A from .18 to .66 s, sampled every `steps` steps of .5 ms.
 struct Recorded {
     std::vector<ReplaySample> samples;
     std::vector<double> pressures;
@@ -58,7 +58,7 @@ TEST_CASE("Figure 3.8: the true compliance replays the pressure, half and twice 
     CHECK(std::abs(replay(2).peak_psi - 1883) < 2);
     CHECK(std::abs(replay(1.1).rms_psi - 19.5) < 0.5);
     CHECK(std::abs(replay(0.9).rms_psi - 19.5) < 0.5);
-    CHECK(std::abs(replay(0.005 / 0.0086).rms_psi - 105) < 1); // the two experiments' compliances, "small"
+    CHECK(std::abs(replay(0.005 / 0.0086).rms_psi - 105) < 1); // the experiments' two compliances
 }
 
 TEST_CASE("with samples every step, the replay is the simulation") { CHECK(replay(1, 1).rms_psi < 0.01); }

@@ -16,7 +16,7 @@ namespace {
 
 const FlowConstants rounded{100, 175, 25, 4500};
 
-/// In percent of the flow at the tabulated spool.
+/// Returns the change of flow in percent of the flow at the tabulated spool.
 double change_percent(const SteadyFlowPoint& point, double spool_error_in) {
     double right = steady_boom_flow(point.spool_in, point.inlet_psi, rounded).inlet_in3_per_s;
     double wrong = steady_boom_flow(point.spool_in + spool_error_in, point.inlet_psi, rounded).inlet_in3_per_s;

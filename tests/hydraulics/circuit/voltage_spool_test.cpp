@@ -34,7 +34,7 @@ TEST_CASE("A.1 rises for every voltage, least at -.879 V, and there and back is 
         if (spool >= 0)
             CHECK(std::abs(servo_volts(spool) - volts) < 1e-13);
     }
-    CHECK(std::abs(servo_volts(50) - 7.4) < 0.5); // far outside, still found
+    CHECK(std::abs(servo_volts(50) - 7.4) < 0.5); // far outside the table, still found
     CHECK(std::abs(desired_spool_in(servo_volts(50)) - 50) < 1e-10);
 }
 
@@ -86,12 +86,12 @@ TEST_CASE("over a gap the spool goes on under the last command before it") {
         }
         return spool_from_volts(some_volts, some_times, 8, 0.02);
     };
-    CHECK(at({0, 1, 2, 3, 4, 5}) == whole); // to the bit
+    CHECK(at({0, 1, 2, 3, 4, 5}) == whole); // equal to the bit
     auto gap = at({0, 1, 4, 5});
     CHECK(gap[2] == doctest::Approx(whole[4]).epsilon(1e-14));
     CHECK(gap[3] == doctest::Approx(whole[5]).epsilon(1e-14));
     CHECK(spool_from_volts(std::vector<double>{0, 0.35, 0.35}, std::vector<double>{0, 0.02, 1e9}, 8, 0.02)[2] ==
-          desired_spool_in(0.35)); // a gap of years costs no more
+          desired_spool_in(0.35)); // a gap of years takes no longer
 }
 
 TEST_CASE("drift: offsets of voltage and spool, growing with time") {
@@ -99,11 +99,11 @@ TEST_CASE("drift: offsets of voltage and spool, growing with time") {
     CHECK(spool_off.desired_spool_in(0.35, 100) == doctest::Approx(desired_spool_in(0.35) + 0.01));
     DriftedVoltageSpool volts_off{{0.02, 0.001}, {}};
     CHECK(volts_off.desired_spool_in(0.3, 30) == doctest::Approx(desired_spool_in(0.35)));
-    CHECK(DriftedVoltageSpool{{}, {-0.2, 0}}.desired_spool_in(0, 0) == 0); // the spool's end
+    CHECK(DriftedVoltageSpool{{}, {-0.2, 0}}.desired_spool_in(0, 0) == 0); // the end of the spool's travel
 
     std::vector<double> volts(200, 0.3);
     auto exact = spool_from_volts(volts, 8, 0.02), drifting = spool_from_volts(volts, 8, 0.02, {{}, {0, 0.01}});
-    // A ramp of .01 in/s through the lag: it is behind by .01 / 8 in, and half a period for the held command.
+    // In a ramp of .01 in/s the lag delays the spool by .01 / 8 in, plus half a period for the held command.
     double ramp = drifting.back() - exact.back();
     CHECK(std::abs(ramp - 0.01 * (199 * 0.02 - 1 / 8.0 - 0.01)) < 2e-5);
 }

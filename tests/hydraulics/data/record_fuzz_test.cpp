@@ -21,7 +21,8 @@ std::string good_record() {
     return text;
 }
 
-/// Changes a text at random places: bytes replaced, taken out, put in or doubled, and pieces that records break on.
+/// Changes a text at random places: replaces, removes, inserts or doubles bytes, or inserts pieces that often break
+/// records.
 std::string mutated(std::string text, RandomStream& random) {
     static constexpr std::array<std::string_view, 20> pieces{
         "\"",     "\"\"",  ",", ",,", "\n", "\r",           "\r\n", "nan", "inf",  "1e999",
@@ -86,7 +87,7 @@ TEST_CASE("whatever becomes of a text, it is a record that can be used or a refu
         if (read.record)
             check_record(*read.record);
     }
-    CHECK(read_well > 500); // both ends are met
+    CHECK(read_well > 500); // both outcomes must occur
     CHECK(refused > 1000);
 }
 

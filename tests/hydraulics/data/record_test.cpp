@@ -26,7 +26,7 @@ std::string rows(int first, int last) {
     return text;
 }
 
-/// "error 3:5: message | hint" for each fault.
+/// Returns each fault as "error 3:5: message | hint".
 std::string record_faults(const std::string& text) {
     ReadRecord read = read_record(text);
     CHECK(read.record.has_value() != has_errors(read.faults));
@@ -132,7 +132,7 @@ TEST_CASE("what is wrong with the times") {
     constexpr const char* rowless = "error 0:0: 0 samples, expected at least 5 | below the header, a line for each "
                                     "instant; lines end in LF or in CR LF\n";
     CHECK(record_faults(boom_columns) == rowless);
-    CHECK(record_faults("time [s],boom.angle [deg]0.00,20.0,0.02,20.1") == rowless); // its line ends were lost
+    CHECK(record_faults("time [s],boom.angle [deg]0.00,20.0,0.02,20.1") == rowless); // the line ends were lost
     CHECK(record_faults("time [s],boom.angle [deg]0.00,20.0,boom.spool [in]") == rowless);
     CHECK(record_faults(boom_columns + rows(0, 6) + rows(8, 12)) ==
           "warning 8:1: 2 samples are missing before this one | no window and no slope reaches over the gap\n");
@@ -205,7 +205,7 @@ TEST_CASE("times that jitter are put on whole periods, and nothing is read from 
     std::vector<int> off{0, 1, -1, 1, 0, -1, 1, -1, 0, 0}; // ms
     for (int i = 0; i < 10; ++i) {
         int time = 20 * (i < 6 ? i : i + 3) + off[static_cast<std::size_t>(i)];
-        text += fmt::format("{},{}\n", time, time < 110 ? time / 4.0 : 300 - time / 4.0); // another line past the gap
+        text += fmt::format("{},{}\n", time, time < 110 ? time / 4.0 : 300 - time / 4.0); // another line after the gap
     }
     ReadRecord read = read_record(text);
     REQUIRE(read.record);
@@ -295,7 +295,7 @@ TEST_CASE("a period that needs more decimals gets them") {
 
 namespace {
 
-/// Every channel of the boom but its spool.
+/// Returns every channel of the boom except its spool.
 ChannelSet all_but_spool(const ChannelSet& there) {
     ChannelSet needed;
     for (Sensor sensor : all_sensors)

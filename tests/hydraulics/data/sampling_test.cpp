@@ -56,7 +56,7 @@ TEST_CASE("readings are averaged, none dropped; a sample stands at their middle,
     CHECK(samples.of(Link::boom, Sensor::inlet_pressure)[0] == 1.5);
     CHECK(samples.of(Link::boom, Sensor::servo)[0] == 3.5);
     CHECK(samples.of(Link::boom, Sensor::inlet_pressure)[24] == 97.5);
-    CHECK(samples.of(Link::boom, Sensor::servo)[24] == 97.5); // nothing follows
+    CHECK(samples.of(Link::boom, Sensor::servo)[24] == 97.5); // the last sample has no successor
     CHECK(print_sampling(Sampling::of(0.005)) == "200 Hz averaged to 50 Hz, 4 readings each");
     CHECK(print_sampling(Sampling::of(0.001)) == "1 kHz averaged to 50 Hz, 20 readings each");
 }

@@ -73,7 +73,7 @@ TEST_CASE("without noise the sensors tell the state within half a step of their 
 
 TEST_CASE("noise has the deviation asked for, and the seed decides it") {
     MeasuredExcavator excavator = measured_excavator();
-    excavator.command.desired_volts = 0; // the boom is held
+    excavator.command.desired_volts = 0; // the boom stands still
     excavator.duration_s = 30;
     excavator.integration_step_s = 2e-4;
     std::vector<MeasuredState> motion = simulate_measured_excavator(excavator);
@@ -91,8 +91,8 @@ TEST_CASE("noise has the deviation asked for, and the seed decides it") {
         }
         return std::sqrt(squares / count);
     };
-    // The deviation of 30,020 samples is within 1.6 %: four times its own, 1 / sqrt(2 * 30,020).
-    // A converter adds its step / sqrt(12).
+    // The standard deviation of 30,020 samples must be within 1.6 %, which is four times 1 / sqrt(2 * 30,020). A
+    // converter adds its step / sqrt(12).
     auto expected = [](double noise, const Converter& converter) {
         return std::hypot(noise, converter.step() / std::sqrt(12));
     };

@@ -14,7 +14,7 @@ struct Known {
     double air_fraction, exponent, psia, modulus_kpsi;
 };
 
-// Worked out independently, to the digit given.
+// Values worked out independently, to the digits given.
 constexpr Known known[] = {
     {.001, 1, 100, 166.2}, {.001, 1, 500, 217.2}, {.001, 1, 1000, 219.3},  {.001, 1, 2000, 219.8},
     {.01, 1, 100, 51.6},   {.01, 1, 500, 194.6},  {.01, 1, 1000, 213.1},   {.01, 1, 2000, 218.2},
@@ -40,7 +40,7 @@ TEST_CASE("bulk modulus is -V dP/dV of a volume of oil and gas") {
             for (double psia : {20.0, 200.0, 2000.0}) {
                 AirOilMixture mixture = air_oil_mixture(air, exponent);
                 auto volume = [&](double p) {
-                    double shrunk = (p - 14.7) / 220e3; // left out of V itself: 1 % at 2200 psi
+                    double shrunk = (p - 14.7) / 220e3; // missing from V itself: 1 % at 2200 psi
                     return (1 - air) * (1 - shrunk) + air * std::pow(14.7 / p, 1 / exponent);
                 };
                 double step = psia * 1e-4;

@@ -14,7 +14,7 @@ namespace {
 
 using State = std::vector<double>;
 
-/// x' = x below 1, 3 x from there on: a jump of the derivative.
+/// x' = x below 1 and 3 x above: the derivative jumps.
 struct Jump {
     using Mode = bool;
     Mode rate(const State& x, State& slope, double) const {
@@ -34,7 +34,7 @@ struct Kinks {
     }
 };
 
-/// x' = -sign(x): once x is 0 it stays there, by events without end.
+/// x' = -sign(x): once x is 0 it stays there, through endless events.
 struct Sliding {
     using Mode = bool;
     Mode rate(const State& x, State& slope, double) const {
@@ -52,7 +52,7 @@ double stepped(State start, double end_s, int steps) {
     return stepper.state()[0];
 }
 
-/// The same without events.
+/// Integrates with fixed steps, ignoring events.
 template <typename System>
 double plain(State state, double end_s, int steps) {
     System system;
@@ -70,7 +70,7 @@ TEST_CASE("across a jump of the derivative the method keeps its order 4") {
     double coarse = std::abs(stepped<Jump>({0.5}, 1, 10) - exact);
     double fine = std::abs(stepped<Jump>({0.5}, 1, 20) - exact);
     CHECK(coarse < 2e-4);
-    CHECK(coarse / fine > 12); // 16, but that the last steps before the event are cut
+    CHECK(coarse / fine > 12); // 16 in theory, but the last steps before the event are cut short
     CHECK(std::abs(plain<Jump>({0.5}, 1, 20) - exact) > 500 * fine);
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("several events within one step are each stopped at") {
     EventStepper stepper(system, {0}, 0);
     std::vector<double> times;
     stepper.advance_to(0.1, [](double, bool, bool) { FAIL("no event before .314 s"); });
-    for (double end_s : {0.4, 0.8, 1.2}) // a kink each in the first, second and third
+    for (double end_s : {0.4, 0.8, 1.2}) // the first, second and third step each contain a kink
         stepper.advance_to(end_s, [&](double time_s, bool, bool) { times.push_back(time_s); });
     REQUIRE(times.size() == 3);
     for (std::size_t i = 0; i < 3; ++i)
@@ -118,7 +118,7 @@ TEST_CASE("events without end cost a call a few steps, not hundreds") {
         }
     };
     CHECK(std::abs(stepped<Counted>({0.25}, 100, 10'000)) < 0.01);
-    CHECK(rates < 10'000 * 60); // 5 in a step, 50 in a search for an event
+    CHECK(rates < 10'000 * 60); // 5 rates a step, 50 in a search for an event
 }
 
 TEST_CASE("events without end let time pass") {
@@ -127,5 +127,5 @@ TEST_CASE("events without end let time pass") {
     for (int i = 1; i <= 100; ++i)
         stepper.advance_to(0.01 * i, [](double, bool, bool) {});
     CHECK(stepper.time_s() == doctest::Approx(1));
-    CHECK(std::abs(stepper.state()[0]) < 0.01); // no farther than a step can throw it
+    CHECK(std::abs(stepper.state()[0]) < 0.01); // no farther than one step can reach
 }

@@ -24,7 +24,8 @@ const LinkState& at(const ExcavatorMotion& motion, double time_s, std::size_t li
     return motion.states[static_cast<std::size_t>(std::lround(time_s / step_s))].links[link];
 }
 
-/// Of the instants that are multiples of 4 ms.
+/// Returns the peak pressure at the instants that are multiples of 4 ms, so that motions of different steps can be
+/// compared.
 double peak_psi(const ExcavatorMotion& motion, std::size_t link) {
     auto stride = static_cast<std::size_t>(std::lround(0.004 / motion.states[1].time_s));
     double peak = 0;
@@ -33,7 +34,7 @@ double peak_psi(const ExcavatorMotion& motion, std::size_t link) {
     return peak;
 }
 
-/// Root mean square of dP/dt over a window of 10 samples of 20 ms, by differences of the motion.
+/// Returns the root mean square of dP/dt over a window of 10 samples of 20 ms, by differences of the motion.
 double excitation_psi_per_s(const ExcavatorMotion& motion, double time_s, std::size_t link) {
     double sum = 0;
     for (int w = 0; w < 10; ++w) {
@@ -45,7 +46,7 @@ double excitation_psi_per_s(const ExcavatorMotion& motion, double time_s, std::s
     return std::sqrt(sum / 10);
 }
 
-/// The greatest difference of any inlet pressure between a motion and one of half its step.
+/// Returns the greatest difference of any inlet pressure between a motion and one of half its step.
 double difference_psi(const ExcavatorMotion& coarse, const ExcavatorMotion& halved) {
     double greatest = 0;
     for (std::size_t i = 0; i < coarse.states.size(); ++i)
@@ -73,14 +74,14 @@ TEST_CASE("scenario R2: steady state") {
     CHECK(std::abs(boom.flow.psi - 1722) < 1);
     CHECK(std::abs(bucket.inlet_psi - 2024) < 1);
     CHECK(std::abs(boom.inlet_psi - 1687) < 1);
-    // The force balance: A P = F + b v, and all flow into the link moves it.
+    // The forces balance: A P = F + b v, and all flow into the link moves it.
     CHECK(20 * bucket.inlet_psi == doctest::Approx(34000 + 2500 * bucket.velocity_in_per_s).epsilon(1e-5));
     CHECK(bucket.flow.inlet_in3_per_s == doctest::Approx(20 * bucket.velocity_in_per_s).epsilon(1e-4));
 }
 
 TEST_CASE("scenario R2: both paths are open from .34 s on, excitation is gone by 1.0 and 1.42 s") {
     const auto& checks = two_links().checks;
-    REQUIRE(checks.size() == 2); // opened once each, never shut
+    REQUIRE(checks.size() == 2); // each opens once and never shuts
     CHECK(checks[0].link == Link::bucket);
     CHECK(checks[1].link == Link::boom);
     CHECK(checks[0].opened);
@@ -96,7 +97,8 @@ TEST_CASE("scenario R2: both paths are open from .34 s on, excitation is gone by
 }
 
 TEST_CASE("scenario R2: before anything moves, the opening instant has a closed form") {
-    // Q passes both bypasses: P11 = P_e + (Q/k)^2 (a_ebu^-2 + a_ebo^-2), which is 1700 psi when the bucket opens.
+    // All of Q passes both bypasses: P11 = P_e + (Q/k)^2 (a_ebu^-2 + a_ebo^-2), which is 1700 psi when the bucket
+    // opens.
     double low = 0, high = 1;
     for (int i = 0; i < 100; ++i) {
         double middle = (low + high) / 2, gone = std::exp(-8 * middle);
@@ -108,7 +110,7 @@ TEST_CASE("scenario R2: before anything moves, the opening instant has a closed 
 }
 
 TEST_CASE("R2: halving the step divides the change of pressure by 16, the method's order, through both openings") {
-    // Steps that do not stop at the openings: .05 psi where this bounds .001, and a ratio of 2.
+    // Steps that do not stop at the openings give .05 psi, where .001 is required here, and a ratio of 2.
     ExcavatorMotion steps_4_ms = with_step(two_link_scenario(), 0.004),
                     steps_2_ms = with_step(two_link_scenario(), 0.002),
                     steps_1_ms = with_step(two_link_scenario(), 0.001);
@@ -140,7 +142,7 @@ TEST_CASE("the boom alone: scenario A's check valve opens at .192 s") {
 }
 
 TEST_CASE("a ramp moves the spool's command evenly, whatever the step: in closed form") {
-    // a' = a_0 (rest + r t - a): a = rest + r (t - (1 - exp(-a_0 t)) / a_0) while the ramp lasts.
+    // During the ramp a' = a_0 (rest + r t - a), so a = rest + r (t - (1 - exp(-a_0 t)) / a_0).
     ExcavatorScenario scenario = single_boom_scenario();
     auto& valve = std::get<SpoolOrifices>(scenario.links[0].valve);
     valve.steps = {{0.1003, 0.2297, 0.5}};
@@ -185,7 +187,7 @@ TEST_CASE("in configuration a the branches do not feel each other; in d they do"
         ExcavatorMotion before = simulate_excavator(both), behind = simulate_excavator(heavier);
         double change = std::abs(before.states.back().links[1].inlet_psi - behind.states.back().links[1].inlet_psi);
         if (configuration == Configuration::a)
-            CHECK(change < 1e-4); // steps end elsewhere when the swing's check valve opens later
+            CHECK(change < 1e-4); // steps end at other times when the swing's check valve opens later
         else
             CHECK(change > 1);
     }
@@ -194,7 +196,7 @@ TEST_CASE("in configuration a the branches do not feel each other; in d they do"
 TEST_CASE("a load that grows beyond the pump's reach is held by its check valve") {
     ExcavatorScenario scenario = single_boom_scenario();
     auto& valve = std::get<SpoolOrifices>(scenario.links[0].valve);
-    valve.steps.push_back({0.6, 0.1297}); // back to rest: the check valve has to shut
+    valve.steps.push_back({0.6, 0.1297}); // back to rest: the check valve must shut
     ExcavatorMotion motion = simulate_excavator(scenario);
     REQUIRE(motion.checks.size() == 2);
     CHECK(motion.checks[0].opened);

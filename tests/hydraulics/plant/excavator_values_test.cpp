@@ -16,7 +16,7 @@ using namespace placedpar::hydraulics;
 
 namespace {
 
-/// The only link of a motion of the boom alone, and the instant.
+/// The state of the only link in a motion of the boom alone, and its time.
 struct BoomState : LinkState {
     double time_s;
 };
@@ -49,7 +49,7 @@ std::vector<BoomState> with_step(const char* name, double step_s) {
     return simulate_boom(scenario);
 }
 
-/// The greatest difference of the inlet pressure between a motion and one of half its step.
+/// Returns the greatest difference of the inlet pressure between a motion and one of half its step.
 double difference_psi(const std::vector<BoomState>& coarse, const std::vector<BoomState>& halved) {
     double greatest = 0;
     for (std::size_t i = 0; i < coarse.size(); ++i)
@@ -90,7 +90,7 @@ TEST_CASE("the spool follows its first-order lag") {
 }
 
 TEST_CASE("halving the step divides the change of pressure by 16, through the opening and the knees") {
-    // Steps that do not stop there: .02 psi and a ratio of 2 to 4.
+    // Steps that do not stop at the events give .02 psi and a ratio of 2 to 4.
     for (const char* name : {"scenario_a", "scenario_b"}) {
         CAPTURE(name);
         auto coarse = with_step(name, 0.004), halved = with_step(name, 0.002), fine = with_step(name, 0.001);
@@ -111,7 +111,7 @@ TEST_CASE("scenario B: 1524 to 2070 psi in .52 s, steady at 1835") {
     CHECK(std::abs(peak->inlet_psi - 2070) < 5);
     CHECK(std::abs(motion.back().inlet_psi - 1835) < 8);
     auto rises = std::ranges::find_if(motion, [&](const BoomState& state) {
-        return state.inlet_psi > motion.front().inlet_psi + 5; // a hundredth of the way
+        return state.inlet_psi > motion.front().inlet_psi + 5; // a hundredth of the rise
     });
     CHECK(std::abs(peak->time_s - rises->time_s - 0.52) < 0.05);
 }

@@ -12,7 +12,8 @@ using namespace placedpar::hydraulics;
 
 namespace {
 
-/// The flow in a line shut at both ends, 100 psi apart at first, every microsecond; semi-implicit Euler.
+/// Returns the flow in a line shut at both ends whose pressures differ by 100 psi at first, every microsecond;
+/// semi-implicit Euler.
 std::vector<double> ringing(const Hose& hose, const HoseEnds& ends, double duration_s) {
     constexpr double step_s = 1e-6;
     HoseLine line{1700, 0, 1600};
@@ -28,7 +29,7 @@ std::vector<double> ringing(const Hose& hose, const HoseEnds& ends, double durat
     return flow;
 }
 
-/// Seconds between the first and the third change of sign: one period.
+/// Returns the seconds between the first and the third change of sign: one period.
 double period_s(const std::vector<double>& flow) {
     std::vector<std::size_t> crossings;
     for (std::size_t i = 1; i < flow.size(); ++i)

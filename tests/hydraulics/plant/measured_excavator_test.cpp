@@ -18,7 +18,7 @@ using namespace placedpar::hydraulics;
 
 namespace {
 
-/// The measured excavator without what makes it richer, but for its hoses and friction.
+/// Returns the measured excavator reduced to the simple model plus hoses and friction.
 MeasuredExcavator plain_excavator() {
     MeasuredExcavator excavator = measured_excavator();
     excavator.ripple.amplitude = 0;
@@ -33,7 +33,7 @@ void take_friction_away(MeasuredExcavator& excavator) {
     excavator.friction.coulomb_lbf = excavator.friction.breakaway_lbf = 0;
 }
 
-/// A piston that nothing moves.
+/// Makes the piston immovable.
 void lock(MeasuredExcavator& excavator) {
     excavator.friction.coulomb_lbf = excavator.friction.breakaway_lbf = 1e6;
     excavator.friction.bristle_stiffness_lbf_per_in = 2e9;
@@ -41,7 +41,7 @@ void lock(MeasuredExcavator& excavator) {
     excavator.integration_step_s = 5e-5;
 }
 
-/// Mean of a quantity over the last `share` of a motion.
+/// Returns the mean of a quantity over the last `share` of a motion.
 double last_mean(const std::vector<MeasuredState>& motion, double MeasuredState::*quantity, double share) {
     auto count = static_cast<std::size_t>(share * static_cast<double>(motion.size()));
     double sum = 0;
@@ -96,7 +96,7 @@ TEST_CASE("flows balance: the pump's parts, and the cylinder's take-up") {
     CHECK(last_mean(motion, &MeasuredState::inlet_hose_in3_per_s, 0.1) == doctest::Approx(piston + leak).epsilon(1e-3));
     CHECK(leak == doctest::Approx(0.002 * (last_mean(motion, &MeasuredState::inlet_cylinder_psi, 0.1) -
                                            last_mean(motion, &MeasuredState::outlet_cylinder_psi, 0.1))));
-    // the hose's resistance: .25 psi s/in^3
+    // The hose's resistance is .25 psi s/in^3.
     CHECK(last_mean(motion, &MeasuredState::inlet_psi, 0.1) -
               last_mean(motion, &MeasuredState::inlet_cylinder_psi, 0.1) ==
           doctest::Approx(0.25 * (piston + leak)).epsilon(1e-2));
@@ -157,7 +157,7 @@ TEST_CASE("below the break-away force the piston stays") {
     const MeasuredState stuck = simulate_measured_excavator(excavator).back();
     CHECK(stuck.inlet_cylinder_psi == doctest::Approx(held + 200).epsilon(1e-3));
     CHECK(std::abs(stuck.velocity_in_per_s) < 1e-3);
-    CHECK(std::abs(stuck.piston_in) < 0.01); // the bristles' give, and their creep under the hose's ringing
+    CHECK(std::abs(stuck.piston_in) < 0.01); // the bristles deflect, and creep while the hose rings
     excavator.flow.relief_psi = held + 300;  // 9600 lbf
     CHECK(simulate_measured_excavator(excavator).back().piston_in > 0.5);
 }
@@ -186,7 +186,7 @@ TEST_CASE("free air makes the inlet side as soft as its mixture") {
 TEST_CASE("spool: dead time, lag, and an offset that voltage and sensor share") {
     MeasuredExcavator excavator = measured_excavator();
     excavator.command.desired_volts = 0.34;
-    excavator.voltage_spool.spool_in.at_start = -0.01; // sensor and A.1 read .01 in too high
+    excavator.voltage_spool.spool_in.at_start = -0.01; // the sensor and A.1 both read .01 in too high
     std::vector<MeasuredState> motion = simulate_measured_excavator(excavator);
     double rest = 0.1297 - 0.01, volts = std::nearbyint(0.34 / (20.0 / 4096)) * (20.0 / 4096);
     CHECK(motion.at(1100).spool_in == doctest::Approx(rest).epsilon(1e-12)); // step .1 s, dead time .01 s
@@ -207,7 +207,7 @@ TEST_CASE("the voltage is held from one sampling instant to the next, in the con
     CHECK(held_volts(excavator, 0.1) == 0);
     excavator.command.second_time_s = 0.65;
     excavator.command.second_volts = 100;
-    CHECK(held_volts(excavator, 0.66) == 10 - 20.0 / 4096); // the converter's end
+    CHECK(held_volts(excavator, 0.66) == 10 - 20.0 / 4096); // the end of the converter's range
 }
 
 TEST_CASE("halving the step divides the change of pressure by 16, through the opening and the knees") {

@@ -18,7 +18,7 @@ bool near(Complex a, Complex b, double tolerance) { return std::abs(a - b) < tol
 
 StepFigures step_figures(const PdLoop& loop) { return figures_of(step_response(loop, 0.001, 10001), 0.001); }
 
-// Of the boom's size, with the reference loop's coefficients.
+// A joint of the boom's size, with the reference loop's coefficients.
 constexpr HydraulicJoint boom_joint{2.044e-11, 0.011746, 1.35e5, 0.011746, 6.13e-10};
 
 } // namespace
@@ -93,7 +93,7 @@ TEST_CASE("a joint of the boom's size has the reference coefficients") {
 }
 
 TEST_CASE("2.9 with a_1 and a_2 exchanged is what the equations of the joint give") {
-    // Integrated as they are, without the transfer function: theta, theta', load pressure.
+    // The equations are integrated directly, without the transfer function: theta, theta', load pressure.
     const HydraulicJoint& joint = boom_joint;
     constexpr double kp = 15, kv = 2, step_s = 0.01;
     using State = std::array<double, 3>;

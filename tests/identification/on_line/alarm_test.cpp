@@ -52,7 +52,7 @@ TEST_CASE("all links of a branch off in the same way: what they share") {
     auto different = alarms_of(verdict_in(VerdictKind::leak), verdict_in(VerdictKind::compliance));
     CHECK(std::ranges::count(different, AlarmKind::branch, &Alarm::kind) == 0);
     CHECK(different.size() == 2);
-    // Two sensors share nothing; two branches neither.
+    // Two sensors share no part, and neither do two branches.
     CHECK(alarms_of(verdict_in(VerdictKind::sensor), verdict_in(VerdictKind::sensor)).size() == 2);
     CHECK(alarms_of({}, verdict_in(VerdictKind::leak), verdict_in(VerdictKind::leak))[1].links == LinkSet{sw});
 }

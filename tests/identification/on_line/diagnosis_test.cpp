@@ -98,7 +98,7 @@ TEST_CASE("all links of every configuration are found within 10 %") {
 TEST_CASE("a change from a to b leaves P2a untouched") {
     Diagnosis diagnosis = diagnosis_in(Configuration::a, bucket_boom);
     feed(diagnosis, {Configuration::a, bucket_boom, healthy}, 0);
-    CHECK(diagnosis.sets().size() == 1); // lazily made
+    CHECK(diagnosis.sets().size() == 1); // population sets are made when first needed
     diagnosis.change({Configuration::b, bucket_boom});
     PopulationSet::State before = diagnosis.sets().at(bucket_boom).state();
     feed(diagnosis, {Configuration::b, bucket_boom, healthy}, 10);
@@ -130,10 +130,10 @@ TEST_CASE("after a change of configuration the window begins anew") {
             counts.push_back(outcome.generations);
         return counts;
     };
-    // 5 samples to the first slope, 5 slopes to the first generation, 5 generations a sample.
+    // The first slope takes 5 samples, the first generation 5 slopes; then there are 5 generations a sample.
     std::vector<std::size_t> expected{0, 0, 0, 0, 0, 0, 0, 0, 5, 5};
     CHECK(generations(feed(diagnosis, before, 0, 10)) == expected);
-    diagnosis.change({Configuration::a, boom}); // the same again: no change
+    diagnosis.change({Configuration::a, boom}); // unchanged, so it has no effect
     CHECK(diagnosis.take(before.sample(0, 10)).generations == 5);
     diagnosis.change({Configuration::b, boom});
     CHECK(diagnosis.sets().at(boom).state().window.empty());
@@ -175,7 +175,7 @@ TEST_CASE("a link below the gate keeps its column of a common population") {
     Transient half(Configuration::a, bucket_boom, healthy);
     half.slope_psi_per_s[index_of(Link::bucket)] = 100;
     half.curvature_psi_per_s2 = 0;
-    auto outcomes = feed(diagnosis, half, 10, 12); // the boom stays below the bucket
+    auto outcomes = feed(diagnosis, half, 10, 12); // the boom's pressure stays below the bucket's
     CHECK(outcomes.back().generations == 5);
     CHECK(columns(0) == bucket_codes);
     CHECK(columns(10) != boom_codes);
@@ -196,14 +196,14 @@ TEST_CASE("a refused sample changes nothing") {
     CHECK(std::string(earlier.what()) == "the sample's time, 0.06 s, is not after the last sample's, 0.22 s");
     CHECK(std::get<LinkNotRead>(refusal(diagnosis, {5, {}}).reason()).link == Link::boom);
     CHECK(diagnosis.state() == before);
-    diagnosis.connected(); // after another hello time may begin anew
+    diagnosis.connected(); // after a new hello, time may start again
     CHECK(diagnosis.take(transient.sample(0, 0)).window_restarted);
 }
 
 namespace {
 
-/// Movements of scenario A, half a minute apart. Counts the alarms of a kind that are raised and cleared; the gap after
-/// the last movement is closed by one more sample.
+/// Feeds movements of scenario A, half a minute apart, and counts the alarms of a kind that are raised and cleared. The
+/// gap after the last movement needs one more sample to be seen.
 struct Told {
     std::size_t raised = 0, cleared = 0;
 };
@@ -249,7 +249,7 @@ TEST_CASE("wrong from its first day: its kind knows") {
     CHECK(feed_movements(diagnosis, AlarmKind::compliance, 4, 0.0172).raised == 1);
     Diagnosis told = diagnosis_in(Configuration::a, boom);
     Baseline baseline;
-    baseline.compliance_in3_per_psi[index_of(Link::boom)] = 0.0172; // the control system knows better
+    baseline.compliance_in3_per_psi[index_of(Link::boom)] = 0.0172; // set by the control system
     told.set_baseline(baseline);
     CHECK(feed_movements(told, AlarmKind::compliance, 4, 0.0172).raised == 0);
 }
@@ -287,13 +287,13 @@ double followed_spool_in(const Diagnosis& diagnosis) {
     return diagnosis.state().tracks[index_of(Link::boom)].state().spool_in.value();
 }
 
-// A.1 at .3 V, and the spool at rest.
+// The spool positions at .3 V, by A.1, and at rest.
 constexpr double raised_in = 0.0892 * 0.027 + 0.2352 * 0.09 + 0.2815 * 0.3 + 0.1297, rest_in = 0.1297;
 
 } // namespace
 
 TEST_CASE("the spool moves on over a gap, a change of configuration and a late sample, by the time that passed") {
-    // From rest, .3 V from 1 s on; a_0 as in A.2.
+    // The command is 0 V, then .3 V from 1 s on; a_0 as in A.2.
     Diagnosis diagnosis = diagnosis_in(Configuration::a, boom);
     double lag_per_s = diagnosis.parameters().links[index_of(Link::boom)].spool_lag_per_s;
     auto way = [&](double elapsed_s) { return raised_in + (rest_in - raised_in) * std::exp(-lag_per_s * elapsed_s); };
@@ -305,16 +305,16 @@ TEST_CASE("the spool moves on over a gap, a change of configuration and a late s
     diagnosis.change({Configuration::b, boom});
     diagnosis.take(boom_by_voltage(1.12, 0.3));
     CHECK(followed_spool_in(diagnosis) == doctest::Approx(way(0.12)));
-    diagnosis.take(boom_by_voltage(1.1417, 0.3)); // within the jitter
+    diagnosis.take(boom_by_voltage(1.1417, 0.3)); // late by no more than the jitter
     CHECK(followed_spool_in(diagnosis) == doctest::Approx(way(0.1417)));
-    diagnosis.take(boom_by_voltage(1000, 0)); // nobody knows what was asked for meanwhile
+    diagnosis.take(boom_by_voltage(1000, 0)); // the command during the gap is unknown
     CHECK(followed_spool_in(diagnosis) == doctest::Approx(rest_in));
 }
 
 TEST_CASE("where its voltage was not told the spool starts at rest") {
     Diagnosis diagnosis = diagnosis_in(Configuration::a, boom);
     diagnosis.take(boom_by_voltage(1, 0));
-    diagnosis.connected(); // and time begins anew
+    diagnosis.connected(); // time starts again
     diagnosis.take(boom_by_voltage(0, 0.3));
     CHECK(followed_spool_in(diagnosis) == doctest::Approx(raised_in));
     diagnosis.change({Configuration::a, bucket});
@@ -351,9 +351,9 @@ TEST_CASE("a piston that is driven while its valve reads shut has a dead sensor;
         }
         return diagnosis.alarms();
     };
-    CHECK(alarms_after(28, 4).empty()); // the slopes begin at the fifth sample
+    CHECK(alarms_after(28, 4).empty()); // slopes begin at the fifth sample
     REQUIRE(alarms_after(29, 4).size() == 1);
     CHECK(alarms_after(29, 4)[0].kind == AlarmKind::sensor);
     CHECK(alarms_after(200, 0.5).empty());
-    CHECK(alarms_after(200, -4).empty()); // lowered: oil flows out
+    CHECK(alarms_after(200, -4).empty()); // lowered, so oil flows out
 }

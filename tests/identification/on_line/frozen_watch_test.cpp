@@ -15,7 +15,7 @@ using namespace placedpar::identification;
 
 namespace {
 
-/// The readings at which the watch speaks.
+/// Returns the readings at which the watch reports a frozen sensor.
 std::vector<std::size_t> told(std::span<const double> psi, double least_jump = least_jump_psi,
                               std::size_t fewest = fewest_frozen(0.02)) {
     FrozenWatch watch;
@@ -40,7 +40,7 @@ TEST_CASE("a sensor is frozen for a tenth of a second, however often it is read,
     CHECK(fewest_frozen(0.1) == 5);
     CHECK(fewest_frozen(0.02) == 5);
     CHECK(fewest_frozen(0.001) == 100);
-    std::vector<double> held; // fifty times a second, and logged a thousand times
+    std::vector<double> held; // measured fifty times a second, logged a thousand times
     for (std::size_t i = 0; i < 400; ++i)
         held.push_back(1000 + 60.0 * static_cast<double>(i / 20));
     CHECK(told(held, least_jump_psi, fewest_frozen(0.001)).empty());

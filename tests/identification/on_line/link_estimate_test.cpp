@@ -33,12 +33,12 @@ TEST_CASE("an estimate settles when the last 25 generations of one transient agr
     CHECK_FALSE(estimate.settled_in3_per_psi()); // one of them is still .05
     add(estimate, 0.01, 1);
     CHECK(estimate.settled_in3_per_psi() == 0.01);
-    estimate.excite(687, {}); // 6.87 in^3/s of flow into .01 in^3/psi, of 6.88
+    estimate.excite(687, {}); // a slope of 687 psi/s into .01 in^3/psi is 6.87 in^3/s; 6.88 would be needed
     CHECK_FALSE(estimate.excited());
     CHECK(estimate.settled_in3_per_psi() == 0.01);
     estimate.excite(689, {});
     add(estimate, 0.0101, 24);
-    CHECK(estimate.settled_in3_per_psi() == 0.01); // 24 in this transient
+    CHECK(estimate.settled_in3_per_psi() == 0.01); // 24 estimates in this transient
     add(estimate, 0.0101, 1, 9);
     CHECK(estimate.settled_in3_per_psi() == 0.0101);
     CHECK(estimate.state().settled_in3_per_psi.size() == 2);

@@ -10,7 +10,7 @@ using namespace placedpar::identification;
 TEST_CASE("the spool is followed from its voltage") {
     LinkTrack by_voltage, by_spool;
     LinkConstants parameters{716.8, 8};
-    // A.2: at a step of the voltage the spool stays for one sample, then goes exp(-8 * .02) of the way a sample.
+    // By A.2, after a voltage step the spool stays for one sample, then the distance shrinks by exp(-8 * .02) a sample.
     double spool = 0.1297, desired = 0.0892 * 0.027 + 0.2352 * 0.09 + 0.2815 * 0.3 + 0.1297;
     for (int k = 0; k < 8; ++k) {
         by_voltage.read({1500, 0, ServoVoltage{k < 2 ? 0 : 0.3}}, parameters, 0.020);

@@ -13,8 +13,8 @@ using namespace placedpar::identification;
 
 namespace {
 
-/// The table of configurations and active links, as it stands in the description of the hydraulics: active
-/// links, then the sets of configurations a, b, c, and of d and e.
+/// Table of configurations and active links from the description of the hydraulics: active links, then the sets of
+/// configurations a, b, c, and those of d and e.
 constexpr const char* table = R"(
 BU P1a P1a P1a P1a
 BO P1b P1b P1b P1b

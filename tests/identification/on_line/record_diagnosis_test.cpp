@@ -28,7 +28,7 @@ std::vector<MovementFinding> movements_of(const Record& record, std::uint64_t se
     return found;
 }
 
-/// The only movement's only link.
+/// Returns the only movement's only link.
 LinkFinding boom_of(const Record& record, std::uint64_t seed) {
     auto found = movements_of(record, seed);
     REQUIRE(found.size() == 1);
@@ -162,7 +162,7 @@ TEST_CASE("the gate opens by the flow: a soft hose is followed for longer than b
     CHECK(!gate.opens(799, 0.0086));
     CHECK(gate.opens(400, 0.0172));
     CHECK(!gate.opens(399, 0.0172));
-    CHECK(gate.opens(800, 0.001)); // a stiff one by the slope
+    CHECK(gate.opens(800, 0.001)); // for a stiff link the slope is enough
     CHECK(gate.opens(150, std::nullopt));
     CHECK(!gate.opens(149, std::nullopt));
 }

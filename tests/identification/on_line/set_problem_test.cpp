@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t bits = 10;
 
-/// Compliances of a string, by the reflected Gray code written out: code n differs from n - 1 in one bit.
+/// Makes the string of these codes in reflected Gray code, where code n differs from n - 1 in one bit.
 Genome string_of(const std::vector<std::uint64_t>& codes) {
     Genome genome(bits * codes.size());
     for (std::size_t i = 0; i < codes.size(); ++i)
@@ -53,7 +53,7 @@ TEST_CASE("fitness is the circuit's error, whatever the order of its junctions")
             Circuit circuit = circuit_of(configuration, group);
             std::vector<SetSample> window{random_set_sample(links.size(), random),
                                           random_set_sample(links.size(), random)};
-            std::vector<Genome> strings = random_population(19, problem.bits(), random); // no multiple of a block
+            std::vector<Genome> strings = random_population(19, problem.bits(), random); // not a multiple of a block
             std::vector<double> fitness = problem.fitness(strings, problem.prepared(window), 400);
             for (std::size_t i = 0; i < strings.size(); ++i) {
                 double sum = 0;
@@ -76,16 +76,16 @@ TEST_CASE("fitness is the circuit's error, whatever the order of its junctions")
 
 TEST_CASE("a path is open where the pump can reach the cylinder") {
     SetProblem problem(Configuration::a, {Link::boom}, {100, 175, 25, 4500}, bits);
-    // All 175 in^3/s through .068 in^2: 25 + (175 / 6.8)^2 = 687.3 psi.
+    // All of 175 in^3/s flows through .068 in^2: 25 + (175 / 6.8)^2 = 687.3 psi.
     CHECK(problem.open({{687, 0, 0, 0.1, 0.068}}));
     CHECK_FALSE(problem.open({{688, 0, 0, 0.1, 0.068}}));
-    CHECK_FALSE(problem.open({{600, 0, 0, 0, 0.068}})); // its inlet is shut
-    CHECK(problem.open({{4000, 0, 0, 0.1, 0}}));        // its bypass is shut
-    // In series: 2000 and 1700 psi with these areas take 56.7 and 52.2 in^3/s, at 2032 and 1730 psi.
+    CHECK_FALSE(problem.open({{600, 0, 0, 0, 0.068}})); // the inlet is shut
+    CHECK(problem.open({{4000, 0, 0, 0.1, 0}}));        // the bypass is shut
+    // In series, links at 2000 and 1700 psi with these areas take 56.7 and 52.2 in^3/s, at 2032 and 1730 psi.
     SetProblem series(Configuration::a, {Link::bucket, Link::boom}, {100, 175, 25, 4500}, bits);
     CHECK(series.open({{2000, 0, 0, 0.1, 0.068}, {1700, 0, 0, 0.096, 0.016}}));
     CHECK_FALSE(series.open({{2000, 0, 0, 0.1, 0.068}, {2500, 0, 0, 0.096, 0.016}}));
-    // What the boom does not take keeps the bucket's junction at 993.6 psi at most: .068 + .1 in^2 in series.
+    // The flow not taken by the boom holds the bucket's junction at 993.6 psi at most: .068 + .1 in^2 in series.
     CHECK_FALSE(series.open({{994, 0, 0, 0.1, 0.1}, {600, 0, 0, 0.1, 0.068}}));
 }
 

@@ -12,13 +12,13 @@ using namespace placedpar::identification;
 
 namespace {
 
-/// The boom alone, by samples that a test makes up.
+/// A watch of the boom alone, fed with samples made by the test.
 class WatchedBoom {
 public:
     void feed(std::size_t samples, double inlet_in2, double flow_in3_per_s) {
         constexpr std::array valves{AreasFrom::spool};
         for (std::size_t i = 0; i < samples; ++i) {
-            const double swing = std::sin(static_cast<double>(++taken_)); // no reading is frozen
+            const double swing = std::sin(static_cast<double>(++taken_)); // keeps readings from looking frozen
             const SetSample sample{{1500 + 100 * swing, 100 * swing, flow_in3_per_s, inlet_in2, 0.03}};
             noted += watch.note_moving_shut(sample, health);
             judged += watch.take(problem, sample, valves, health).has_value();

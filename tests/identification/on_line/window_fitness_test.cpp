@@ -1,4 +1,4 @@
-// What is remembered of a window is what would be computed, and a population set finds the same in every vector width.
+// Tests that fitness remembered for a window equals fitness computed anew, and that every vector width finds the same.
 
 #include "gaprocs/representation/genome.hpp"
 #include "hydraulics/circuit/flow_constants.hpp"
@@ -16,7 +16,7 @@ using namespace placedpar::identification;
 
 namespace {
 
-/// Flow enters every cylinder, and the pressures rise.
+/// Returns a sample in which flow enters every cylinder, and the pressures rise.
 SetSample moving_sample(std::size_t links, RandomStream& random) {
     SetSample sample;
     for (std::size_t i = 0; i < links; ++i)
@@ -32,7 +32,7 @@ std::vector<SetSample> moving_samples(std::size_t links, std::size_t count, Rand
     return samples;
 }
 
-/// Of every set in use.
+/// Returns the states of all sets in use.
 std::vector<PopulationSet::State> states_after(const DiagnosisSettings& settings) {
     Diagnosis diagnosis("digger", excavator_parameters(Parameters::excavator()), settings, 7);
     diagnosis.change({Configuration::a, LinkSet::all()});
@@ -48,7 +48,7 @@ std::vector<PopulationSet::State> states_after(const DiagnosisSettings& settings
 TEST_CASE("strings that were met before have the fitness that they had, in every vector width") {
     RandomStream random(1, "window fitness");
     for (LinkSet links : {LinkSet{Link::boom}, LinkSet{Link::bucket, Link::boom}})
-        for (std::size_t bits : {4u, 10u, 12u, 13u}) { // the longest are not remembered
+        for (std::size_t bits : {4u, 10u, 12u, 13u}) { // the longest strings are not remembered
             SetProblem problem(Configuration::a, links, fitted_flow_constants(), bits);
             auto window = moving_samples(links.size(), 10, random);
             std::vector<std::vector<Genome>> generations;

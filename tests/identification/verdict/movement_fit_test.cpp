@@ -51,7 +51,7 @@ Deviation deviation_of(const FaultyPlant& question, const Faults& faults, std::u
         .front();
 }
 
-/// Of bucket and boom, one after the other, which are known by their areas.
+/// Returns the deviations of bucket and boom in series, with known areas.
 std::vector<Deviation> two_links(const Faults& faults, const char* noise, std::uint64_t seed) {
     const FaultyPlant both{"links", noise, {Link::bucket, Link::boom}};
     const Circuit circuit = circuit_of(Configuration::a, both.links);
@@ -62,7 +62,7 @@ std::vector<Deviation> two_links(const Faults& faults, const char* noise, std::u
         .value();
 }
 
-/// By how many standard errors of each way the deviation is from what is so.
+/// Returns by how many of its standard errors each component of the deviation differs from the truth.
 WayVector standardised(const Deviation& found, const WayVector& truth) {
     return (vector_of(found.by) - truth).cwiseQuotient(matrix_of(found.covariance).diagonal().cwiseSqrt());
 }
@@ -104,7 +104,7 @@ TEST_CASE("the standard errors are honest") {
 
 TEST_CASE("the standard errors are those of what scatters, of one link and of two") {
     for (bool two : {false, true}) {
-        Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(two ? 4 : 2), squares = sum; // areas have no offset
+        Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(two ? 4 : 2), squares = sum; // known areas have no offset
         constexpr int movements = 60;
         for (std::uint64_t seed = 101; seed < 101 + movements; ++seed) {
             const auto found =
@@ -174,8 +174,8 @@ TEST_CASE("a leak that the rest after a movement tells may be a quarter off") {
 TEST_CASE("the compliance at rest may be a quarter of a unit off: so uncertain is the leak that a rest tells") {
     MovementSamples movement = moved({"scenario-a", "low"}, {}, 1);
     movement.at_rest.clear();
-    constexpr double psi = 1000, slope_psi_per_s = -1000, compliance = 0.0086; // without a leak
-    for (double noise = 0.22; movement.at_rest.size() < 100; noise = -noise)   // in^3/s, as it is taken to be at least
+    constexpr double psi = 1000, slope_psi_per_s = -1000, compliance = 0.0086; // the fit assumes no leak
+    for (double noise = 0.22; movement.at_rest.size() < 100; noise = -noise)   // in^3/s, the least assumed
         movement.at_rest.push_back({{psi, slope_psi_per_s, -compliance * slope_psi_per_s + noise, 0, 0.03}});
     movement.rest_after.clear();
     const Deviation found =
@@ -209,7 +209,7 @@ TEST_CASE("the noise of the slopes does not make a compliance smaller") {
         double mean = 0;
         for (std::uint64_t seed = 1; seed <= 20; ++seed)
             mean += deviation_of({plant, "high"}, {}, seed).by[0] / 20;
-        CHECK(std::abs(mean) < 0.15); // without the correction -.3 and less
+        CHECK(std::abs(mean) < 0.15); // without the correction: -.3 or less
     }
 }
 

@@ -16,7 +16,7 @@ JunctionSamples boom_at(double psi, double inlet_in2) {
 
 class Stream {
 public:
-    /// Counts the movements that end.
+    /// Returns how many movements ended.
     std::size_t feed(std::size_t samples, bool open) { return feed_inlet(samples, open ? 0.09 : 0); }
     std::size_t feed_inlet(std::size_t samples, double inlet_in2) {
         std::size_t over = 0;
@@ -44,9 +44,9 @@ TEST_CASE("a movement: the rest before it, and what moves, without the slopes th
     REQUIRE(stream.last.at_rest.size() == 17);
     CHECK(stream.last.at_rest.front()[0].inlet_psi == 1001);
     CHECK(stream.last.at_rest.back()[0].inlet_psi == 1017);
-    REQUIRE(stream.last.moving.size() == 25); // of 30, 3 after the opening and 2 before the closing left out
+    REQUIRE(stream.last.moving.size() == 25); // of 30 samples, the first 3 and the last 2 are left out
     CHECK(stream.last.moving.front()[0].inlet_psi == 1024);
-    REQUIRE(stream.last.rest_after.size() == 17); // of 23, 3 after the closing and 3 before what may follow left out
+    REQUIRE(stream.last.rest_after.size() == 17); // of 23 samples, the first 3 and the last 3 are left out
     CHECK(stream.last.rest_after.front()[0].inlet_psi == 1054);
     CHECK(stream.last.rest_after.back()[0].inlet_psi == 1070);
     CHECK_FALSE(stream.movement.under_way());

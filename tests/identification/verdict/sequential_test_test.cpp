@@ -12,7 +12,7 @@ using namespace placedpar::identification;
 
 namespace {
 
-/// Its leak was not there before the movement.
+/// Returns a deviation whose leak was absent before the movement.
 Deviation seen(double compliance, double leak, double offset, double error) {
     return {{compliance, leak, offset, 0}, two_ways_of(WayMatrix::Identity() * error * error)};
 }
@@ -36,7 +36,7 @@ TEST_CASE("one movement is never enough, two are where it is plain") {
 }
 
 TEST_CASE("the more noise, the more movements: a unit adds half of the information") {
-    // (1 - 1/2) / (s^2 + what does not repeat) a movement.
+    // Each movement adds (1 - 1/2) / (s^2 + the variance between movements).
     for (double error : {0.5, 1.0, 2.0}) {
         double each = 0.5 / (error * error + repeats_within * repeats_within);
         CHECK(movements_until_raised(seen(1, 0, 0, error)) ==
@@ -60,10 +60,10 @@ TEST_CASE("what it is compared with is known in part: plain ones take two all th
         }
         return std::size_t{0};
     };
-    CHECK(until(5, 0.01) == 2); // a movement counts as no more information than its ratio
+    CHECK(until(5, 0.01) == 2); // a movement counts for no more than its ratio
     CHECK(until(2, 0.01) == 2);
     CHECK(until(2, 0.8) > 2);
-    CHECK(until(1.2, 0.2) == 0); // within what sound ones differ by
+    CHECK(until(1.2, 0.2) == 0); // within the spread of sound machines
 }
 
 TEST_CASE("raised once, it is cleared by three movements that are sound, and not before") {
@@ -76,7 +76,7 @@ TEST_CASE("raised once, it is cleared by three movements that are sound, and not
     test.take(seen(0, 0, 0, 0.1), {});
     CHECK_FALSE(test.raised());
     test.take(seen(1, 0, 0, 0.1), {});
-    CHECK_FALSE(test.raised()); // a single one
+    CHECK_FALSE(test.raised()); // a single movement
     CHECK(test.state().movements == 1);
 }
 

@@ -11,7 +11,7 @@ using placedpar::hydraulics::AreasFrom;
 
 namespace {
 
-/// Its leak was there before the movement.
+/// Returns a deviation whose leak was present before the movement.
 Deviation off_by(double compliance, double leak, double offset, double error = 0.2) {
     return {{compliance, leak, offset, leak}, two_ways_of(WayMatrix::Identity() * error * error)};
 }
@@ -33,11 +33,11 @@ TEST_CASE("the way that explains a deviation best, and how surely") {
     CHECK(verdict_of(off_by(0, 1, 0), true, AreasFrom::spool).kind == VerdictKind::leak);
     CHECK(verdict_of(off_by(0, 0, -1), true, AreasFrom::spool).kind == VerdictKind::offset);
     CHECK(verdict_of(off_by(0, 0, -1), true, AreasFrom::servo).kind == VerdictKind::drift);
-    for (VerdictKind leak : {VerdictKind::leak, VerdictKind::leak_or_offset}) // a leak takes only
+    for (VerdictKind leak : {VerdictKind::leak, VerdictKind::leak_or_offset}) // a leak only takes oil away
         CHECK(verdict_of(off_by(0.01, -1, 0.02), true, AreasFrom::spool).kind != leak);
     CHECK(verdict_of(off_by(0, 1, 0, 0.1), true, AreasFrom::spool).probability > 0.999);
     CHECK(verdict_of(off_by(0, 1, 0, 1), true, AreasFrom::spool).probability < 0.7);
-    // As well one as the other.
+    // Both explanations fit equally well.
     Deviation either = off_by(1, 1, 0, 0.1);
     either.by[index_of(FaultHypothesis::leak_before)] = 0;
     CHECK(verdict_of(either, true, AreasFrom::spool).probability == test::nearly(0.5, 0.01));
@@ -52,9 +52,9 @@ TEST_CASE("how sure it is that a link is sound") {
     CHECK(sound(off_by(0, 0, 0, 0.1)) > 0.99);
     CHECK(sound(off_by(0.3, 0, 0, 0.3)) > 0.7);
     CHECK(sound(off_by(0.6, 0, 0, 0.3)) < 0.5);
-    // Nothing is known: as likely as any of the six suspicions.
+    // With no information, sound is as likely as each of the six faults.
     CHECK(sound(off_by(0, 0, 0, 100)) == test::nearly(1.0 / 7, 0.01));
-    // Areas that are read have no offset, whatever the prior leaves open.
+    // Measured areas have no offset, however uncertain the estimate.
     Deviation areas = off_by(0, 0, 0, 0.1);
     Eigen::Map<WayMatrix>(areas.covariance.data())(2, 2) = 100;
     CHECK(sound(areas, AreasFrom::areas) > 0.99);
@@ -66,13 +66,13 @@ TEST_CASE("how sure it is that a link is sound") {
 TEST_CASE("correlated errors are seen through: a leak along the line on which leak and offset look alike") {
     Deviation leak = off_by(0, 1, 0);
     Eigen::Map<WayMatrix> covariance(leak.covariance.data());
-    covariance(1, 2) = covariance(2, 1) = -0.039; // nearly one line
+    covariance(1, 2) = covariance(2, 1) = -0.039; // nearly perfectly correlated
     leak.by = {0, 1, 0.02, 1};
     CHECK(verdict_of(leak, true, AreasFrom::spool).kind == VerdictKind::leak);
 }
 
 TEST_CASE("a leak that begins with the movement and an offset are one verdict, unless something tells them apart") {
-    // A unit of leak and half a unit of offset miss the same flow; the rest before shows no leak.
+    // A unit of leak and half a unit of offset lack the same flow; the rest before shows no leak.
     const WayVector unknown(0, 1, -0.5, 0);
     const Deviation flow{{0, 0.5, 0.25, 0},
                          two_ways_of(WayMatrix::Identity() * 0.01 + 4 * unknown * unknown.transpose())};
@@ -84,7 +84,7 @@ TEST_CASE("a leak that begins with the movement and an offset are one verdict, u
     Deviation leak_before = flow;
     leak_before.by[index_of(FaultHypothesis::leak_before)] = 1;
     CHECK(verdict_of(leak_before, true, AreasFrom::spool).kind == VerdictKind::leak);
-    // A rest that follows shows a leak, or none.
+    // The rest after the movement shows a leak, or none.
     const Deviation leak_after{{0, 1, 0, 0}, two_ways_of(WayMatrix::Identity() * 0.01)},
         none_after{{0, 0, 0.5, 0}, two_ways_of(WayMatrix::Identity() * 0.01)};
     CHECK(verdict_of(leak_after, true, AreasFrom::spool).kind == VerdictKind::leak);
@@ -95,7 +95,7 @@ TEST_CASE("three movements are the baseline; a link is compared with itself") {
     CHECK(after({}).kind == VerdictKind::not_enough_evidence);
     CHECK(after({in_health, in_health, in_health}).kind == VerdictKind::not_enough_evidence);
     CHECK(after({in_health, in_health, in_health, in_health}).kind == VerdictKind::sound);
-    const Deviation other = off_by(0.8, 0, 0); // within what machines of a kind differ by
+    const Deviation other = off_by(0.8, 0, 0); // within the spread of machines of a kind
     CHECK(after({other, other, other, other, other}).kind == VerdictKind::sound);
     const Deviation more = off_by(1.8, 0, 0);
     CHECK(after({other, other, other, more, more, more}).kind == VerdictKind::compliance);
@@ -140,7 +140,7 @@ TEST_CASE("impossible readings are the sensor's, until a movement makes sense") 
     CHECK(judge.verdict().kind == VerdictKind::sensor);
     judge.take(off_by(9, 9, 9), AreasFrom::spool);
     CHECK(judge.verdict().kind == VerdictKind::sensor);
-    CHECK(judge.state().first.empty()); // it is no evidence
+    CHECK(judge.state().first.empty()); // the impossible movement is not kept as evidence
     judge.take(in_health, AreasFrom::spool);
     CHECK(judge.verdict().kind == VerdictKind::not_enough_evidence);
 }

@@ -49,7 +49,7 @@ TEST_CASE("what has been judged goes through JSON, too") {
         diagnosis.change({Configuration::a, {Link::boom}});
         for (std::size_t i = 0; i < cut; ++i)
             take(diagnosis, i);
-        diagnosis.change({Configuration::b, {Link::boom}}); // judges the movement: no alarm is told before a sample
+        diagnosis.change({Configuration::b, {Link::boom}}); // judged now; its alarm follows later
         const Diagnosis::State state = diagnosis.state();
         CHECK(state.judged);
         CHECK_FALSE(state.watches.at({Link::boom}).judges.front().first.empty());

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-/// No file may grow beyond this, as on a full disk, while it lives.
+/// Limits the size of all files while it exists, like a full disk.
 class FullDisk {
 public:
     explicit FullDisk(std::size_t bytes) : former_signal_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -31,7 +31,7 @@ private:
     void (*former_signal_)(int);
 };
 
-/// A folder of a test's own, gone when the test ends.
+/// A folder for one test, deleted when the test ends.
 class Scratch {
 public:
     Scratch() {

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint64_t most_history = 20;
 
-/// All that a file gives back.
+/// Everything that a state file returns when it is opened.
 struct Everything {
     StateContent content;
     std::vector<KeptEstimate> estimates;
@@ -60,7 +60,7 @@ Transaction transaction_of(int i) {
     return transaction;
 }
 
-/// Units 1 to 60 in transactions of two; the file is as a kill leaves it, in another folder.
+/// Commits units 1 to 60 in transactions of two, and copies the file to another folder as a kill would leave it.
 void write_and_kill(const Scratch& from, const Scratch& to) {
     StateContent content;
     StateFile file(from / "state", "settings", most_history, content);
@@ -76,7 +76,7 @@ std::string flipped(std::string text, std::size_t bit) {
     return text;
 }
 
-/// The files of a folder, "" for one that is not there.
+/// The contents of a folder's state file and journal; "" if a file is missing.
 struct Files {
     std::string state, journal;
 
@@ -88,7 +88,7 @@ struct Files {
     }
 };
 
-/// Opened, they give what is `whole`; false when they are refused. Without a journal they are left as they are then.
+/// Whether the files can be opened; they must then give `whole`. Refused files without a journal must be unchanged.
 bool accepted(const Files& files, const Everything& whole) {
     Scratch scratch;
     files.write(scratch);
@@ -103,7 +103,7 @@ bool accepted(const Files& files, const Everything& whole) {
     }
 }
 
-/// As a kill leaves them that comes in the middle of a transaction: with the first byte of a file beyond so many.
+/// Returns the files after a kill in the middle of a transaction: when a file first grows beyond `bytes`.
 Files killed_in_commit(const Files& files, std::size_t bytes) {
     Scratch scratch;
     files.write(scratch);
@@ -126,8 +126,8 @@ Files killed_in_commit(const Files& files, std::size_t bytes) {
     return Files(scratch);
 }
 
-/// Of all bits of a text those of its first bytes, and of every so many: with a step that shares no factor with eight
-/// each of a byte's bits has its turn.
+/// Returns every third bit of the first bytes, and one bit in `step` of the rest. If `step` is odd, every position
+/// within a byte occurs.
 std::vector<std::size_t> some_bits(const std::string& text, std::size_t first_bytes, std::size_t step) {
     std::vector<std::size_t> bits;
     for (std::size_t bit = 0; bit < 8 * text.size(); bit += bit < 8 * first_bytes ? 3 : step)
@@ -194,7 +194,7 @@ TEST_CASE("a kill in the middle of a transaction loses nothing, and any damage t
         Files damaged = files;
         damaged.journal.clear();
         if (files.state == before.state || files.journal.empty() || accepted(damaged, whole))
-            continue; // nothing but its heading has been written
+            continue; // only the heading has been written so far
         ++half_written;
         for (std::size_t size = 1; size < files.journal.size(); size += 4001) {
             damaged.journal = files.journal.substr(0, size);
@@ -303,7 +303,7 @@ TEST_CASE("after a loss all begins anew, and alarms that went meanwhile are clea
 
 TEST_CASE("a file that is removed again while it is made anew loses nothing of its history") {
     int removed_in_between = 0;
-    for (int round = 0; round < 1000 && removed_in_between < 10; ++round) { // the remover may come too late
+    for (int round = 0; round < 1000 && removed_in_between < 10; ++round) { // the remover may be too late
         Scratch scratch;
         StateContent content;
         StateFile file(scratch / "state", "settings", most_history, content);

@@ -37,7 +37,7 @@ std::string text_of(const Diagnoses& diagnoses) {
     return text;
 }
 
-/// A store, and the diagnoses of it, with what has been told of its progress.
+/// A store with its diagnoses, and the messages about its progress.
 struct Running {
     Diagnoses diagnoses = none();
     StateStore store;
@@ -61,7 +61,7 @@ struct Running {
         store.record(machine, message, generations, {});
         store.relieve();
     }
-    /// Until all that was given so far is kept or lost.
+    /// Waits until everything handed to the store is written or lost.
     void settle() {
         for (bool done = store.last_ticket() == 0; !done; std::this_thread::yield()) {
             std::lock_guard lock(mutex);
@@ -72,7 +72,7 @@ struct Running {
     }
 };
 
-/// A copy of the state file as a kill would leave it now.
+/// Copies the state file as a kill would leave it now.
 void kill(const Scratch& from, const Scratch& to) { to.write("state", from.read("state")); }
 
 std::string known_after(const Scratch& scratch, std::string* said = nullptr) {
@@ -98,7 +98,7 @@ TEST_CASE("a killed service comes back to the bit") {
     std::string said;
     CHECK(known_after(killed, &said) == text_of(running.diagnoses));
     CHECK(said.find("1 machine restored, 21 messages taken again") != std::string::npos);
-    // What has been taken again is in the machine's state now.
+    // The messages taken again are now part of the machine's state.
     CHECK(known_after(killed, &said) == text_of(running.diagnoses));
     CHECK(said.find("1 machine restored") != std::string::npos);
     CHECK(said.find("taken again") == std::string::npos);
@@ -149,7 +149,7 @@ TEST_CASE("a long backlog goes into states, the oldest machine's first") {
     CHECK(known_after(killed, &said) == text_of(running.diagnoses));
     CHECK(said.find("3 machines restored, ") != std::string::npos);
     auto again = std::stoi(said.substr(said.find("restored, ") + 10));
-    CHECK(again <= 20); // of 39: their generations would take too long
+    CHECK(again <= 20); // out of 39: repeating all their generations would take too long
     CHECK(again >= 8);
 }
 

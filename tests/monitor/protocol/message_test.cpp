@@ -110,7 +110,7 @@ TEST_CASE("a field is given once") {
         CHECK(bad.field() == each.field);
         CHECK(std::string(bad.what()) == "it is given twice");
     }
-    // The same name in different objects is no repetition.
+    // A name may occur in several objects, but only once in each.
     CHECK_NOTHROW(
         parse_message(R"({"type":"sample","time_s":1,"links":{"BO":{"inlet_psi":1,"angle_deg":1,"spool_in":0.2},)"
                       R"("BU":{"inlet_psi":1,"angle_deg":1,"spool_in":0.2}}})"));
@@ -140,13 +140,13 @@ TEST_CASE("a wrong field is named, with what would be right") {
              {R"({"type":"sample","time_s":1,"links":{"BO":{"inlet_psi":20000,"angle_deg":1,"spool_in":0.2}}})",
               "links.BO.inlet_psi", "20000", "10000 psi"},
              {R"({"type":"sample","time_s":1,"links":{"BO":{"inlet_psi":1,"angle_deg":1}}})", "links.BO.spool_in",
-              "nothing", "servo_V"},
+              "is missing", "servo_V"},
              {R"({"type":"sample","time_s":1,"links":{"BO":{"inlet_psi":1,"angle_deg":1,"spool_in":1,"servo_V":1}}})",
               "links.BO.spool_in", "twice", "one of"},
              {R"({"type":"sample","time_s":1,"links":{"BO":{"inlet_psi":1,"angle_deg":1,"inlet_in2":1}}})",
               "links.BO.bypass_in2", "missing", "in^2"},
              {R"({"type":"sample","time_s":1,"links":{"BO":{"inlet_psi":1,"angle_deg":1,"spool":1}}})",
-              "links.BO.spool_in", "nothing", "spool_in"},
+              "links.BO.spool_in", "is missing", "spool_in"},
              {R"({"type":"sample","time_s":1,"links":{"BO":{"inlet_psi":1,"angle_deg":1,"spool_in":0.2,"x":1}}})",
               "links.BO.x", "no such field", "inlet_psi"},
              {R"({"type":"baseline","links":{"BO":0.5}})", "links.BO", "0.5", "0.1"},

@@ -1,4 +1,4 @@
-"""Alarms that are listed, acknowledged, put on the shelf and kept, and the command that does so."""
+"""Tests that alarms are listed, acknowledged, shelved and kept, and tests the command for that."""
 
 import json
 import signal
@@ -12,7 +12,7 @@ TOKEN = "correct-horse-battery"
 
 class Alarms(ServiceTest):
     def alarming(self, *options):
-        """A service with a machine that has just raised an alarm, and its control system."""
+        """Returns a service with a machine that has just raised an alarm, and the machine's control system."""
         service = self.service("--state", self.folder / "state", *options)
         client = self.client(service, "digger")
         client.ask(**CONFIGURATION)
@@ -44,7 +44,7 @@ class Alarms(ServiceTest):
         name = {"machine": "digger", "alarm": alarm["alarm"], "links": ["BO"]}
         seen, = other.ask(type="acknowledge", **name)["alarms"]
         self.assertGreaterEqual(seen["acknowledged_at"], listed["raised_at"])
-        self.assertEqual(other.ask(type="acknowledge", **name)["alarms"], [seen])  # the first time counts
+        self.assertEqual(other.ask(type="acknowledge", **name)["alarms"], [seen])  # the first acknowledgement counts
         self.assertIn("has no alarm", other.ask(type="acknowledge", **{**name, "links": ["BU"]})["wrong"])
         _, errors = service.stop(signal.SIGKILL)
         self.assertRegex(errors, r"\dZ placedpar monitor: digger: alarm \w+ BO raised: ")

@@ -1,4 +1,4 @@
-"""What strangers and accidents do to the service: floods from one computer, files taken away, logs that nobody reads."""
+"""Tests floods from one computer, files that disappear, and logs that are not read."""
 
 import fcntl
 import json
@@ -19,7 +19,7 @@ KNOWN = 1000  # samples that make a machine known
 
 class Flood(ServiceTest):
     def sampled(self, service, machine, count, **options):
-        """A machine that has sent so many samples, and is no longer connected."""
+        """Lets a machine send this many samples and disconnect."""
         client = self.client(service, machine, answers="none", **options)
         self.assertEqual(client.welcome["type"], "welcome", client.welcome)
         client.send(type="configuration", configuration="a", active=[])
@@ -57,8 +57,8 @@ class Flood(ServiceTest):
         self.assertEqual(self.client(service, "new").welcome["type"], "welcome")
         self.assertEqual(self.client(service, "known").welcome["samples"], KNOWN)
         service.stop(signal.SIGKILL)
-        service = self.service("--max-machines", 10, "--state", state)  # nobody knows any more by whom they were
-        self.assertEqual(self.client(service, "newer").welcome["type"], "error")  # more than may be are kept
+        service = self.service("--max-machines", 10, "--state", state)  # the peers of stored machines are not known after a restart
+        self.assertEqual(self.client(service, "newer").welcome["type"], "error")  # the state file holds more machines than are allowed
         service.stop()
         service = self.service("--max-machines", 31, "--state", state)
         self.assertEqual(self.client(service, "newer").welcome["type"], "welcome")
@@ -77,7 +77,7 @@ class Flood(ServiceTest):
         silent = [self.client(service, source=f"127.0.0.{i % 200 + 1}") for i in range(60)]
         client = self.client(service, "digger")
         self.assertEqual(client.welcome["type"], "welcome")
-        self.assertIn("has said no hello yet", silent[0].receive()["wrong"])
+        self.assertIn("has sent no hello yet", silent[0].receive()["wrong"])
         self.assertIsNone(silent[0].receive())
         self.assertEqual(client.ask(**CONFIGURATION)["type"], "configured")
 
@@ -103,7 +103,7 @@ class Flood(ServiceTest):
         self.assertEqual(self.client(service, "site", path=path).welcome["samples"], KNOWN)
 
     def test_a_machine_is_known_only_after_a_while(self):
-        service = self.service("--max-machines", 8)  # a flood of samples in no time makes none
+        service = self.service("--max-machines", 8)  # samples sent within moments do not make a machine known
         for i in range(9):
             self.sampled(service, f"name-{i}", KNOWN)
         self.assertEqual(self.client(service, "new").welcome["type"], "welcome")
@@ -115,9 +115,9 @@ class Flood(ServiceTest):
         self.assertEqual(flood[0].ask(**CONFIGURATION)["type"], "configured")
         self.assertEqual(flood[0].ask(**boom(0))["samples"], 1)
         said = [self.client(service, f"user-{i}", path=path).welcome["type"] for i in range(4)]
-        self.assertEqual(said, 3 * ["welcome"] + ["error"])  # until both have as many
+        self.assertEqual(said, 3 * ["welcome"] + ["error"])  # until both peers have three connections
         self.assertIn("a peer with fewer connections", flood[1].receive()["wrong"])
-        self.assertEqual(flood[0].ask(type="ping")["type"], "pong")  # it has sent samples
+        self.assertEqual(flood[0].ask(type="ping")["type"], "pong")  # it stays connected, since it has sent samples
         self.assertIn("6 clients already", self.client(service, "again").welcome["wrong"])
 
     def test_idle_browsers_shut_nobody_out(self):
@@ -130,7 +130,7 @@ class Flood(ServiceTest):
 
 
 def ask_page(port, fields, path=b"/snapshot", version=b"1.1"):
-    """The status of a request with these fields."""
+    """Returns the status of a request with these fields."""
     with socket.create_connection(("127.0.0.1", port), SECONDS) as raw:
         raw.sendall(b"GET " + path + b" HTTP/" + version + b"\r\nConnection: close\r\n" + fields + b"\r\n")
         return int(b"".join(iter(lambda: raw.recv(65536), b"")).split()[1])
@@ -189,7 +189,7 @@ class Files(ServiceTest):
                 said = client.ask(**boom(20))
                 self.assertEqual((said["type"], said.get("kept")), ("kept", False), said)
                 self.assertEqual(client.receive()["samples"], 21)
-                self.assertEqual(client.receive()["kept"], True)  # written anew
+                self.assertEqual(client.receive()["kept"], True)  # the file is written anew
                 self.assertEqual(client.ask(**boom(21))["samples"], 22)
                 service.stop(signal.SIGKILL)
                 again = self.service("--state", self.state)
@@ -212,7 +212,7 @@ class Files(ServiceTest):
         self.assertEqual(self.client(self.service("--state", self.state), "digger").welcome["samples"], 21)
 
     def serves_without_room(self, kept, *arguments):
-        """A service that begins on a full disk, and says so to its clients."""
+        """Returns a service that starts on a full disk and tells its clients so."""
         service = self.service("--state", self.state, *arguments)
         client = self.client(service, "digger")
         self.assertEqual(client.welcome["samples"], kept)
@@ -263,7 +263,7 @@ class Files(ServiceTest):
 
 class Logs(ServiceTest):
     def start(self, log):
-        """A service whose standard error is this; the port of its clients."""
+        """Returns the port of a service that has this standard error."""
         process = subprocess.Popen([PROGRAM, "monitor"], stdout=subprocess.PIPE, stderr=log, text=True)
         self.addCleanup(process.stdout.close)
         self.addCleanup(process.wait)
@@ -281,7 +281,7 @@ class Logs(ServiceTest):
             self.assertEqual(client.welcome["type"], "welcome")
             client.close()
         first = os.read(reading, 1 << 20)
-        time.sleep(0.5)  # it flows again: the count comes by itself
+        time.sleep(0.5)  # the log is read again: the service then writes the count of lost lines unasked
         process.terminate()
         with open(reading, encoding="ascii") as lines:
             text = first.decode() + lines.read()
@@ -290,7 +290,7 @@ class Logs(ServiceTest):
         self.assertGreater(left_out, 100)
         written = len(re.findall(r"name-\d+: 127\.0\.0\.1 port \d+ \w+", text)) + text.count("stopped\n")
         self.assertLessEqual(left_out + written, 401)
-        self.assertGreaterEqual(left_out + written, 401 - 4)  # the end of the service may cut off the last count
+        self.assertGreaterEqual(left_out + written, 401 - 4)  # the last count may be missing when the service ends
 
     def test_a_hang_up_opens_the_log_anew(self):
         log = self.folder / "log"

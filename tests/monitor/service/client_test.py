@@ -1,4 +1,4 @@
-"""The client of examples/hydraulics/monitor, told records in every unit that docs/guides/records.md promises."""
+"""Tests the client of examples/hydraulics/monitor with records in every unit that docs/guides/records.md lists."""
 
 import csv
 import os
@@ -12,14 +12,14 @@ from service import SECONDS, ServiceTest, boom
 
 ROOT = pathlib.Path(os.environ["PLACEDPAR_DOCUMENT"]).parents[2]
 EXAMPLE = ROOT / "examples" / "hydraulics/monitor"
-# How many of each unit are one of the room's.
+# Conversion factors: how many of each unit make one of the monitor's unit.
 OF_ONE = {"psi": 1, "Pa": 6894.757293168, "kPa": 6.894757293168, "MPa": 0.006894757293168, "bar": 0.06894757293168,
           "deg": 1, "rad": 0.017453292519943295, "in": 1, "mm": 25.4, "cm": 2.54, "m": 0.0254, "V": 1, "mV": 1000,
           "in^2": 1, "mm^2": 645.16, "cm^2": 6.4516, "m^2": 0.00064516, "s": 1, "ms": 1000}
 
 
 def promised():
-    """Of each sensor, the units in the table of docs/guides/records.md."""
+    """Returns the units of each sensor in the table of docs/guides/records.md."""
     units = {}
     page = (ROOT / "docs" / "guides" / "records.md").read_text(encoding="utf-8")
     for line in page.partition("| link | sensor |")[2].partition("\n\n")[0].splitlines():
@@ -30,7 +30,7 @@ def promised():
 
 
 def boom_record():
-    """A rise of the boom as a record: the columns, with one that the client does not need, and rows of numbers."""
+    """Returns a rise of the boom as a record: the columns, one of which the client ignores, and rows of numbers."""
     names = ["time", "BO.inlet_pressure", "boom.angle", "boom.spool", "boom.servo", "boom.outlet_pressure"]
     with open(EXAMPLE / "boom.csv", encoding="utf-8") as text:
         rows = list(csv.reader(line for line in text if not line.startswith("#")))[1:]
@@ -45,7 +45,7 @@ def areas_record():
 
 class Client(ServiceTest):
     def write(self, record, choose):
-        """In the units that `choose` takes of each sensor's."""
+        """Returns the record in the units that `choose` picks for each sensor."""
         names, rows = record
         units = [choose(promised()[name.rpartition(".")[2]]) for name in names]
         path = self.folder / "record.csv"

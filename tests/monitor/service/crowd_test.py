@@ -1,4 +1,4 @@
-"""Names that nobody uses, peers that want everything, and who is let in at all."""
+"""Tests idle machine names, peers that want every place, and which connections are accepted."""
 
 import os
 import signal
@@ -31,7 +31,7 @@ class Crowd(ServiceTest):
         used.ask(**CONFIGURATION)
         used.ask(**boom(0))
         self.names(service, 1200)
-        time.sleep(0.3)  # none goes before somebody wants its place
+        time.sleep(0.3)  # a client is removed only when another needs its place
         self.assertEqual(self.client(service).ask(type="load")["machines"], 1000)
         self.assertEqual(self.client(service, "digger").welcome["type"], "welcome")
         service.stop(signal.SIGKILL)
@@ -82,7 +82,7 @@ class Crowd(ServiceTest):
         self.assertEqual([client.welcome["type"] for client in clients], 4 * ["welcome"] + ["error"])
         self.assertIn("taken over 3 machines within a minute", clients[4].welcome["wrong"])
         self.assertEqual(clients[2].receive()["type"], "closing")
-        self.assertEqual(clients[3].ask(type="ping")["type"], "pong")  # it stays
+        self.assertEqual(clients[3].ask(type="ping")["type"], "pong")  # it stays connected
 
     def test_forget(self):
         service = self.service("--state", self.folder / "state")
@@ -141,11 +141,11 @@ class Crowd(ServiceTest):
         client.ask(**CONFIGURATION)
         self.assertEqual(client.ask(**boom(0))["samples"], 1)
         self.assertIn("a program listens there already", self.refusal("--unix", path))
-        self.assertIn("something else", self.refusal("--unix", self.token_file()))
+        self.assertIn("this is not a socket", self.refusal("--unix", self.token_file()))
         self.assertIn("more than 107 bytes", self.refusal("--unix", "x" * 108))
         _, errors = service.stop(signal.SIGKILL)
         self.assertIn(f"of user {os.getuid()} is its control system", errors)
-        both = self.service("--unix", path, "--port", 0)  # in place of what the kill left
+        both = self.service("--unix", path, "--port", 0)  # replaces the socket that the killed service left
         self.assertEqual(self.client(both).ask(type="ping")["type"], "pong")
         self.assertEqual(self.client(both, path=str(path)).ask(type="ping")["type"], "pong")
         self.assertEqual(both.stop()[0], 0)

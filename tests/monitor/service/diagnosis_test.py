@@ -1,4 +1,4 @@
-"""What a control system and its watchers are told."""
+"""Tests the messages to a control system and to watchers."""
 
 import unittest
 
@@ -23,7 +23,7 @@ class Diagnosis(ServiceTest):
         moved = 0
 
         def move(times, compliance):
-            """Movements of 30 samples, a gap before each; the alarms."""
+            """Sends movements of 30 samples, each after a gap; returns the alarms."""
             nonlocal moved
             alarms = []
             for _ in range(times):
@@ -45,7 +45,7 @@ class Diagnosis(ServiceTest):
         self.assertEqual(move(8, 0.0086), [("compliance", ["BO"], "cleared")])
         status = client.ask(type="baseline", links={"BO": 0.0043})
         self.assertEqual(status["links"]["BO"]["baseline_in3_per_psi"], 0.0043)
-        self.assertEqual(move(4, 0.0086), [("compliance", ["BO"], "raised")])  # twice that of its kind
+        self.assertEqual(move(4, 0.0086), [("compliance", ["BO"], "raised")])  # twice the compliance of its kind
 
     def test_same_seed_same_answers(self):
         def answers(seed):
@@ -92,9 +92,9 @@ class Diagnosis(ServiceTest):
             loads.append(client.receive_type("load"))
         self.assertEqual(loads[-1]["generations"], 60)
         self.assertEqual(loads[-1]["machines"], 1)
-        while loads[-1]["over_s"] < 1 or loads[-1]["samples_per_s"] == 0:  # the first whole second
+        while loads[-1]["over_s"] < 1 or loads[-1]["samples_per_s"] == 0:  # until the first whole second
             loads.append(client.receive_type("load"))
-        counted = loads[-1]["samples_per_s"] * loads[-1]["over_s"]  # all 20, unless the second ended among them
+        counted = loads[-1]["samples_per_s"] * loads[-1]["over_s"]  # all 20, unless the second ended before the last
         self.assertAlmostEqual(counted, round(counted), delta=0.01)
         self.assertLessEqual(round(counted), 20)
         self.assertGreater(loads[-1]["work_of_core"], 0)

@@ -12,7 +12,7 @@ using namespace placedpar::monitor;
 
 namespace {
 
-/// A connection that keeps what it is sent.
+/// A connection that keeps what the service sends to it.
 struct HeardClient : Client {
     explicit HeardClient(const std::string& peer) { caller = {peer, peer, ""}; }
     void send(std::string_view line) override { said += line; }
@@ -27,7 +27,7 @@ struct HeardClient : Client {
     bool finished = false;
 };
 
-/// A service on whose start these machines stood in the state file, with so many samples each.
+/// A service that starts with these machines, with this many samples each, from a state file.
 struct Restarted {
     Restarted(std::vector<std::string> machines, std::uint64_t samples) {
         for (const std::string& name : machines) {
@@ -66,7 +66,7 @@ TEST_CASE("a machine of the state file comes in though 256 peers have all connec
     CHECK(stranger.said.find("256 clients already") != std::string::npos);
     for (std::size_t i = 0; i < 1000; ++i)
         service.hello(fmt::format("flood-{}", i), fmt::format("10.0.{}.{}", 1 + i / 250, i % 250));
-    CHECK_FALSE(site.finished); // it keeps its place
+    CHECK_FALSE(site.finished); // the machine keeps its place
     CHECK(service.hello("other-site", "192.0.2.2").said.find("\"welcome\"") != std::string::npos);
 }
 

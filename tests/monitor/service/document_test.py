@@ -1,4 +1,4 @@
-"""What docs/guides/monitor.md says is said and answered, is."""
+"""Tests that the messages shown in docs/guides/monitor.md are accepted and answered as shown."""
 
 import json
 import os
@@ -12,7 +12,7 @@ DOCUMENT = pathlib.Path(os.environ["PLACEDPAR_DOCUMENT"])
 
 
 def contains(actual, documented):
-    """Whether an answer has all that is documented of it."""
+    """Whether an answer has all documented fields."""
     if isinstance(documented, dict):
         return isinstance(actual, dict) and all(
             key in actual and contains(actual[key], value) for key, value in documented.items())

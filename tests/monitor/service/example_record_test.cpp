@@ -23,7 +23,7 @@ Record example(const char* name) {
     return *read.record;
 }
 
-/// Scenario A at low noise.
+/// Returns the record of scenario A at low noise.
 Record measured() {
     ExcavatorScenario scenario = single_boom_scenario();
     RandomStream random(1, "noise");
@@ -33,7 +33,7 @@ Record measured() {
 
 void check_equal(const Record& file, const Record& simulated) {
     REQUIRE(file.size() == simulated.size());
-    // Half a step of the last digit in the file.
+    // The tolerance is half a step of the last digit in the file.
     for (auto [sensor, rounding] :
          {std::pair{Sensor::inlet_pressure, 0.0501}, {Sensor::angle, 0.0000501}, {Sensor::spool, 0.00000501}})
         for (std::size_t i = 0; i < file.size(); ++i)

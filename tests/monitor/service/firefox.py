@@ -1,11 +1,11 @@
-"""A page as Firefox has made it, asked by Marionette, the browser's own protocol: a length, a colon and JSON."""
+"""Gets a page as Firefox renders it, by Marionette, the browser's protocol: a length, a colon and JSON."""
 
 import json
 import socket
 import subprocess
 import time
 
-SECONDS = 60  # to begin, and for the page
+SECONDS = 60  # to start the browser, and to load the page
 
 
 class Firefox:
@@ -20,7 +20,7 @@ class Firefox:
         self.socket = self.connected(port)
         self.lines = self.socket.makefile("rwb")
         self.number = 0
-        self.receive()  # who it is
+        self.receive()  # the browser's greeting
 
     def connected(self, port):
         until = time.monotonic() + SECONDS
@@ -49,7 +49,7 @@ class Firefox:
 
 
 def page_in(program, folder, address, wanted):
-    """The page at the address as soon as `wanted` is in it, or as it is after SECONDS."""
+    """Returns the page as soon as it contains `wanted`, or after SECONDS as it is."""
     firefox = Firefox(program, folder)
     try:
         firefox.ask("WebDriver:NewSession")

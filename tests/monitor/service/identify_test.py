@@ -1,4 +1,4 @@
-"""One identifier: what `placedpar identify` finds in a record the monitor finds, told the same samples, to the bit."""
+"""Tests that the monitor and `placedpar identify` find the same in the same samples, to the bit."""
 
 import csv
 import json
@@ -23,7 +23,7 @@ class OneIdentifier(ServiceTest):
         return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=SECONDS, check=True)
 
     def log(self, settings):
-        """Seven movements on end, at rest between them, the last three with these settings."""
+        """Returns a record of seven movements with rests between them; the last three have these settings."""
         path, lines, begin_s = self.folder / "log.csv", [], 0
         for seed in range(3001, 3008):
             one = self.folder / "one.csv"
@@ -38,7 +38,7 @@ class OneIdentifier(ServiceTest):
         return path
 
     def told(self, log, valve):
-        """The status after the record has been told, and its alarms' names."""
+        """Sends the record; returns the status and the names of the alarms."""
         with open(log, encoding="utf-8") as text:
             rows = list(csv.DictReader(text))
         client = self.client(self.service("--seed", 7), "record")
@@ -50,7 +50,7 @@ class OneIdentifier(ServiceTest):
                 reading["spool_in"] = max(reading["spool_in"], 0)
             client.send(type="sample", time_s=float(row["time [s]"]), links={"BO": reading})
             client.receive()
-        client.send(type="configuration", configuration="b", active=["BO"])  # which ends the movement
+        client.send(type="configuration", configuration="b", active=["BO"])  # a new configuration ends the movement
         client.receive()
         client.send(type="sample", time_s=float(rows[-1]["time [s]"]) + 9, links={"BO": reading})
         client.send(type="status")

@@ -1,4 +1,4 @@
-"""What the service may be told on its command line."""
+"""Tests the service's command line options."""
 
 import re
 import subprocess

@@ -1,4 +1,4 @@
-"""What browsers, Prometheus and systemd are shown; in a browser, where one is installed."""
+"""Tests what browsers, Prometheus and systemd receive; in a browser if one is installed."""
 
 import base64
 import json
@@ -24,7 +24,7 @@ BROWSER = shutil.which("chromium") or shutil.which("chromium-browser")
 
 class Page(ServiceTest):
     def fetch(self, service, path, method="GET", **headers):
-        """Status, headers and text."""
+        """Returns status, headers and text."""
         request = urllib.request.Request(service.page + path, method=method, headers=headers)
         try:
             with urllib.request.urlopen(request, timeout=SECONDS) as answer:
@@ -34,12 +34,12 @@ class Page(ServiceTest):
                 return error.code, error.headers, error.read().decode()
 
     def busy(self, *options, machine="digger"):
-        """A service with a machine that has moved three times, and raised an alarm."""
+        """Returns a service with a machine that has moved three times and raised an alarm."""
         service = self.service("--http", 0, *options)
         client = self.client(service, machine)
         client.ask(**CONFIGURATION)
         self.assertIn("alarm", [said["type"] for said in move_softly(client)])
-        client.ask(**{**CONFIGURATION, "configuration": "b"})  # ends the last of them
+        client.ask(**{**CONFIGURATION, "configuration": "b"})  # a new configuration ends the last movement
         return service, client
 
     def test_what_the_page_asks(self):
@@ -55,7 +55,7 @@ class Page(ServiceTest):
         self.assertEqual({alarm["machine"] for alarm in snapshot["alarms"]}, {"digger"})
         history = json.loads(self.fetch(service, "history?machine=digger")[2])
         self.assertEqual(len(history["estimates"]), 3)
-        for each in history["estimates"]:  # the standard error of each, the first not left out
+        for each in history["estimates"]:  # each estimate has a standard error, the first one too
             self.assertGreater(each["error"], 0)
         self.assertEqual([(said["link"], said["sure"]) for said in machine["verdicts"]], [("BO", "more than 99 % sure")])
         self.assertGreaterEqual(len(history["alarms"]), 1)
@@ -105,7 +105,7 @@ class Page(ServiceTest):
                     while raw.recv(4096):
                         pass
                 except OSError:
-                    pass  # it has been closed
+                    pass  # the connection has been closed
         half = [socket.create_connection(("127.0.0.1", port), SECONDS) for _ in range(40)]
         self.assertEqual(self.fetch(service, "healthz")[0], 200)
         for each in half:
@@ -165,7 +165,7 @@ class Page(ServiceTest):
                 self.assertLess(float(y), height)
             health = float(re.search(r'<text x="([\d.]+)"[^>]*>BO in health<', page)[1])
             self.assertGreater(health, max(float(x) for x in re.findall(r'<circle cx="([\d.]+)"', page)))
-            self.assertIn('<td data-head="raised">', page)  # said where rows are lists
+            self.assertIn('<td data-head="raised">', page)  # the column's name is shown where rows are laid out as lists
 
     @unittest.skipUnless(BROWSER, "no Chromium")
     def test_no_text_is_cut_off(self):
@@ -184,7 +184,7 @@ class Page(ServiceTest):
         self.assertIn(">BO in health</text>", done.stdout)
         times = re.findall(r">(\d\d:\d\d[\d:.]*)</text>", done.stdout)
         self.assertGreater(len(times), 1)
-        self.assertEqual(len(times), len(set(times)), times)  # none twice
+        self.assertEqual(len(times), len(set(times)), times)  # no time occurs twice
         ticks = re.findall(r'text-anchor="end">([\d.]+)</text>', done.stdout)
         self.assertEqual(ticks[:2], ["0.000", "0.002"])
         self.assertEqual(done.stdout.count("<circle "), 4)  # three transients, and the legend's mark
@@ -214,7 +214,8 @@ class Page(ServiceTest):
             while said == b"WATCHDOG=1":
                 said = systemd.recv(100)
             self.assertEqual(said, b"STOPPING=1")
-            # A second signal, that of service.stop(), would find it without its handler, just before its end.
+            # Sent again by service.stop(), the signal could arrive after the handler is removed, just before the
+            # process ends.
             self.assertEqual(service.process.wait(SECONDS), 0)
 
 

@@ -16,7 +16,7 @@ Clock::time_point at(int s) { return Clock::time_point(std::chrono::seconds(s));
 
 constexpr std::size_t limit = 256;
 
-/// Connections of one peer come until all places are taken, or no more are let in; gives how many it has.
+/// Connects one peer until all places are taken or it is refused; returns how many connections it has.
 std::size_t crowd_in(std::vector<Occupant>& places, const std::string& peer, std::size_t attempts, bool known = false) {
     for (std::size_t i = 0; i < attempts; ++i) {
         if (places.size() >= limit) {
@@ -41,7 +41,8 @@ TEST_CASE("two peers that have all places make room for a third, until all have 
     CHECK(crowd_in(places, "other flooder", 128) == 128);
     CHECK(crowd_in(places, "third", 1) == 1);
     CHECK(crowd_in(places, "third", 1000) == 85);
-    CHECK(crowd_in(places, "flooder", 1000) + crowd_in(places, "other flooder", 1000) == 171); // none is won back
+    CHECK(crowd_in(places, "flooder", 1000) + crowd_in(places, "other flooder", 1000) ==
+          171); // none is taken from the other
     CHECK(std::ranges::count(places, std::string("third"), &Occupant::peer) == 85);
     CHECK(places.size() == limit);
 }
@@ -50,7 +51,7 @@ TEST_CASE("no peer takes what is kept, though all else is taken") {
     std::vector<Occupant> places;
     crowd_in(places, "site", 100, true);
     crowd_in(places, "flooder", 1000);
-    CHECK(crowd_in(places, "site", 1000) == 100 + 78); // its strangers have as many as the flooder's
+    CHECK(crowd_in(places, "site", 1000) == 100 + 78); // unknown machines of both peers get equal shares
     CHECK(crowd_in(places, "flooder", 1000) == 78);
     CHECK(std::ranges::count(places, true, &Occupant::kept) == 100);
 }
@@ -64,9 +65,9 @@ TEST_CASE("of one peer the idle goes first, then what has fewest samples, then w
     CHECK(gives_way(places, "new", false) == 1);
     places.erase(places.begin() + 1);
     CHECK(gives_way(places, "new", false) == 0);
-    CHECK(gives_way(places, "q", false) == 2);  // as many would be left, not more: its own idle one
-    CHECK_FALSE(gives_way(places, "p", false)); // it has most itself, all in use
-    CHECK(gives_way(places, "p", true) == 0);   // for a machine that is known
+    CHECK(gives_way(places, "q", false) == 2);  // only as many would be left, so its own idle connection gives way
+    CHECK_FALSE(gives_way(places, "p", false)); // p itself has most connections, all in use
+    CHECK(gives_way(places, "p", true) == 0);   // a known machine wins a place
     CHECK_FALSE(gives_way(std::span(places).last(1), "new", true));
 }
 
@@ -75,10 +76,10 @@ TEST_CASE("a machine is known by its samples and by the time in which they came"
     MachinePlaces machines(limits);
     machines.introduced("m", "p", at(0));
     CHECK_FALSE(machines.heard("m", 100000, at(1)));
-    CHECK_FALSE(machines.heard("m", 100000, at(700))); // no sample has come
+    CHECK_FALSE(machines.heard("m", 100000, at(700))); // no sample has arrived since
     CHECK(machines.heard("m", 100001, at(701)));
     CHECK(machines.known("m"));
-    CHECK_FALSE(machines.heard("m", 0, at(702))); // it begins anew
+    CHECK_FALSE(machines.heard("m", 0, at(702))); // the machine starts again from 0 samples
     CHECK_FALSE(machines.known("m"));
     machines.introduced("slow", "p", at(0));
     CHECK_FALSE(machines.heard("slow", 1, at(0)));
@@ -113,15 +114,15 @@ TEST_CASE("however many machines of one peer are known, others' machines find a 
     };
     for (int i = 0; i < 400; ++i)
         CHECK(introduce(fmt::format("site {}", i), "site", 5000, always));
-    for (int i = 0; i < 2000; ++i) // all of them served for long, and none of them given up
+    for (int i = 0; i < 2000; ++i) // all have been connected for long, and none is idle
         introduce(fmt::format("flood {}", i), "flooder", 5000, never);
     CHECK(known("site") == 400);
     CHECK(known("flood") == most_kept(limits.machines_per_peer));
-    for (int i = 0; i < 200; ++i) // of its own peer, too
+    for (int i = 0; i < 200; ++i) // connections of its own peer too
         CHECK(introduce(fmt::format("own {}", i), "flooder", 1, always));
     for (int i = 0; i < 100; ++i)
         CHECK(introduce(fmt::format("new {}", i), "newcomer", 5000, never));
-    CHECK_FALSE(introduce("new 100", "newcomer", 5000, never)); // it has as many that are not known as the flooder
+    CHECK_FALSE(introduce("new 100", "newcomer", 5000, never)); // this peer has as many unknown machines as the flooder
     CHECK(known("new") == 875 - 437 - 400);
     CHECK(known("site") == 400);
 }
@@ -134,19 +135,19 @@ TEST_CASE("what was restored is known, as far as places may be kept, until other
         machines.restored(fmt::format("m{}", i), i > 0 && i < 6 ? 9000 : 8 - static_cast<std::uint64_t>(i), at(0));
     for (int i = 0; i < 8; ++i)
         CHECK(machines.known(fmt::format("m{}", i)) == (i < 7));
-    CHECK_FALSE(machines.gives_way("p", false, always)); // one each
+    CHECK_FALSE(machines.gives_way("p", false, always)); // each peer has one
     machines.restored("name", 0, at(0));
     CHECK_FALSE(machines.known("name"));
     CHECK(machines.gives_way("p", false, always) == "name");
     machines.forgotten("name");
     machines.introduced("new", "p", at(0));
     machines.heard("new", 1, at(0));
-    CHECK(machines.heard("new", 5000, at(1000))); // in place of one that has two samples
+    CHECK(machines.heard("new", 5000, at(1000))); // replaces a machine with two samples
     CHECK_FALSE(machines.known("m6"));
     machines.introduced("newer", "p", at(0));
     machines.heard("newer", 1, at(0));
     CHECK(machines.known("m0"));
-    CHECK(machines.heard("newer", 5000, at(1000))); // in place of the next one, which has eight
+    CHECK(machines.heard("newer", 5000, at(1000))); // replaces the next one, which has eight
     CHECK_FALSE(machines.known("m0"));
     machines.introduced("newest", "p", at(0));
     machines.heard("newest", 1, at(0));

@@ -1,4 +1,4 @@
-"""What is known outlives the service, however it ends."""
+"""Tests that known machines survive the end of the service, however it ends."""
 
 import os
 import pathlib
@@ -11,7 +11,7 @@ import unittest
 from service import CONFIGURATION, PROGRAM, SECONDS, ServiceTest, boom
 
 SAMPLES = 40
-UNSETTLED = ("--population", 8, "--bits", 16)  # a search that is never done, so that every step of it shows
+UNSETTLED = ("--population", 8, "--bits", 16)  # this search never ends, so every step of it shows
 
 
 class Restart(ServiceTest):
@@ -36,7 +36,7 @@ class Restart(ServiceTest):
                 client.send(**boom(i))
             for _ in range(answered):
                 client.receive()
-            service.stop(signal.SIGKILL)  # somewhere in what is not yet answered
+            service.stop(signal.SIGKILL)  # killed while messages are still unanswered
             again = self.service("--state", self.state, *UNSETTLED)
             client = self.client(again, "digger")
             known = client.welcome["samples"]
@@ -81,7 +81,7 @@ class Restart(ServiceTest):
     def test_a_signal_is_heeded_before_it_is_known_where_it_listens(self):
         reading, writing = os.pipe()
         os.set_blocking(writing, False)
-        os.write(writing, b"x" * (1 << 20))  # as many as it holds
+        os.write(writing, b"x" * (1 << 20))  # as many bytes as the pipe holds
         os.set_blocking(writing, True)
         service = subprocess.Popen([PROGRAM, "monitor"], stdout=writing, stderr=subprocess.PIPE, text=True)
         os.close(writing)
@@ -91,7 +91,7 @@ class Restart(ServiceTest):
         status = pathlib.Path(f"/proc/{service.pid}/status")
         wanted = 1 << signal.SIGTERM - 1 | 1 << signal.SIGINT - 1
         caught, until = 0, time.monotonic() + SECONDS / 4
-        while caught & wanted != wanted:  # and it cannot say where: its pipe is full
+        while caught & wanted != wanted:  # the service cannot report this: its pipe is full
             self.assertLess(time.monotonic(), until)
             caught = int(re.search(r"SigCgt:\s+(\w+)", status.read_text(encoding="ascii"))[1], 16)
         with open(reading, encoding="ascii") as lines:
@@ -146,7 +146,7 @@ class Restart(ServiceTest):
         late = self.client(service, "digger", role="watch")
         self.assertEqual(late.receive(), told)
         service.free_disk()
-        client.send(**boom(13))  # comes before the state file is written, or after
+        client.send(**boom(13))  # arrives before or after the state file is written
         client.receive_type("estimates")
         service.stop(signal.SIGKILL)
         client = self.client(self.service("--state", self.state, *UNSETTLED), "digger")

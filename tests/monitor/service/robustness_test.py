@@ -1,4 +1,4 @@
-"""What clients may do to the service, and that it does not mind."""
+"""Tests that the service survives whatever clients do."""
 
 import json
 import random
@@ -61,7 +61,7 @@ class Robustness(ServiceTest):
         half.send_bytes(b'{"type":"ping"}\n{"type":"pi')
         half.socket.shutdown(socket.SHUT_WR)
         self.assertEqual(half.receive()["type"], "pong")
-        self.assertEqual(half.receive()["line"], 2)  # what is no message is answered so
+        self.assertEqual(half.receive()["line"], 2)  # an invalid message is answered with an error
         self.assertIsNone(half.receive())
         self.still_well(service)
 
@@ -95,7 +95,7 @@ class Robustness(ServiceTest):
         service = self.service("--stall-timeout", 60)
         before = service.memory_kilobytes()
         client = self.client(service)
-        count = 400000  # 6 MB of questions, as much of answers, none of which is read at first
+        count = 400000  # 6 MB of questions and as many of answers, unread at first
         flood = threading.Thread(target=client.send_bytes, args=(b'{"type":"ping"}\n' * count,))
         flood.start()
         self.still_well(service)
@@ -162,7 +162,7 @@ class Robustness(ServiceTest):
                 dribbling.send_bytes(b" ")
                 pause.wait(0.02)
         except OSError:
-            pass  # it has been closed
+            pass  # the connection has been closed
         reader.join()
         self.assertIn("half a line for 0.3 s", answers[0]["wrong"])
 

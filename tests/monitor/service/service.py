@@ -1,4 +1,4 @@
-"""Starts the service under test, which the environment's PLACEDPAR names, and talks to it."""
+"""Starts the service under test, named by the environment variable PLACEDPAR, and talks to it."""
 
 import json
 import os
@@ -13,7 +13,7 @@ import threading
 import unittest
 
 PROGRAM = os.environ["PLACEDPAR"]
-SECONDS = 60  # for anything that should take no time
+SECONDS = 60  # longest wait for anything that should be immediate
 
 
 class Service:
@@ -23,7 +23,7 @@ class Service:
         self.process = subprocess.Popen([PROGRAM, "monitor", *map(str, arguments)], stdout=subprocess.PIPE,
                                         stderr=subprocess.PIPE, text=True)
         self.log = []
-        self.reader = threading.Thread(target=lambda: self.log.extend(self.process.stderr))  # or it would be full
+        self.reader = threading.Thread(target=lambda: self.log.extend(self.process.stderr))  # drains the pipe, which would fill up
         self.reader.start()
         self.address = self.page = None
         for _ in range(("--port" in arguments or "--unix" not in arguments) + ("--unix" in arguments) +
@@ -31,7 +31,7 @@ class Service:
             self.note(self.process.stdout.readline())
 
     def note(self, line):
-        """Where it listens."""
+        """Returns the address on which the service listens."""
         port = re.fullmatch(r"placedpar monitor: listening on (\S+) port (\d+)\n", line)
         path = re.fullmatch(r"placedpar monitor: listening on (/\S+)\n", line)
         page = re.fullmatch(r"placedpar monitor: page at (http://\S+/)\n", line)
@@ -46,33 +46,33 @@ class Service:
             self.path = path[1]
 
     def stop(self, number=signal.SIGTERM):
-        """The exit code and what was said on standard error."""
+        """Returns the exit code and the text on standard error."""
         if self.process.poll() is None:
             self.process.send_signal(number)
         self.process.wait(SECONDS)
         return self.process.returncode, self.said()
 
     def said(self):
-        """On standard error, so far."""
+        """Returns the text on standard error so far."""
         if self.process.poll() is not None:
             self.reader.join(SECONDS)
         return "".join(self.log)
 
     def fill_disk(self, file_bytes):
-        """From now on no file of the service may be longer, which is like a full disk to it."""
+        """Limits the length of all files that the service writes from now on, like a full disk."""
         resource.prlimit(self.process.pid, resource.RLIMIT_FSIZE, (file_bytes, resource.RLIM_INFINITY))
 
     def free_disk(self):
         self.fill_disk(resource.RLIM_INFINITY)
 
     def memory_kilobytes(self):
-        """What it occupies now."""
+        """Returns the memory that the service occupies now."""
         status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text(encoding="ascii")
         return int(re.search(r"VmRSS:\s+(\d+) kB", status)[1])
 
 
 class Client:
-    """A connection to the service, a JSON object a line each way."""
+    """A connection to the service that carries one JSON object a line in each direction."""
 
     def __init__(self, service, machine=None, source="", path=None, **hello):
         if path:
@@ -92,12 +92,12 @@ class Client:
         self.socket.sendall(data)
 
     def receive(self):
-        """The next message; None when the service has closed the connection."""
+        """Returns the next message; None if the service has closed the connection."""
         line = self.lines.readline()
         return json.loads(line) if line.endswith(b"\n") else None
 
     def receive_type(self, wanted):
-        """The next message of a type, those before it left out."""
+        """Returns the next message of this type, skipping others."""
         while True:
             message = self.receive()
             if message is None or message["type"] == wanted:
@@ -112,14 +112,14 @@ class Client:
         self.socket.close()
 
 
-# The constants of the excavator that the service takes when none are given.
+# The excavator's constants that the service takes by default.
 ORIFICE, PUMP, TANK = 99.83, 175.08, 16.2
 PISTON_IN3_PER_DEG = 32 * 22.4 * 3.141592653589793 / 180
 PERIOD_S = 0.020
 
 
 def boom(index, start_s=0.0, compliance=0.0086):
-    """A sample of a boom of this compliance whose pressure rises; 40 in^3/s flow in, the rest to the tank."""
+    """Returns a sample of a boom of this compliance with rising pressure: 40 in^3/s flow in, the rest to the tank."""
     t = index * PERIOD_S
     psi = 1500 + 1800 * t - 300 * t * t
     piston_in3 = 40 * t - compliance * (psi - 1500)
@@ -134,7 +134,7 @@ CONFIGURATION = {"type": "configuration", "configuration": "a", "active": ["BO"]
 
 
 def move_softly(client, start_s=0.0):
-    """Three movements of a boom that is twice as soft as its kind, and all that is said until they are judged."""
+    """Sends three movements of a boom twice as soft as its kind; returns all messages until they are judged."""
     client.send(type="baseline", links={"BO": 0.0043})
     client.receive_type("status")
     for movement in range(3):
@@ -148,7 +148,7 @@ def move_softly(client, start_s=0.0):
 
 
 class ServiceTest(unittest.TestCase):
-    """A test with services, clients and a folder of its own."""
+    """A test case with services, clients and its own folder."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -170,7 +170,7 @@ class ServiceTest(unittest.TestCase):
         return client
 
     def refusal(self, *arguments):
-        """What a service says that does not start."""
+        """Returns the messages of a service that refuses to start."""
         done = subprocess.run([PROGRAM, "monitor", *map(str, arguments)], stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, text=True, timeout=SECONDS, check=False)
         self.assertEqual(done.returncode, 1, done.stdout)

@@ -1,4 +1,4 @@
-// Wires through switches, and what carries each channel.
+// Tests the wires through switches, and the routes of channels.
 
 #include "tests/netlist/good_networks.hpp"
 #include "tests/netlist/small_catalogue.hpp"
@@ -9,7 +9,7 @@ using namespace placedpar;
 
 namespace {
 
-/// The link that the channel leaves its sender by; -2 for a soft channel.
+/// Returns the link by which the channel leaves its sender; -2 for a soft channel.
 int sending_link(const Network& network, const NetworkChannel& at) {
     if (at.placement.kind == ChannelPlacement::Kind::soft)
         return -2;
@@ -45,7 +45,7 @@ TEST_CASE("channels share out the links between neighbours") {
         return sending_link(
             network, channel(network, "pumps[" + std::to_string(i) + "].out -> sinks[" + std::to_string(i) + "].in"));
     };
-    // the last one is placed on link 1; the others take the lighter link, of equals the lower
+    // The last channel is placed on link 1. The others take the link with fewer channels, or the lower link if equal.
     CHECK(link(4) == 1);
     CHECK(link(0) == 0);
     CHECK(link(1) == 0);
@@ -54,7 +54,7 @@ TEST_CASE("channels share out the links between neighbours") {
     CHECK(channel(network, "pumps[0].out -> sinks[0].in").placement.in_packets);
     const auto& back = channel(network, "back_from.out -> back_to.in");
     CHECK(sending_link(network, back) == 0);
-    CHECK_FALSE(back.placement.in_packets); // alone in its direction
+    CHECK_FALSE(back.placement.in_packets); // the only channel in its direction
 }
 
 TEST_CASE("channels at the edge") {
@@ -83,7 +83,7 @@ TEST_CASE("a channel placed on a link to an edge needs no edge channel") {
 
 namespace {
 
-/// The links by which the channel leaves the processors on its way.
+/// Returns the links by which the channel leaves each processor on its route.
 std::string route_of(const Network& network, std::size_t channel = 0) {
     std::string text;
     for (const RouteHop& hop : network.channels[channel].placement.route)
@@ -91,7 +91,7 @@ std::string route_of(const Network& network, std::size_t channel = 0) {
     return text;
 }
 
-/// A ring of four, link 2 of each to link 1 of the next.
+/// A ring of four, link 2 of each wired to link 1 of the next.
 Network ring_of_four(const std::string& rest) {
     return good_text("connection c, w; T800 t[4]; rep i = 0 for 4 connect t[i].link[2] to t[(i + 1) % 4].link[1];"
                      "process p[2], q[2]; use \"pump\" for p; use \"sink\" for q; connect p[0].out to q[0].in by c;"
@@ -104,8 +104,8 @@ Network ring_of_four(const std::string& rest) {
 TEST_CASE("a channel between processors that are not neighbours takes the shortest route") {
     CHECK(route_of(ring_of_four("place q[0] on t[1]; place q[1] on t[1];"), 1) == "t[0].link[2]");
     auto network = ring_of_four("place q[0] on t[2]; place q[1] on t[2];");
-    CHECK(route_of(network, 0) == "t[0].link[1] t[3].link[1]"); // of equals the lowest link
-    CHECK(route_of(network, 1) == "t[0].link[2] t[1].link[2]"); // the wires that fewer channels use
+    CHECK(route_of(network, 0) == "t[0].link[1] t[3].link[1]"); // of equal routes, the one by the lowest link
+    CHECK(route_of(network, 1) == "t[0].link[2] t[1].link[2]"); // the wires with fewer channels
     CHECK(network.channels[0].placement.in_packets);
 }
 
@@ -129,7 +129,7 @@ TEST_CASE("the netlist tells routes: by what processors ask for, hop by hop, in 
 
 TEST_CASE("a linkquota keeps channels from leading through a processor, or by its higher links") {
     auto route_with = [](const std::string& quota, const std::string& from, const std::string& to) {
-        // From hub to each of three, and a longer way round by `far`.
+        // Routes lead from hub to each of three processors, and by a detour through `far`.
         return route_of(good_text("T800 (linkquota = " + quota + ") hub; T800 a, b, c, far;" +
                                   "connect hub.link[0] to a.link[0]; connect hub.link[1] to b.link[0];"
                                   "connect hub.link[3] to c.link[0]; connect a.link[1] to far.link[0];"
@@ -141,12 +141,12 @@ TEST_CASE("a linkquota keeps channels from leading through a processor, or by it
     const std::string by_far = "a.link[1] far.link[2]", by_hub = "a.link[0] hub.link[3]";
     CHECK(route_with("4", "a", "c") == by_hub);
     CHECK(route_with("3", "a", "c") == by_hub);
-    CHECK(route_with("2", "a", "c") == by_far); // the third wired link is beyond the quota
+    CHECK(route_with("2", "a", "c") == by_far); // the third wired link exceeds the quota
     CHECK(route_with("2", "a", "b") == "a.link[0] hub.link[1]");
     CHECK(route_with("2", "c", "a") == "c.link[1] far.link[0]");
     for (const char* none : {"1", "0"}) {
         CHECK(route_with(none, "a", "b") == "a.link[1] far.link[1]");
-        CHECK(route_with(none, "hub", "c") == "hub.link[3]"); // its own channels take any
+        CHECK(route_with(none, "hub", "c") == "hub.link[3]"); // its own channels may take any link
         CHECK(route_with(none, "c", "hub") == "c.link[0]");
         CHECK(route_with(none, "hub", "far") == "hub.link[0] a.link[1]");
     }

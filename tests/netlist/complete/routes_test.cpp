@@ -1,4 +1,4 @@
-// The best routes, where many are asked for of the same processor.
+// Tests that routes are the best, when many are needed from the same processor.
 
 #include "netlist/complete/routes.hpp"
 #include "netlist/read.hpp"
@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::size_t side = 7;
 
-/// A torus of processors that ask for different amounts, one in ten of them with a link that leads nothing through.
+/// A torus of processors with different route costs. With quotas, one processor in ten does not route through one of
+/// its links.
 Network torus_of(std::mt19937_64& random, bool with_quotas) {
     std::string text;
     for (std::size_t i = 0; i < side * side; ++i)

@@ -1,4 +1,4 @@
-// Expressions, names and vals.
+// Tests expressions, names and vals.
 
 #include "tests/netlist/good_networks.hpp"
 
@@ -10,7 +10,7 @@ using namespace placedpar;
 
 namespace {
 
-/// The value of an expression, by way of a parameter.
+/// Returns the value of an expression that is assigned to a parameter.
 std::int64_t integer(const std::string& expression) {
     auto network = good_text("val a {1, 2, {3}[0]}; val table {{1, 2, 3}, {4, 5, 6}};\n"
                              "T800 t; process (interface (long n)) p; place p on t; use \"p.lku\" for p; p (n = " +
@@ -18,7 +18,7 @@ std::int64_t integer(const std::string& expression) {
     return std::get<std::int64_t>(network.processes[0].parameters.at("n"));
 }
 
-/// How many nodes a replicator declares.
+/// Returns how many nodes a replicator declares.
 std::size_t rounds(const std::string& replicator) {
     return good_text("rep i = " + replicator + " edge e;").nodes.size();
 }
@@ -31,7 +31,7 @@ TEST_CASE("a val is overridden from outside") {
     CHECK(alone.nodes.size() == 1);
     CHECK(channel(alone, "m.out -> s.in").placement.kind == ChannelPlacement::Kind::soft);
     CHECK(good("cluster_of_n.cfs", {{"slaves", "2 * 2 + 1"}}).nodes.size() == 6);
-    // a later val sees the override, and so does a frequency
+    // Later vals and frequencies use the overridden value.
     CHECK(good_text("val a 1; val b a + 1; edge t[b];", {{"a", "4"}}).nodes.size() == 5);
     CHECK(good_text("val f 20M; T800 (clock = f) t;", {{"f", "25M"}}).nodes[0].integer("clock") == 25'000'000);
 }
@@ -52,7 +52,7 @@ TEST_CASE("names live to the end of their block") {
     CHECK(network.processes[2].name == "p_3");
     CHECK(network.processes[2].parameters.at("n") == Value(std::int64_t{20}));
     CHECK(network.processes[3].name == "p_4");
-    // a bare statement of an if belongs to the block around it
+    // A statement after `if` without braces belongs to the enclosing block.
     CHECK(good_text("val one 1; if one == 1 T800 t; else T414 t; process p; place p on t;").nodes[0].type == "T800");
 }
 
@@ -63,7 +63,7 @@ TEST_CASE("expressions") {
     CHECK(integer("-7 / 2") == -3);
     CHECK(integer("-7 % 2") == -1);
     CHECK(integer("1 < 2 == TRUE && !0") == 1);
-    CHECK(integer("0 && 1 / 0") == 0); // the right side is not looked at
+    CHECK(integer("0 && 1 / 0") == 0); // the right side is not evaluated
     CHECK(integer("1 || 1 / 0") == 1);
     CHECK(integer("0x1F") == 31);
     CHECK(integer("2k") == 2048);
@@ -110,7 +110,7 @@ TEST_CASE("operators on bits bind as in C") {
     CHECK(integer("~5 & 0xFF") == 250);
     CHECK(integer("6 & 3 | 8 ^ 12") == ((6 & 3) | (8 ^ 12)));
     CHECK(integer("1 | 6 ^ 3 & 2") == (1 | (6 ^ (3 & 2))));
-    CHECK(integer("1 & 3 == 3") == 1); // the comparison first
+    CHECK(integer("1 & 3 == 3") == 1); // `==` binds more strongly than `&`
     CHECK(integer("1 << 2 + 3") == 32);
     CHECK(integer("1 << 4 >> 2") == 4);
     CHECK(integer("2 < 1 << 1 + 1") == 1);
@@ -134,7 +134,7 @@ TEST_CASE("size counts elements") {
     CHECK(integer("size(a)") == 3);
     CHECK(integer("size(table) * 10 + size(table[1])") == 23);
     CHECK(integer("size(\"four\")") == 4);
-    // still a name
+    // `size` is still allowed as a name.
     CHECK(good_text("val size 2; T800 t[size]; connect t[0].link[0] to t[1].link[0];").nodes.size() == 2);
 }
 

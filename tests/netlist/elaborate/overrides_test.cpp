@@ -1,4 +1,4 @@
-// What options set: vals, attributes, parameters.
+// Tests overriding options for vals, attributes and parameters.
 
 #include "netlist/print/print.hpp"
 #include "netlist/read.hpp"
@@ -36,8 +36,8 @@ place s[1] on t[1];
 place other on t[1];
 )";
 
-/// What is printed about the cluster with the option. The catalogue's kinds of other and s[1] need not agree: what an
-/// option refuses comes before. A cluster that is parsed once for all tests is refused as one of its own.
+/// Returns the message about the cluster with these overrides. The kinds of `other` and s[1] do not fit, but overrides
+/// are refused earlier. A cluster parsed once for all tests must be refused like a newly parsed one.
 std::string refusal(const Overrides& overrides) {
     static const ParsedNetlist parsed = ParsedNetlist::of_text(cluster);
     std::string said = render(parsed.read(small_catalogue(), overrides));
@@ -45,7 +45,7 @@ std::string refusal(const Overrides& overrides) {
     return said;
 }
 
-/// Without s[1] and other, which no run could have.
+/// The cluster without process s[1] and with a kind for `other`, so that it can run.
 const std::string sound = R"(val people 30; val code "binary"; val times 2;
 T800 (memory = 1M) root, t[2];
 connection (linkspeed = 20M) c;
@@ -94,7 +94,7 @@ TEST_CASE("a name by itself is a val, or an attribute or a parameter of every el
     CHECK(network.set[0].elements == Elements{"root", "t[0]", "t[1]", "c"});
 
     CHECK(process(good_text(sound, {{"cycles", "times * 7"}}), "s").parameters.at("cycles") == Value(std::int64_t{14}));
-    auto val = good_text("val clock 1M; T800 (memory = clock) t;", {{"clock", "3M"}}); // the val, not the attribute
+    auto val = good_text("val clock 1M; T800 (memory = clock) t;", {{"clock", "3M"}}); // sets the val
     CHECK(val.nodes[0].integer("memory") == 3 * 1024 * 1024);
     CHECK(val.nodes[0].integer("clock") == 20'000'000);
     CHECK(val.set[0].elements.empty());
@@ -142,8 +142,8 @@ TEST_CASE("a string needs no quotes where one is wanted") {
     };
     CHECK(label("a-b/c d.csv") == Value("a-b/c d.csv"));
     CHECK(label("5") == Value("5"));
-    CHECK(label("people") == Value("people")); // a val, but no string
-    CHECK(label("code") == Value("binary"));   // one that is a string
+    CHECK(label("people") == Value("people")); // this val is not a string
+    CHECK(label("code") == Value("binary"));   // this val is a string
     CHECK(label("") == Value(""));
     CHECK(says(refusal({{"other.label", "\"a"}}), "--set:1:13: error: the string has no end"));
     CHECK(says(refusal({{"m.population", "many"}}), "--set:1:14: error: the name \"many\" is undefined"));
@@ -202,7 +202,7 @@ TEST_CASE("a wire without a name is called as reports call it") {
 
 namespace {
 
-/// Two masters, of which one stands on the bus by a connection with a name, and an adapter.
+/// Two bus masters, one of them attached by a named connection, and an adapter.
 const std::string on_bus =
     R"(VME vme; busmaster a, b; C012 (master = "a") adapter; T800 t; connection at_a, cable, spare;
 connect a.bus[0] to vme.slot[1] by at_a;
@@ -217,7 +217,7 @@ struct PlaceOnBus {
     bool operator==(const PlaceOnBus&) const = default;
 };
 
-/// Of a and b.
+/// Returns the bus attachments of a and b.
 std::vector<PlaceOnBus> places_on_bus(const Overrides& overrides) {
     std::vector<PlaceOnBus> found;
     for (const BusAttachment& each : good_text(on_bus, overrides).attachments)
@@ -238,7 +238,7 @@ TEST_CASE("the level and the release of a master on a bus, of one or of all") {
     Network network = good_text(on_bus, {{"release", "\"ROR\""}});
     CHECK(network.set[0].elements == Elements{"at_a", "attachment[0]"});
     CHECK(good_text(print_cfs(network)).hash == network.hash);
-    CHECK(good_text(on_bus, {{"length", "2"}}).set[0].elements == Elements{"cable"}); // not the places on the bus
+    CHECK(good_text(on_bus, {{"length", "2"}}).set[0].elements == Elements{"cable"}); // the attachments are not set
 }
 
 TEST_CASE("what is no attribute of a place on a bus, or no value of it, is refused") {
@@ -307,7 +307,7 @@ TEST_CASE("what does not exist is answered with what does, the nearest name firs
                                                "note: it has population, mutation, code, priority\n"));
     CHECK(says(refusal({{"rot.clock", "3"}}), "no node, connection or process \"rot\"\n"));
     CHECK(says(refusal({{"rot.clock", "3"}}), "hint: did you mean \"root\"?\n"));
-    // "people" is near, but a val.
+    // "people" is a similar name, but that of a val.
     CHECK_FALSE(says(refusal({{"peoples.clock", "3"}}), "did you mean"));
     CHECK(says(refusal({{"t[2].clock", "3"}}), "nothing is called \"t[2]\"\n    t[2].clock=3\n    ^\n"
                                                "hint: there is t[0] to t[1]\n"));

@@ -1,4 +1,4 @@
-// Types of nodes and processes: predefined, defined, and in the spellings of real files.
+// Tests types of nodes and processes: predefined, defined, and spelled as in real files.
 
 #include "tests/netlist/good_networks.hpp"
 
@@ -58,7 +58,7 @@ TEST_CASE("processes are declared by process types") {
         return typed_process(network, name).other.at(attribute);
     };
     CHECK(typed_process(network, "source").high_priority);
-    CHECK(typed_process(network, "sink").high_priority); // its own attribute goes before its type's
+    CHECK(typed_process(network, "sink").high_priority); // its own attribute overrides its type's
     CHECK_FALSE(typed_process(network, "last").high_priority);
     CHECK_FALSE(typed_process(network, "first").high_priority);
     CHECK(typed_process(network, "third").high_priority);

@@ -19,7 +19,7 @@ using namespace placedpar;
 
 namespace {
 
-/// To all at once, `count` times: packets that are `bytes` long, and on the last of its channels `more` than that.
+/// Sends `count` packets of `bytes` to all outputs at once; those to the last output are `more` bytes longer.
 void shout(ProcessEnvironment& environment) {
     auto to = environment.outputs<Packet>("out");
     for (std::int64_t i = 0; i < environment.integer("count"); ++i)
@@ -48,7 +48,7 @@ const Catalogue& broadcasting_catalogue() {
     return known;
 }
 
-/// One on the workstation, and a consumer on each of three transputers behind an adapter.
+/// A producer on the workstation, and a consumer on each of three transputers behind link adapters.
 std::string one_to_three(const std::string& more = "rep i = 0 for 3 place p.out[i] on vme;") {
     return R"(VME vme; workstation (clock = 25M) sun; C012 adapter[3]; T800 t[3];
         connect sun.bus[0] to vme.slot[1];
@@ -101,12 +101,13 @@ TEST_CASE("channels that are placed on a bus are one broadcast: each byte is wri
     CHECK(use.adapters == 3);
     CHECK(use.messages == 5);
     CHECK(use.bytes == 5 * 200);
-    // A byte costs a look at each status and a write, for each adapter or once; a look more behind each message.
+    // A byte costs one access to each status, and one write for each adapter, or a single write if broadcast. Each
+    // message costs one more status access at its end.
     auto accesses = [](const RunReport& report) { return report.buses[0].masters[0].bytes; };
     CHECK(accesses(each) >= 5 * (2 * 3 * 200));
     CHECK(accesses(all) >= 5 * ((3 + 1) * 200 + 3));
     CHECK(accesses(all) < 5 * (3 + 2) * 200);
-    // Nobody else asks for the bus: every access takes the program's 30 cycles, the arbitration and a cycle.
+    // No other master uses the bus: each access takes 30 program cycles, the arbitration and one bus cycle.
     Time access = duration_of(30, 25'000'000) + std::chrono::nanoseconds{200 + 310};
     CHECK(all.buses[0].busy == static_cast<std::int64_t>(accesses(all)) * std::chrono::nanoseconds{310});
     CHECK(all.result.time >= static_cast<std::int64_t>(accesses(all)) * access);
@@ -153,7 +154,7 @@ TEST_CASE("of several adapters of a receiver's processor a broadcast takes the o
 
 namespace {
 
-/// The kind passes on what a producer outputs.
+/// A process of this kind passes on the packets of a producer.
 std::string passed_on_by(const std::string& kind) {
     std::string text = one_to_three();
     replace(text, "\"test.shout\" for p", "\"" + kind + "\" for p");

@@ -1,4 +1,4 @@
-// What stands on a bus, in the netlist and in a run of it.
+// Tests bus attachments in the netlist and in a run.
 
 #include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/kinds/description.hpp"
@@ -100,7 +100,7 @@ TEST_CASE("channels lead over buses, adapters and bus masters, from nothing but 
     CHECK(report.result.ending == Ending::completed);
     for (int i = 0; i < 5; ++i)
         CHECK(report.measured("sink[" + std::to_string(i) + "]", "last_number") == 4);
-    CHECK(use_by(report, "sun").bytes >= 2 * 2 * 5 * 300); // status and data of two channels' bytes
+    CHECK(use_by(report, "sun").bytes >= 2 * 2 * 5 * 300); // status and data accesses for the bytes of two channels
     CHECK(use_by(report, "a").bytes >= 2 * 5 * 300);
     CHECK(use_by(report, "a").words >= 5 * 75);
     CHECK(use_by(report, "a").level == 1);
@@ -153,7 +153,7 @@ TEST_CASE("a route over a bus is told by the link of an adapter, or by a master'
                   "place p.out on adapter[0].link[0];\nplace p.out on t[0].link[2];\nplace p.out on t[1].link[2];", 3},
              Told{"place c on t[2]; place p.out on sun.bus[0]; place p.out on t[0].link[2];",
                   "place p.out on adapter[0].link[0];\nplace p.out on t[0].link[2];\nplace p.out on t[1].link[2];", 3},
-             Told{"place c on bbk;", "place c.in on bbk.link[0];", 1}, // the lower place of the bus master
+             Told{"place c on bbk;", "place c.in on bbk.link[0];", 1}, // the bus attachment with the lower number
              Told{"place c on bbk; place p.out on sun.bus[0];", "place p.out on sun.bus[0];", 1},
              Told{"place c on bbk; place c.in on bbk.bus[0];", "place p.out on sun.bus[0];", 1},
          }) {
@@ -228,7 +228,7 @@ TEST_CASE("a host sets a switch by a link adapter") {
             CHECK(link.bytes == 4 * 3 * (3 + 1 + 2 + 3));
         else if (link.from == "sw.config")
             CHECK(link.bytes == 4 * 3);
-    // of its nine bytes and the answer, status and data
+    // status and data accesses for its nine bytes and the answer
     CHECK(report.measured("visitor", "setting_per_visit") > 2 * (9 + 1) * 1.71);
 }
 

@@ -1,4 +1,4 @@
-// A device that the room does not know needs no more than its description to be declared, wired, checked and printed.
+// Tests that a new device is declared, wired, checked and printed with nothing but its description.
 
 #include "netlist/kinds/catalogue.hpp"
 #include "netlist/kinds/description.hpp"

@@ -1,4 +1,4 @@
-// What loaded once loads again, however large it is.
+// Tests that a network that loaded once loads again when printed, however large it is.
 
 #include "netlist/print/print.hpp"
 #include "netlist/read.hpp"
@@ -29,7 +29,7 @@ std::string message_for(const std::string& text) {
 
 } // namespace
 
-// In these two, edges make the network as large as one may be.
+// In these two networks, edges bring the size to the limit.
 
 TEST_CASE("processes with every parameter of their kind") {
     check_loads_again("val n 5000; T800 t; edge e[214000]; process m[n], s[n];\n"

@@ -1,4 +1,4 @@
-// A printed network loads again to the same network.
+// Tests that a printed network loads again as the same network.
 
 #include "netlist/print/print.hpp"
 #include "netlist/read.hpp"
@@ -13,7 +13,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Everything but the places and the source: by way of JSON, which names every field of the structures.
+/// Returns everything but the places and the source, through JSON, which names every field of the structures.
 std::string content(Network network) {
     network.source_path = "";
     return print_json(network);
@@ -93,7 +93,7 @@ TEST_CASE("the JSON document is UTF-8 whatever the file is") {
     CHECK(text("Stra\xdf"
                "e") == "Stra\xc3\x9f"
                        "e");                                   // Latin-1
-    CHECK(text("\xed\xa0\x80") == "\xc3\xad\xc2\xa0\xc2\x80"); // half of a surrogate pair is not a character
+    CHECK(text("\xed\xa0\x80") == "\xc3\xad\xc2\xa0\xc2\x80"); // half of a surrogate pair, not a character
 }
 
 TEST_CASE("the drawing names what there is and the links of each wire") {

@@ -72,7 +72,7 @@ private:
 
     struct Array {
         std::string name;
-        std::size_t size; ///< 0: a single process
+        std::size_t size; ///< 0: a single process, not an array
         std::string element(std::size_t i) const { return size == 0 ? name : fmt::format("{}[{}]", name, i); }
         std::size_t count() const { return std::max<std::size_t>(size, 1); }
     };
@@ -108,8 +108,8 @@ private:
         }
     }
 
-    /// The first on t0, each of the others on the same processor as the one before or on the next: channels lead to
-    /// neighbours only.
+    /// Places the first process on t0, and each further one on the same processor as the one before or on the next,
+    /// since channels lead only to neighbours.
     std::size_t place() {
         placed_ = first_ ? 0 : std::min(processors_ - 1, placed_ + (chance(3) ? 1 : 0));
         first_ = false;
@@ -165,7 +165,7 @@ private:
         return "\"" + text + "\"";
     }
 
-    /// Each process sends to the next; what is left over leads to the edge of the network or back to its own process.
+    /// Each process sends to the next. Unused ports lead to the edge of the network or back to their own process.
     void connect_processes() {
         std::vector<std::string> ring;
         for (const auto& array : arrays_)

@@ -1,4 +1,4 @@
-// What the end of a run waited for, and how the time of its processes went by.
+// Tests the critical path of a run, and how its processes spent their time.
 
 #include "observe/critical_path/critical_path.hpp"
 
@@ -23,13 +23,13 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// A simulation whose critical path is sought. Of a processor of 1 GHz a cycle takes 1 ns.
+/// A simulation whose critical path is computed. A cycle of its processor of 1 GHz takes 1 ns.
 struct Sought {
     explicit Sought(std::size_t most = most_path_points) : path(most) { simulation.trace_to(path); }
     hardware::Processor& processor(const char* name = "t") {
         return simulation.add<hardware::Processor>(name, 1'000'000'000);
     }
-    /// "computing: p on t, 0 to 19", in nanoseconds.
+    /// Returns the path's parts as "computing: p on t, 0 to 19", in nanoseconds.
     Lines parts(Time limit = Time::max()) {
         simulation.run(limit);
         Lines lines;
@@ -106,7 +106,7 @@ TEST_CASE("the end of a PAR leads to its last component") {
         par([] { wait_for(1us); }, [] { wait_for(2us); });
         wait_for(1us);
     });
-    CHECK(sought.parts() == Lines{"delayed: p, 0 to 3000"}); // in the name of the process
+    CHECK(sought.parts() == Lines{"delayed: p, 0 to 3000"}); // listed under the process's name
 }
 
 TEST_CASE("where the run ends later than what its processes did, nothing more is done until then") {

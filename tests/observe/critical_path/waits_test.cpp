@@ -1,4 +1,4 @@
-// How the time of a process with components is told apart.
+// Tests how the time of a process with components is divided into activities.
 
 #include "observe/critical_path/waits.hpp"
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr Time at(int picoseconds) { return Time{picoseconds}; }
 
-/// A process that begins to do something at 0.
+/// A process that begins an activity at 0.
 Accounts beginning(Activity activity) {
     Accounts accounts;
     accounts.turn("p", Activity::ended, activity, at(0));
@@ -34,7 +34,7 @@ TEST_CASE("time goes to what the process does") {
 
 TEST_CASE("a process computes while any of its components does") {
     Accounts accounts = beginning(Activity::computing);
-    accounts.turn("p", Activity::ended, Activity::joining, at(0)); // another component
+    accounts.turn("p", Activity::ended, Activity::joining, at(0)); // a second component starts
     accounts.turn("p", Activity::computing, Activity::ready, at(4));
     accounts.turn("p", Activity::ready, Activity::inputting, at(6));
     accounts.close(at(10));
@@ -42,7 +42,7 @@ TEST_CASE("a process computes while any of its components does") {
     CHECK(p.computing == at(4));
     CHECK(p.ready == at(2));
     CHECK(p.waiting == at(4));
-    CHECK(p.waiting_for.empty()); // it never ended
+    CHECK(p.waiting_for.empty()); // the wait never ended
     CHECK(p.most_waited_for().empty());
 }
 

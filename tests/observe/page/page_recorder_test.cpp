@@ -1,4 +1,4 @@
-// What a page keeps of a trace.
+// Tests which parts of a trace a page keeps.
 
 #include "observe/page/page_recorder.hpp"
 

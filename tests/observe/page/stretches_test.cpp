@@ -15,7 +15,7 @@ Slice working(std::size_t track, int begin, int end) {
     return {track, Activity::computing, Time{begin}, Time{end}, false, "work"};
 }
 
-/// Track 0 works in steps of one picosecond; track 1 for as long as all of them take.
+/// Track 0 computes in many steps of one picosecond; track 1 computes once, for the same total time.
 Stretches steps_and_a_long_one(const Tracks& tracks, int steps, const page::Room& room) {
     Stretches stretches(tracks, Time{}, room);
     for (int i = 0; i < steps; ++i)

@@ -1,4 +1,4 @@
-// The log of a run as its readers are told it.
+// Tests the events of a run's log in the form in which its readers receive them.
 
 #include "observe/trace/trace_fork.hpp"
 
@@ -30,7 +30,7 @@ const char* log_word(Activity activity) {
     return words[static_cast<std::size_t>(activity)];
 }
 
-/// Notes what it is told as text, with moments in nanoseconds.
+/// Writes each event as text, with times in nanoseconds.
 struct ToldLines final : TraceSink {
     void turns(const Process& process, Activity activity, Time now) override {
         lines.push_back(fmt::format("{} {} {}", now / 1ns, process.path(), log_word(activity)));
@@ -96,7 +96,7 @@ TEST_CASE("a PAR joins its components, and what ends it is said of them alone") 
 
 namespace {
 
-/// Two processes on a processor move words over a bus, and the second sends a message over a link to a third.
+/// Two processes on one processor move words over a bus, and the second sends a message over a link to a third process.
 void run_on_bus_and_link(TraceSink& sink) {
     struct Memory final : hardware::BusSlave {
         std::string name = "memory";

@@ -1,4 +1,4 @@
-// What a run is told to a trace, and what slices and messages become of it.
+// Tests how a run's trace events become slices and messages.
 
 #include "on_one_node.hpp"
 
@@ -28,7 +28,7 @@ const char* word(Activity activity) {
     return words[static_cast<std::size_t>(activity)];
 }
 
-/// Notes what it is given as text.
+/// Writes the slices and messages that it receives as text.
 struct Notes final : TraceWriter {
     explicit Notes(const Tracks& t) : tracks(t) {}
     void write(const Slice& s) override {
@@ -46,7 +46,7 @@ struct Notes final : TraceWriter {
         lines.push_back(fmt::format("{} to {}: {}", begin / 1ns, end / 1ns, why));
     }
 
-    /// Those that begin with this.
+    /// Returns the lines that begin with `what`.
     std::vector<std::string> about(const std::string& what) const {
         std::vector<std::string> found;
         for (const std::string& line : lines)
@@ -61,7 +61,7 @@ struct Notes final : TraceWriter {
 
 using Lines = std::vector<std::string>;
 
-/// A simulation whose processes are traced. Of a processor of 1 GHz a cycle takes 1 ns.
+/// A simulation with traced processes. A cycle of its processor of 1 GHz takes 1 ns.
 struct Traced {
     explicit Traced(const std::vector<std::string>& processes, const TraceWindow& window = {})
         : tracks(on_one_node(processes)), notes(tracks), timeline(tracks, window, notes) {
@@ -94,7 +94,7 @@ TEST_CASE("a PAR in a loop uses the same tracks again, and they are drawn behind
         drawn.push_back(traced.tracks.all()[track].name);
     CHECK(drawn == Lines{"t", "p", "p/0", "p/1", "q", "q/0", "q/1"});
     CHECK(traced.notes.about("p/1").size() == 5);
-    CHECK(traced.notes.about("p:").size() == 5); // it waits for its components
+    CHECK(traced.notes.about("p:").size() == 5); // p waits for its components
 }
 
 TEST_CASE("a wait says what it is for") {
@@ -132,7 +132,7 @@ TEST_CASE("a message leaves with the output and arrives where the other process 
     traced.simulation.process("q", input, &t);
     traced.simulation.process("p", output, &t);
     const Notes& notes = traced.run();
-    // q is first, and waits; the message leaves when p has paid for its output, the copy included.
+    // q is first, and waits. The message leaves when p has spent the time of its output, the copy included.
     CHECK(notes.about("q:") ==
           Lines{"q: computes 0 to 19", "q: inputs 19 to 2042, c with p", "q: computes 2042 to 2542"});
     CHECK(notes.about("p:") == Lines{"p: ready 0 to 19", "p: computes 19 to 1042", "p: computes 1042 to 2042"});
@@ -151,7 +151,7 @@ TEST_CASE("a process that loses its processor is ready until it computes again")
     };
     traced.simulation.process("high", interrupt, &t, Priority::high);
     const Notes& notes = traced.run();
-    // An interruption takes the processor 19 cycles; the second time, high still waits meanwhile.
+    // An interruption costs the processor 19 cycles; the second time, `high` is still waiting meanwhile.
     CHECK(notes.about("high:") ==
           Lines{"high: computes 0 to 19", "high: delayed 19 to 4038, timer", "high: computes 4038 to 5038"});
     CHECK(notes.about("low:") == Lines{"low: ready 0 to 19", "low: computes 19 to 4019", "low: ready 4019 to 5038",

@@ -1,4 +1,4 @@
-// A trace as a file: its format, and what is said of what it lacks.
+// Tests the file of a trace: its format, and the message about omissions.
 
 #include "on_one_node.hpp"
 
@@ -19,11 +19,11 @@ using test::on_one_node;
 
 namespace {
 
-/// A file of this name, which is gone afterwards.
+/// A file of this name, deleted afterwards.
 struct Written {
     explicit Written(const std::string& name) : path(std::filesystem::temp_directory_path() / name) {}
     ~Written() { std::filesystem::remove(path); }
-    /// Of a process that waits ten times for a microsecond; returns what is said.
+    /// Traces a process that waits ten times for a microsecond. Returns the message about the trace.
     std::string run(const TraceWindow& window = {}) const {
         Simulation simulation;
         TraceFile file(path, on_one_node({"p"}), window);

@@ -1,4 +1,4 @@
-// Which lines a trace draws, and in which order.
+// Tests which tracks a trace has, and their order.
 
 #include "on_one_node.hpp"
 

@@ -1,4 +1,4 @@
-// Slices and messages as the formats of traces have them.
+// Tests how trace formats write slices and messages.
 
 #include "on_one_node.hpp"
 
@@ -18,7 +18,7 @@ using test::on_one_node;
 
 namespace {
 
-/// What a writer of that format makes of what `tell` tells it: the file.
+/// Returns the file that a writer of this format makes from the calls in `tell`.
 template <class Writer>
 std::string written(const Tracks& tracks, const std::function<void(TraceWriter&)>& tell) {
     const std::filesystem::path path = std::filesystem::temp_directory_path() / "placedpar_writers_test";
@@ -35,7 +35,7 @@ std::string written(const Tracks& tracks, const std::function<void(TraceWriter&)
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// How Perfetto shows one slice of the process `p`: track 1, behind its processor.
+/// Returns how Perfetto shows one slice of the process `p`, which is track 1, after its processor.
 std::string shown(const Slice& slice) {
     Tracks tracks(on_one_node({"p"}));
     std::string text = written<PerfettoTrace>(tracks, [&](TraceWriter& writer) { writer.write(slice); });
@@ -47,7 +47,7 @@ Slice waiting(Activity activity, std::vector<Awaited> awaited = {}, bool timer =
     return {1, activity, Time{1000}, Time{3000}, false, "", 0, std::move(awaited), timer};
 }
 
-/// Its value "name" alone.
+/// Returns only its value "name".
 std::string name_shown(const Slice& slice) {
     std::string text = shown(slice);
     std::size_t begin = text.find("\"name\":\"") + 8;
@@ -75,7 +75,7 @@ TEST_CASE("Perfetto: a wait says for whom, and on which channel") {
     CHECK(name_shown(waiting(Activity::delayed, {}, true)) == "waits for its timer");
     CHECK(name_shown(waiting(Activity::after_work)) == "waits for the end of the work");
     CHECK(name_shown(waiting(Activity::stopped)) == "has stopped");
-    CHECK(has(shown(waiting(Activity::inputting, {{"c", ""}})), R"("args":{"channel":"c","partner":"nobody yet"})"));
+    CHECK(has(shown(waiting(Activity::inputting, {{"c", ""}})), R"("args":{"channel":"c","partner":"none yet"})"));
 }
 
 TEST_CASE("Perfetto: an alternation names a few partners, and counts many") {
@@ -119,7 +119,7 @@ TEST_CASE("Perfetto: the end says why, and every track has its name") {
 
 namespace {
 
-/// A value change dump of these slices: what follows the declarations.
+/// Returns a value change dump of these slices, without the declarations.
 std::string changes(const std::vector<Slice>& slices) {
     Tracks tracks(on_one_node({"p"}));
     std::string text = written<VcdTrace>(tracks, [&](TraceWriter& writer) {

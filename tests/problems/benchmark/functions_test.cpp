@@ -12,13 +12,13 @@ using namespace placedpar;
 
 namespace {
 
-/// The function at the same number everywhere.
+/// Returns the function's value where every parameter is `each`.
 template <class Function>
 double at(const Function& function, double each) {
     return function.objective(std::vector<double>(function.representation().parameters(), each));
 }
 
-/// No string of so few bits is better than the optimum; the least of all.
+/// Returns the least value of all strings. REQUIRES: at most 16 bits.
 template <class Function>
 double least_of_all(const Function& function) {
     auto problem = minimise(function);
@@ -40,7 +40,7 @@ Function small(std::size_t bits) {
     return function;
 }
 
-/// Nowhere in its ranges does chance find less than the optimum.
+/// Checks that no random point is below the stated optimum.
 template <class Function>
 void check_optimum(const Function& function) {
     auto problem = minimise(function)->coded(Coding::real);
@@ -81,7 +81,7 @@ TEST_CASE("nothing is better than the optimum, of all strings") {
     CHECK(least_of_all(small<Rastrigin>(8)) == 0);
     CHECK(least_of_all(small<Griewank>(8)) == 0);
     CHECK(least_of_all(small<StepFunction>(8)) == -12);
-    double schwefel = least_of_all(small<Schwefel>(8)); // no code lies on the optimum: the nearest is 0.97 away
+    double schwefel = least_of_all(small<Schwefel>(8)); // no code is exactly at the optimum: the nearest is 0.97 away
     CHECK(schwefel > 0);
     CHECK(schwefel < 2 * 0.2);
     CHECK(std::abs(least_of_all(Foxholes{.bits = 8}) - 0.998004) < 0.01);

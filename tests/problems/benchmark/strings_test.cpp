@@ -12,7 +12,7 @@ using namespace placedpar;
 
 namespace {
 
-/// The greatest objective of all strings.
+/// Returns the greatest objective of all strings.
 template <class Problem>
 double greatest_of_all(const Problem& problem) {
     std::size_t bits = problem.representation().bits();
@@ -58,7 +58,7 @@ TEST_CASE("a trap rewards zeros until all are ones") {
 }
 
 TEST_CASE("an NK landscape by hand") {
-    // Bits i and i + 1 choose one of four numbers; three bits, closed to a ring.
+    // Bits i and i + 1 choose one of four numbers; the three bits form a ring.
     Landscape landscape(3, 1, {1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048});
     CHECK(landscape.objective(Genome::from_string("000")) == 1 + 16 + 256);
     CHECK(landscape.objective(Genome::from_string("011")) == 2 + 128 + 1024);

@@ -15,7 +15,7 @@ using namespace placedpar;
 
 namespace {
 
-/// The shortest of all tours from city 0.
+/// Returns the length of the shortest tour from city 0.
 double shortest_of_all(const Tour& tour) {
     std::vector<std::size_t> order(tour.representation().places());
     std::iota(order.begin(), order.end(), std::size_t{0});

@@ -21,7 +21,7 @@ std::vector<Sample> unchanging(double noise = 0) {
     return plant_record({.change = PlantChange::none, .noise = noise}, RandomStream(1, "plant"));
 }
 
-/// The codes of d, alpha, beta, gamma, delta, b0.
+/// Makes a string from the codes of d, alpha, beta, gamma, delta, b0.
 Genome string_of(std::array<std::uint64_t, 6> codes) {
     Genome genome(37);
     std::size_t first = 0;
@@ -54,7 +54,7 @@ TEST_CASE("the plant of 5.8 lies on the grid but for beta, and there the error v
     auto weights = PoleZeroPlant{truth[0], truth[1], truth[2], truth[3], truth[4], truth[5]}.weights();
     for (const Sample& sample : unchanging())
         CHECK(problem.error_of<double>(weights, sample) == doctest::Approx(0).epsilon(1e-12));
-    // The nearest beta is .375: y(k-2) weighs .0031 too much.
+    // The nearest beta is .375, so the weight of y(k-2) is .0031 too large.
     Genome nearest = string_of({0, 112, 88, 48, 48, 64});
     for (const Sample& sample : unchanging())
         CHECK(problem.error(nearest, sample) == doctest::Approx((.5625 + .140625 - .7) * sample[2]));
@@ -107,7 +107,7 @@ TEST_CASE("a simulated plant goes on from its own outputs") {
     REQUIRE(errors.size() == expected.size());
     for (std::size_t i = 0; i < errors.size(); ++i)
         CHECK(errors[i] == doctest::Approx(expected[i]));
-    CHECK(errors[0] == make_search_problem(PlantProblem())->errors(genome, window)[0]); // both from measured outputs
+    CHECK(errors[0] == make_search_problem(PlantProblem())->errors(genome, window)[0]); // from measured outputs
     CHECK(errors[1] != make_search_problem(PlantProblem())->errors(genome, window)[1]);
 }
 

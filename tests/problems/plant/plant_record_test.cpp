@@ -18,7 +18,7 @@ std::vector<std::vector<double>> record_of(const PlantExperiment& experiment, st
     return plant_record(experiment, RandomStream(seed, "plant"));
 }
 
-/// y(k) less what 5.8 says it is.
+/// Returns y(k) minus the value by equation 5.8.
 double rest(const std::vector<double>& sample, double a1) {
     return sample[0] - (a1 * sample[1] - 0.7 * sample[2] + sample[3] + 0.5 * sample[4]);
 }

@@ -14,7 +14,7 @@ namespace placedpar::test {
 using Octets = std::vector<std::uint8_t>;
 inline constexpr hardware::LinkTiming adapter_timing{.overlapped_acknowledge = false};
 
-/// A Sun on a bus with an adapter, whose link leads to a transputer.
+/// A Sun with a link adapter on its bus; the adapter's link leads to a transputer.
 struct Host {
     explicit Host(std::int64_t most_polls = 32, const hardware::LinkTiming& timing = adapter_timing)
         : program(hardware::bus_programs::sun_3_280),

@@ -10,37 +10,37 @@
 
 namespace placedpar::test {
 
-/// What the two ends of one direction of a link do: message after message, or transfer after transfer, each after a
-/// pause.
+/// The traffic in one direction of a link: messages or transfers, each after a pause.
 struct Traffic {
     struct Message {
         std::int64_t sender_pause, receiver_pause; ///< nanoseconds
         std::vector<std::uint32_t> parts;          ///< bytes
-        bool alternates = false;                   ///< the receiver asks only once the first byte has arrived
+        bool alternates = false;                   ///< the receiver asks for the message only when the first byte has
+                                                   ///< arrived
     };
-    /// So many bytes that one end gives or takes. The other end need not take or give as many: a transfer ends when its
-    /// own bytes have passed, and the next one at this end goes on in the middle of the other end's.
+    /// A number of bytes that one end gives or takes. The counts at the two ends need not agree. A transfer ends when
+    /// its own bytes have passed, and the next one at this end may begin in the middle of a transfer of the other end.
     struct Transfer {
-        std::int64_t pause; ///< nanoseconds since the transfer before ended
+        std::int64_t pause; ///< nanoseconds since the previous transfer ended
         std::uint32_t bytes;
-        bool alternates = false;  ///< the receiver asks only once a byte has arrived
-        bool ends_message = true; ///< false: a part of a message that is not its last; the Course leaves out its end
+        bool alternates = false;  ///< the receiver asks for the transfer only when a byte has arrived
+        bool ends_message = true; ///< false: the transfer is a part of a message but not its last, and its end is not
+                                  ///< in the Course
     };
     std::vector<Message> messages;
     std::vector<Transfer> given, taken; ///< REQUIRES: empty if there are messages
 };
 
-/// When the outputs and the inputs of the messages, or the transfers, ended, in nanoseconds.
+/// The times at which outputs and inputs of the messages, or transfers, ended, in nanoseconds.
 struct Course {
     std::vector<std::int64_t> output_ended, input_ended;
     bool operator==(const Course&) const = default;
 };
 
-/// A link as a clocked circuit, stepped nanosecond by nanosecond: levels on two wires, packets decoded from
-/// the levels, nothing shared with the runtime but the figures of LinkTiming. The other half of the test of
-/// runtime/hardware/link.cpp: there events, here levels.
-///
-/// A message is a row of transfers, one for each part, whose counts agree at both ends.
+/// Models a link as a clocked circuit, one nanosecond a step: levels on two wires, and packets decoded from the levels.
+/// It shares only the figures of LinkTiming with the runtime, and serves as the reference for
+/// runtime/hardware/link.cpp, which uses events. A message is a sequence of transfers, one for each part, whose counts
+/// agree at both ends.
 class BitModel {
 public:
     /// A packet: a byte or an acknowledge.
@@ -51,48 +51,46 @@ public:
         bool operator==(const Packet&) const = default;
     };
 
-    /// REQUIRES: the wire's delay and the edges of the faults are whole nanoseconds, and so are the latencies.
+    /// REQUIRES: the wire's delay, the latencies and the limits of the faults are whole nanoseconds.
     BitModel(const hardware::LinkTiming&, const std::array<Traffic, 2>&, const std::vector<hardware::LinkFault>& = {});
-    /// Steps until all traffic has passed. Throws when that takes longer than the limit.
+    /// Steps until all traffic has passed. Throws if this takes longer than the limit.
     std::array<Course, 2> run(std::int64_t limit);
-    /// Steps until then, which is still done.
+    /// Steps up to and including this time.
     std::array<Course, 2> run_until(std::int64_t end);
-    /// Steps until nothing can happen any more: all traffic has passed, or the link is stuck. Throws when that takes
-    /// longer than the limit.
+    /// Steps until nothing more can happen: all traffic has passed, or the link is stuck. Throws if this takes longer
+    /// than the limit.
     std::array<Course, 2> run_until_quiet(std::int64_t limit);
 
-    /// From the next step on it has these faults, and no others. A copy of a model that has gone so far can go on with
-    /// other faults than the model.
+    /// Replaces the faults from the next step on. A copy of the model can thus continue with other faults.
     void suffer(const std::vector<hardware::LinkFault>& faults) { faults_ = faults; }
 
-    /// In the order in which they began.
+    /// Returns the packets in the order in which they began.
     const std::vector<Packet>& packets() const { return packets_; }
-    /// When bytes of direction 0, from a to b, or 1 had arrived for which nothing had asked, so that an alternation
-    /// could see them.
+    /// Returns when bytes of direction 0 (from a to b) or 1 arrived unasked for, so that an alternation could see them.
     const std::vector<std::int64_t>& byte_waited(std::size_t direction) const {
         return receiver_[direction].byte_waited;
     }
-    /// Whether such a byte is there now.
+    /// Whether such a byte is waiting now.
     bool byte_waits(std::size_t direction) const { return receiver_[direction].arrived > receiver_[direction].asked; }
-    /// Bytes whose acknowledge has come back to the sender, and bytes that have arrived whole.
+    /// Returns the bytes whose acknowledges have reached the sender, or (below) that have arrived completely.
     std::uint64_t bytes_acknowledged(std::size_t direction) const { return sender_[direction].acknowledged; }
     std::uint64_t bytes_arrived(std::size_t direction) const { return receiver_[direction].arrived; }
 
 private:
-    struct Transmitter { ///< at one end, onto the wire that leaves it
+    struct Transmitter { ///< sends from one end onto its outgoing wire
         std::vector<bool> level;
         std::vector<bool> packet;
-        std::size_t bit_sent = 0; ///< of the packet, now
+        std::size_t bit_sent = 0; ///< index of the packet's current bit
         std::int64_t bit_ends = 0, idle_from = 0, bit = 0;
         bool acknowledge_wanted = false;
     };
-    struct Decoder { ///< of the wire that comes in
+    struct Decoder { ///< reads the incoming wire
         bool in_packet = false;
         std::int64_t began = 0, bits = 0, bit = 0;
     };
     struct Sender {
         std::vector<Traffic::Transfer> transfers;
-        std::size_t transfer = 0; ///< the one under way, or the next one
+        std::size_t transfer = 0; ///< the current transfer, or the next one
         std::uint32_t to_start = 0;
         std::uint64_t acknowledged = 0; ///< bytes
         bool sending = false, awaits_acknowledge = false;
@@ -101,7 +99,7 @@ private:
     };
     struct Receiver {
         std::vector<Traffic::Transfer> transfers;
-        std::size_t transfer = 0;                       ///< the one under way, or the next one
+        std::size_t transfer = 0;                       ///< the current transfer, or the next one
         std::uint64_t asked = 0, seen = 0, arrived = 0; ///< bytes
         std::int64_t notice_at = -1, wakes_at = 0, arrives_at = -1;
         bool owed = false, receiving = false, alternating = false;
@@ -131,10 +129,10 @@ private:
     bool overlapped_;
     std::vector<hardware::LinkFault> faults_;
     std::int64_t now_ = 0;
-    // Direction d goes from end d to the other: its sender and the transmitter of its bytes have index d,
-    // its receiver too; the transmitter of its acknowledges is the other one.
+    // Direction d leads from end d to the other. Its sender, its receiver and the transmitter of its bytes have index
+    // d; the other transmitter sends its acknowledges.
     std::array<Transmitter, 2> transmitter_;
-    std::array<Decoder, 2> decoder_; ///< index: the wire that it reads
+    std::array<Decoder, 2> decoder_; ///< indexed by the wire that they read
     std::array<Sender, 2> sender_;
     std::array<Receiver, 2> receiver_;
     std::array<Course, 2> course_;

@@ -1,5 +1,5 @@
-// Courses of the bit model that can be computed by hand. At 20 Mbit/s a bit lasts 50 ns: a byte takes 550 ns, its
-// acknowledge begins 260 ns after it, and the next byte 300 ns after that.
+// Tests the bit model in cases that can be computed by hand. At 20 Mbit/s a bit lasts 50 ns: a byte takes 550 ns, its
+// acknowledge begins 260 ns after the byte's start, and the next byte 300 ns after the acknowledge's start.
 
 #include "bit_model.hpp"
 

@@ -21,7 +21,7 @@ struct Words {
     std::int32_t words[100];
 };
 
-/// A Sun and a BBK-V2 on a bus.
+/// A Sun and a BBK-V2 on one bus.
 struct Machine {
     Simulation simulation;
     VmeBus& bus = simulation.add<VmeBus>("bus");
@@ -64,7 +64,7 @@ TEST_CASE("a host writes a message into a bus master's memory word by word") {
     Time written = 100 * (duration_of(26, 25'000'000) + bus_cycle);
     Time copied = duration_of(100 * (2 * 3 + 4), 20'000'000);
     CHECK(received == written + copied);
-    CHECK(sent == received + duration_of(2500, 25'000'000)); // its interrupt
+    CHECK(sent == received + duration_of(2500, 25'000'000)); // its interrupt costs 2500 cycles
     CHECK(machine.host.words_moved() == 100);
 }
 

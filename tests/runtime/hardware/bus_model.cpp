@@ -39,10 +39,10 @@ private:
     void ask(std::size_t m) {
         masters_[m].asks_at = -1;
         if (holder_ == m)
-            return begin_word(); // it has kept the bus
+            return begin_word(); // the master has kept the bus
         masters_[m].asking = true;
         if (holder_ && word_ends_ < 0)
-            holder_.reset(); // kept by a master that does not use it
+            holder_.reset(); // its last user has finished
         if (!holder_ && decides_at_ < 0)
             decides_at_ = now_ + w_.arbitration;
     }
@@ -91,7 +91,7 @@ private:
         return false;
     }
 
-    /// The levels one after the other, in each the slots.
+    /// Checks the levels in order, and the slots within each level.
     void decide() {
         if (decides_at_ != now_)
             return;

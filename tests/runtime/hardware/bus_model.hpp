@@ -6,7 +6,7 @@
 
 namespace placedpar::test {
 
-/// A small world of masters on a VMEbus, in units of time: a word takes `word`, arbitration `arbitration`.
+/// A small world of masters on a VMEbus, in abstract units of time: a word takes `word`, arbitration `arbitration`.
 struct BusWorld {
     struct Block {
         int pause;
@@ -15,19 +15,18 @@ struct BusWorld {
     struct Master {
         int level, slot;
         bool on_request;
-        std::vector<Block> blocks; ///< each is asked for when the one before has been moved and the pause is over
+        std::vector<Block> blocks; ///< each is requested after a pause when the previous one has been moved
     };
     enum class Rule { priority, round_robin, single_level };
     Rule rule;
     int word, arbitration;
     std::vector<Master> masters;
 
-    /// Enough to build it again.
+    /// Returns a text from which the world can be rebuilt.
     std::string text() const;
 };
 
-/// The ends of each master's blocks, one word and one unit of time after the other: the reference by which the bus is
-/// tested.
+/// Returns the ends of each master's blocks, computed step by step, as a reference for the runtime's bus.
 std::vector<std::vector<int>> ends_of_blocks(const BusWorld&);
 
 } // namespace placedpar::test

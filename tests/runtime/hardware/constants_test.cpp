@@ -32,7 +32,7 @@ TEST_CASE("every constant stands once among those of its group, with what it is 
         group = each.group;
         CHECK_FALSE(each.source.empty());
         CHECK_FALSE(each.unit.empty());
-        CHECK(each.mark != Provenance::workload); // that is the netlist's to say
+        CHECK(each.mark != Provenance::workload); // the netlist sets the workload
     }
     CHECK(groups.size() == 7);
 }

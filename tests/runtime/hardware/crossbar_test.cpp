@@ -1,4 +1,4 @@
-// A crossbar switch that is set while links lead through it.
+// Tests a crossbar switch that is set while links pass through it.
 
 #include "runtime/hardware/crossbar.hpp"
 
@@ -38,14 +38,14 @@ struct Parcel {
     WireForm wire_form() const { return WireForm(bytes); }
 };
 
-/// Obeys what comes, as the logic of the switch it is placed on.
+/// Obeys commands as the logic of the switch on which it is placed.
 void obey(Input<SwitchCommand> commands, Output<SwitchAnswer> answers, int count) {
     for (int i = 0; i < count; ++i)
         if (auto answer = Crossbar::here().obey(commands.input()))
             answers.output(*answer);
 }
 
-/// A processor whose link 0 leads through links 0 and 1 of a switch to one partner and through 0 and 2 to another.
+/// A processor whose link 0 leads through links 0 and 1 of a switch to one partner, and through 0 and 2 to another.
 struct Exchange {
     Simulation simulation;
     Crossbar& sw = simulation.add<Crossbar>("sw");
@@ -66,7 +66,8 @@ struct Exchange {
         sw.obey({Kind::connect_links, 0, static_cast<std::uint8_t>(1 + partner)});
         sw.obey({Kind::ready});
     }
-    /// 1000 bytes to a, connected at the start; the other is done 100 us later, when 179 have begun: one each 560 ns.
+    /// Sends 1000 bytes to a, which is connected at the start. `change` takes effect after 100 us, when 179 bytes have
+    /// begun, one each 560 ns.
     RunResult change_in_message(std::function<void()> change) {
         set(0);
         simulation.process("root", [this] { a.out().output({1000, 1}); });
@@ -90,13 +91,13 @@ TEST_CASE("each command does what its contract says, and an answer says what an 
     CHECK(!sw.obey({Kind::connect_output, 3, 7}));
     CHECK(answer(7) == (0x80 | 3));
     CHECK(answer(3) == 0);
-    CHECK(!sw.leads(3, 7)); // not before command 3
+    CHECK(!sw.leads(3, 7)); // only after command 3
     CHECK(!sw.obey({Kind::ready}));
     CHECK(sw.leads(3, 7));
     CHECK(!sw.leads(7, 3));
     sw.obey({Kind::connect_output, 3, 8}); // one input to two outputs
     sw.obey({Kind::connect_links, 0, 31});
-    CHECK(sw.leads(3, 7)); // stays as it is
+    CHECK(sw.leads(3, 7)); // unchanged
     sw.obey({Kind::ready});
     CHECK(sw.leads(3, 8));
     CHECK(sw.leads(0, 31));
@@ -180,7 +181,7 @@ TEST_CASE("commands take their bytes' time on the configuration link, and act wh
     CHECK(answer == (0x80 | 4));
     // 19 cycles, then two bytes of 11.2 bits and the third up to the end of its acknowledge
     CHECK(sent == 950ns + 2 * 560ns + 260ns + 100ns);
-    // the same for a byte, for two; the answer has come when its input begins, but for its 19 cycles
+    // The answer takes the same for a byte, then for two. It has arrived when its input begins, except for 19 cycles.
     CHECK(answered == sent + (950ns + 360ns) + (950ns + 560ns + 360ns) + 950ns);
 }
 
@@ -319,7 +320,8 @@ TEST_CASE("a process that is on no switch has none") {
 
 namespace {
 
-/// Messages of random lengths to both partners, given up when they take too long, while the switch is set at random.
+/// Sends messages of random lengths to both partners. Messages that take too long are given up, and the switch is set
+/// at random times.
 struct RandomWorld : Exchange {
     RandomWorld(std::uint64_t seed, bool every_byte) : random(seed, "switching") {
         for (Link* link : links)
@@ -337,7 +339,7 @@ struct RandomWorld : Exchange {
             auto& to = lengths.chance(0.5) ? a : b;
             if (!output_or_fail(to.out(), Parcel{1 + lengths.below(300), i}, later(now(), Time{200us})))
                 reset(to.out());
-            wait_until(later(now(), Time{450us})); // both ends are out of it
+            wait_until(later(now(), Time{450us})); // both ends have given up by then
         }
     }
 

@@ -1,4 +1,4 @@
-// Faults of links beside adapters, and messages that are given up there.
+// Tests faults of links at adapters, and messages given up there.
 
 #include "runtime/channel.hpp"
 #include "runtime/hardware/link_adapter.hpp"
@@ -26,7 +26,7 @@ using test::Octets;
 
 namespace {
 
-/// Messages of random lengths both ways by an adapter, with what their receivers got.
+/// Messages of random lengths in both directions through an adapter, and what their receivers got.
 struct BothWays {
     explicit BothWays(std::uint64_t seed) {
         RandomStream random(seed, "messages");
@@ -125,7 +125,7 @@ TEST_CASE("messages by an adapter can be given up at either end, and the next on
         for (std::uint64_t seed : test::seeds(60, 1)) {
             CAPTURE(down);
             INFO(test::replay(seed));
-            Host host(1 + static_cast<std::int64_t>(seed % 40)); // polls in vain before it sleeps
+            Host host(1 + static_cast<std::int64_t>(seed % 40)); // polls without success before it sleeps
             RandomStream random(seed, "fault");
             LinkFault fault = random_fault(milliseconds{3}, random);
             host.link.suffer(fault);
@@ -171,16 +171,16 @@ TEST_CASE("messages by an adapter can be given up at either end, and the next on
 TEST_CASE("a message to an adapter that is given up while its acknowledge waits leaves the next one alone") {
     for (Time given_up = microseconds{500}; given_up < microseconds{1500}; given_up += microseconds{20}) {
         CAPTURE(given_up.count());
-        Host host(32, LinkTiming{.bits_per_second = 10'000}); // a byte still arrives when the program has read it
+        Host host(32, LinkTiming{.bits_per_second = 10'000}); // the program reads faster than bytes arrive
         Channel<std::uint8_t> c("c", host.driver.from_link());
-        Channel<Octets> other_way("other way", host.driver.to_link()); // for whose bytes acknowledges wait
+        Channel<Octets> other_way("other way", host.driver.to_link()); // acknowledges wait for bytes of this channel
         std::uint8_t message = 0;
         host.simulation.process(
             "sender",
             [&] {
                 if (!output_or_fail(c.out(), std::uint8_t{1}, given_up))
                     reset(c.out());
-                wait_until(Time{milliseconds{15}}); // until the receiver has been reset, too
+                wait_until(Time{milliseconds{15}}); // until the receiver has been reset as well
                 c.out().output(2);
             },
             &host.t800);

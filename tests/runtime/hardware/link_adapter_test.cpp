@@ -29,10 +29,10 @@ using test::Octets;
 
 namespace {
 
-/// The time of an access to a register: the program, the arbitration, the cycle.
+/// Time of an access to a register: program, arbitration, bus cycle.
 constexpr Time register_access = duration_of(30, 25'000'000) + nanoseconds{200} + nanoseconds{310};
 
-/// When `bytes` have been written and the last one is acknowledged, by the rules of polling alone.
+/// Returns when `bytes` have been written and the last is acknowledged, computed from the rules of polling alone.
 Time time_of_writing(int bytes) {
     Time t{}, free{};
     auto poll = [&] {
@@ -49,9 +49,9 @@ Time time_of_writing(int bytes) {
     return t;
 }
 
-/// When `bytes` have been read that an engine has sent since the beginning.
+/// Returns when `bytes` have been read that a link engine has been sending from the beginning.
 Time time_of_reading(int bytes) {
-    Time t{}, here = duration_of(19, 20'000'000) + adapter_timing.acknowledge_latency(); // behind the instruction
+    Time t{}, here = duration_of(19, 20'000'000) + adapter_timing.acknowledge_latency(); // after the instruction
     for (int i = 0; i < bytes; ++i) {
         do
             t += register_access;
@@ -237,7 +237,7 @@ TEST_CASE("a broadcast writes each byte once for all adapters") {
     };
     Time one_by_one = time_of(false), at_once = time_of(true);
     CHECK(at_once < one_by_one);
-    // for each of 152 bytes: four times status and data, or four times the status and once the data
+    // For each of 152 bytes: four times status and data, or four times the status and once the data.
     CHECK(one_by_one >= 2 * nodes * 152 * register_access);
     CHECK(at_once >= (nodes + 1) * 152 * register_access);
     CHECK(at_once < (nodes + 2) * 152 * register_access);
@@ -245,7 +245,7 @@ TEST_CASE("a broadcast writes each byte once for all adapters") {
 
 namespace {
 
-/// A host whose bus has several adapters, with a transputer at each, and a broadcast to all of them on channels c0, c1
+/// A host with several adapters on its bus and a transputer at each. It broadcasts to all of them on channels c0, c1
 /// ...
 template <class T>
 struct BroadcastingHost : Host {
@@ -274,7 +274,7 @@ struct BroadcastingHost : Host {
     std::list<Channel<T>> channels;
 };
 
-/// As time_of_writing: the status of each adapter is polled in turn, and the byte written once.
+/// As time_of_writing, but the status of each adapter is polled in turn, and the byte written once.
 Time time_of_broadcasting(int bytes, std::size_t adapters) {
     Time t{}, free{};
     auto poll_all = [&] {

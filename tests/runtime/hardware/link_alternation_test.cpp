@@ -1,4 +1,4 @@
-// Random programs that alternate over links: nothing is lost, doubled or out of order, and nothing gets stuck.
+// Tests random programs that alternate over links: no message is lost, doubled or out of order, and no run deadlocks.
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"
@@ -20,15 +20,15 @@ using namespace placedpar::hardware;
 
 namespace {
 
-/// A numbered message of one byte up.
+/// A message of at least one byte, with a number.
 struct Numbered {
     int number = 0;
     std::uint32_t bytes = 1;
     WireForm wire_form() const { return bytes > 2 ? WireForm(bytes - 2, 2) : WireForm(bytes); }
 };
 
-/// Senders, each on a link of its own, and one receiver, which takes their messages as it pleases. Beside them, on the
-/// same processors, others compute, and others send over the links in the other direction; all at any priority.
+/// Runs senders, each on its own link, and one receiver that takes their messages in any order. On the same processors,
+/// other processes compute or send over the links in the opposite direction, at random priorities.
 class Program {
 public:
     explicit Program(std::uint64_t seed, bool every_byte) : random_(seed, "alternation over links") {
@@ -60,7 +60,7 @@ private:
         sent_.push_back(1 + static_cast<int>(random_.below(6)));
         received_.push_back(0);
         Processor* t800 = receiver ? &simulation_.add<Processor>(fmt::format("sender {}", i)) : nullptr;
-        if (receiver && random_.chance(0.5)) // its engines take memory from who computes
+        if (receiver && random_.chance(0.5)) // its link engines take memory cycles from computing processes
             receiver->has_link(link), t800->has_link(link);
         simulation_.process(
             fmt::format("sender {}", i), [this, i] { send_all(i); }, t800, some_priority());
@@ -69,7 +69,7 @@ private:
         add_computing(t800);
     }
 
-    /// The other way, from the receiver's processor to the sender's.
+    /// Adds traffic in the opposite direction, from the receiver's processor to the sender's.
     void add_traffic(Carrier& direction, Processor* from, Processor* to) {
         channels_back_.emplace_back("back").put_on(direction);
         auto out = channels_back_.back().out();
@@ -111,7 +111,7 @@ private:
             times_.push_back(now());
         }
     }
-    /// A sender that has something left.
+    /// Returns a random sender that still has messages.
     std::size_t some_sender() {
         std::size_t sender = random_.below(static_cast<std::uint32_t>(left_.size()));
         while (left_[sender] == 0)

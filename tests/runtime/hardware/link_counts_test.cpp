@@ -1,5 +1,5 @@
-// Bytes that a link moves by counts which need not agree at its ends, against the circuit of bits: all pairs of counts
-// from 1 to 8, whichever end comes first.
+// Tests links that move bytes by counts, which need not agree at the two ends, against the bit model: all pairs of
+// counts from 1 to 8, with either end first.
 
 #include "bit_model.hpp"
 
@@ -31,8 +31,8 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// One end of a direction: it does transfer after transfer, each after its pause. What an end does first, it does in an
-/// event or in a process; what follows without a pause, it does within the call that tells it that it can go on.
+/// One end of a direction, which makes one transfer after another, each after its pause. The first call is made from an
+/// event or a process. A transfer without a pause begins within the call that reports the end of the previous one.
 class CountingEnd : public ByteUser, private Event {
 public:
     using Transfers = std::vector<Traffic::Transfer>;
@@ -41,14 +41,14 @@ public:
     virtual ~CountingEnd() = default;
 
     void begin_in_event() { pause(); }
-    /// REQUIRES: called by a process.
+    /// Begins the first transfer. REQUIRES: called by a process.
     void begin_in_process() {
         if (is_done())
             return;
         wait_for(std::chrono::nanoseconds{transfers_[0].pause});
         act();
     }
-    /// When its transfers ended, in nanoseconds.
+    /// Returns when its transfers ended, in nanoseconds.
     const std::vector<std::int64_t>& ended() const { return ended_; }
 
 protected:
@@ -57,7 +57,7 @@ protected:
         CHECK(kernel_.now() % 1ns == Time{0});
         return kernel_.now() / 1ns;
     }
-    /// Begins its next transfer.
+    /// Begins the next transfer.
     virtual void act() noexcept = 0;
     void has_ended() {
         CHECK(!is_done());
@@ -115,17 +115,17 @@ private:
     }
     void sent() override { FAIL_CHECK("a receiver is told that its bytes were sent"); }
 
-    bool alternates_ = false; ///< it waits for a byte, for which it will ask then
+    bool alternates_ = false; ///< it waits for a byte to arrive before it asks for it
     std::vector<std::int64_t> byte_waited_;
 };
 
 enum class Begins { in_event, in_process };
 
-/// What is to be seen of one direction.
+/// The observable behaviour of one direction.
 struct CountedCourse {
     Course course;
     std::vector<std::int64_t> byte_waited;
-    bool byte_waits; ///< at the end
+    bool byte_waits; ///< at the end of the run
     bool operator==(const CountedCourse&) const = default;
 };
 using CountedCourses = std::array<CountedCourse, 2>;
@@ -171,13 +171,13 @@ CountedCourses count_in_model(const LinkTiming& timing, const std::array<Traffic
     return courses;
 }
 
-/// In nanoseconds.
+/// Pauses of the first and of later transfers at each end, in nanoseconds.
 struct Pauses {
     std::int64_t giver_first, taker_first, giver = 0, taker = 0;
 };
 
-/// Transfers of m bytes against transfers of n: until the ends of two coincide, or for 24 bytes, and one more byte at
-/// least, which nothing takes.
+/// Makes transfers of m bytes against transfers of n bytes, until both end together or 24 bytes have passed. At least
+/// one further byte is never taken.
 Traffic counts(std::uint32_t m, std::uint32_t n, const Pauses& pauses, bool alternates) {
     std::uint32_t takes = (std::min(std::lcm(m, n), 24u) + n - 1) / n, gives = takes * n / m + 1;
     Traffic traffic;
@@ -189,18 +189,18 @@ Traffic counts(std::uint32_t m, std::uint32_t n, const Pauses& pauses, bool alte
     return traffic;
 }
 
-/// When the ends come first: at 20 Mbit/s, over a wire of 35 ns, a byte arrives 585 ns after it began. It is noticed
-/// after 295 ns, or without overlapped acknowledges after 845.
+/// Starting times of the two ends. At 20 Mbit/s over a wire of 35 ns, a byte arrives 585 ns after its start. It is
+/// noticed after 295 ns, or without overlapped acknowledges after 845 ns.
 constexpr std::array orders{
     Pauses{300, 0}, // the receiver comes first
-    Pauses{0, 0},   // both come at once
-    Pauses{0, 20},  // nothing has come to the receiver yet
+    Pauses{0, 0},   // both come together
+    Pauses{0, 20},  // nothing has reached the receiver yet
     Pauses{0, 185}, // the first byte is on the wire
     Pauses{0, 295}, // it is noticed, with overlap
     Pauses{0, 435}, // it has been noticed, with overlap
     Pauses{0, 585}, // it arrives
-    Pauses{0, 700}, // it has arrived, and without overlap is not noticed yet
-    Pauses{0, 900}, // it has been noticed, and waits
+    Pauses{0, 700}, // the byte has arrived, but without overlap is not noticed yet
+    Pauses{0, 900}, // the byte has been noticed, and waits
 };
 
 enum class Busy { from_a, from_b, both };
@@ -211,7 +211,7 @@ LinkTiming at(std::int64_t bits_per_second, bool overlapped) {
 
 void compare_all_pairs(const LinkTiming& timing, const Pauses& pauses, Busy busy, bool alternates,
                        Begins begins = Begins::in_event) {
-    Pauses later = pauses; // of the other direction
+    Pauses later = pauses; // pauses of the other direction
     later.giver_first += 131;
     later.taker_first += 131;
     CAPTURE(timing.overlapped_acknowledge);
@@ -247,8 +247,8 @@ TEST_CASE("bytes by counts, all pairs from 1 to 8, whichever end comes first: as
                         compare_all_pairs(at(20'000'000, overlapped), pauses, busy, alternates);
 }
 
-// At 10 Mbit/s an acknowledge and a byte may wait for the same wire. Where both directions are busy only the receivers
-// pause: a give and a take at one instant would compete for a wire, in the order in which the test scheduled them.
+// At 10 Mbit/s an acknowledge and a byte may need the same wire. If both directions are busy, only the receivers pause:
+// a give and a take at the same time would compete for a wire, and the order of their events would decide.
 TEST_CASE("bytes by counts with pauses between the transfers: as on a circuit of bits") {
     EveryNth some(5);
     for (bool overlapped : {true, false})
@@ -304,9 +304,9 @@ TEST_CASE("transfers by counts are refused when they are empty, and while the on
         direction.take(3);
         CHECK_THROWS_WITH_AS(direction.take(1), doctest::Contains("a -> b"), std::logic_error);
         wait_until(1ms);
-        direction.give(1); // the two were sent
+        direction.give(1); // two bytes were sent
         wait_until(2ms);
-        direction.take(1); // the three were taken
+        direction.take(1); // three bytes were taken
         direction.give(1);
     });
     CHECK(simulation.run().ending == Ending::completed);

@@ -1,4 +1,4 @@
-// A link's course: of all its steps one stands in the future, the next that others can see.
+// Tests that a link has only one event in the future: its next step that others can observe.
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/kernel.hpp"
@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Looks at the future every microsecond: the most events that it saw there, its own left out.
+/// Counts the events in the future every microsecond, without its own, and keeps the maximum.
 class Onlooker final : private Event {
 public:
     explicit Onlooker(Kernel& kernel) : kernel_(kernel) { kernel_.future().schedule(*this, 1us, EventQueue::timer); }

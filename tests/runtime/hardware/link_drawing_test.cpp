@@ -1,4 +1,4 @@
-// The drawing of two bytes in runtime/hardware/README.md is what the rule of a link does.
+// Tests that the drawing of two bytes in runtime/hardware/README.md agrees with the runtime.
 
 #include "runtime/hardware/link_state.hpp"
 
@@ -24,7 +24,7 @@ struct Entry {
     Time at;
 };
 
-/// All steps of a part of two bytes, from a to b, whose receiver waits.
+/// Returns all steps of a part of two bytes from a to b, whose receiver is waiting.
 std::vector<Entry> two_bytes(const PacketTimes& times) {
     LinkState state;
     state.directions[0].receiver = LinkState::Receiver::waits;
@@ -41,7 +41,7 @@ std::vector<Entry> two_bytes(const PacketTimes& times) {
 constexpr Time column = 20ns;
 std::size_t column_of(Time at) { return static_cast<std::size_t>(at / column); }
 
-/// One wire: its packets, which begin at these moments and occupy it for so long.
+/// Draws one wire: packets that begin at the steps `begins` and last for `carried`.
 std::string wire(const std::vector<Entry>& trace, LinkStep begins, Time carried, char mark) {
     std::string line(column_of(1200ns), '.');
     for (const Entry& entry : trace)
@@ -50,7 +50,7 @@ std::string wire(const std::vector<Entry>& trace, LinkStep begins, Time carried,
     return line;
 }
 
-/// What it is, of so many that the trace has had by then.
+/// Describes a step; `bytes` and `acknowledges` are the numbers in the trace so far.
 std::string what_happens(LinkStep step, int bytes, int acknowledges) {
     switch (step) {
     case LinkStep::byte_begins: return fmt::format("byte {} begins", bytes);

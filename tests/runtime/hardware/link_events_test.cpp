@@ -1,4 +1,4 @@
-// What a message on a link costs the kernel: how many events.
+// Counts the kernel's events for a message on a link.
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/hardware/processor.hpp"
@@ -21,7 +21,7 @@ struct Payload {
 
 constexpr int messages = 100;
 
-/// Two processes send messages of that length over a direction, one after the other.
+/// Two processes that send messages of this length over a direction, one after the other.
 class Stream {
 public:
     Stream(Simulation& simulation, LinkDirection& direction, std::uint32_t bytes, Executive* from, Executive* to)
@@ -42,7 +42,7 @@ private:
     Channel<Payload> channel_;
 };
 
-/// On a link between processes that nothing else delays.
+/// Returns the events for each message on a link between processes that nothing else delays.
 double events_a_message(std::uint32_t bytes, bool both_ways, bool every_byte = false) {
     Simulation simulation;
     Link& link = simulation.add<Link>();

@@ -1,6 +1,6 @@
-// Faults and changes of speed that begin, or end, at every moment of a message of three bytes: the link against the
-// circuit of bits. Whether a fault strikes a packet is decided when the packet begins, so a picosecond before that and
-// a picosecond after it are tried, too.
+// Tests faults and changes of speed that begin or end at every moment of a message of three bytes: the runtime's link
+// against the bit model. The start of a packet decides whether a fault affects it, so a picosecond before and a
+// picosecond after each start are also tried.
 
 #include "bit_model.hpp"
 
@@ -31,7 +31,7 @@ struct SoManyBytes {
     WireForm wire_form() const { return WireForm(count); }
 };
 
-constexpr std::int64_t patience = 30'000; ///< nanoseconds: then nothing happens any more, and the processes give up
+constexpr std::int64_t patience = 30'000; ///< nanoseconds until the processes give up; by then nothing more happens
 
 Time in_ns(std::int64_t nanoseconds) { return std::chrono::nanoseconds{nanoseconds}; }
 std::int64_t ns_of(Time t) {
@@ -39,16 +39,16 @@ std::int64_t ns_of(Time t) {
     return t.count() / 1000;
 }
 
-/// It says what becomes of the messages, and what the fault has done.
+/// The outcome of an exchange: what became of the messages, and the effect of the fault.
 struct Fate {
     std::array<Course, 2> course;
-    std::array<std::uint64_t, 2> acknowledged{}, taken{}; ///< bytes, of messages that were given up
+    std::array<std::uint64_t, 2> acknowledged{}, taken{}; ///< bytes of messages that were given up
     std::uint64_t bytes_lost = 0, acknowledges_lost = 0;
     std::optional<std::int64_t> first_struck, last_lost; ///< nanoseconds
     bool operator==(const Fate&) const = default;
 };
 
-/// A message each way. Where the first part has no bytes there is none.
+/// One message in each direction, or none if its first part has no bytes.
 struct TwoMessages {
     LinkTiming timing;
     std::array<Traffic::Message, 2> messages;
@@ -102,7 +102,7 @@ void add_processes(Simulation& simulation, Channel<SoManyBytes>& channel, const 
     });
 }
 
-/// Sends the same messages over the runtime's link.
+/// Sends the messages over the runtime's link.
 Fate fate_on_runtime(const TwoMessages& exchange, const LinkFault& fault, bool every_byte) {
     Simulation simulation;
     Link& link = simulation.add<Link>(exchange.timing);
@@ -127,7 +127,7 @@ Fate fate_on_runtime(const TwoMessages& exchange, const LinkFault& fault, bool e
     return fate;
 }
 
-/// Lets one edge of a fault, its beginning or its end, pass through the moments of an exchange.
+/// Moves one edge of a fault, its beginning or its end, through the time of an exchange.
 class MovingEdge {
 public:
     MovingEdge(const TwoMessages& exchange, const LinkFault& fault, Time LinkFault::*edge)
@@ -135,15 +135,15 @@ public:
           ahead_(exchange.timing, exchange.traffic(),
                  edge == &LinkFault::from ? std::vector<LinkFault>{} : std::vector{fault}) {}
 
-    /// Checks that the runtime does what the model does, with the edge at each nanosecond from `first` to `last`.
-    /// REQUIRES: where the end of a fault moves, it begins before `first`.
+    /// Checks that runtime and model agree with the edge at each nanosecond from `first` to `last`. REQUIRES: if the
+    /// end of a fault moves, the fault begins before `first`.
     void pass(std::int64_t first, std::int64_t last) {
         if (first > 0)
             ahead_.run_until(first - 1);
         first_ = first;
         for (std::int64_t t = first; t <= last; ++t) {
             fault_.*edge_ = in_ns(t);
-            BitModel model = ahead_; // until now the fault makes no difference
+            BitModel model = ahead_; // until now the fault has no effect
             model.suffer({fault_});
             fates_.push_back(fate_of(model, fault_));
             check(fates_.back());
@@ -151,8 +151,8 @@ public:
         }
     }
 
-    /// Checks the runtime with the edge a picosecond before the beginning of a packet, which is as at the beginning,
-    /// and a picosecond after it, which is as a nanosecond after it. REQUIRES: pass().
+    /// Checks the runtime with the edge a picosecond before and after the start of each packet. Before, the outcome
+    /// must be that at the start; after, that of a nanosecond later. REQUIRES: pass() was called.
     void check_picoseconds() {
         for (const auto& packet : ahead_.packets()) {
             if (packet.began < first_ || packet.began >= last())
@@ -166,7 +166,7 @@ public:
         }
     }
 
-    /// The moments after which the outcome is another one.
+    /// Returns the times after which the outcome changes.
     std::vector<std::int64_t> changes() const {
         std::vector<std::int64_t> all;
         for (std::int64_t t = first_; t < last(); ++t)
@@ -174,7 +174,7 @@ public:
                 all.push_back(t);
         return all;
     }
-    /// When those packets began that the fault would strike if it began or ended accordingly.
+    /// Returns the starts of packets that the fault would affect if the edge lay there.
     std::vector<std::int64_t> starts() const {
         std::vector<std::int64_t> all;
         for (const auto& packet : ahead_.packets()) {
@@ -184,7 +184,7 @@ public:
             if (is_struck && packet.began >= first_ && packet.began < last())
                 all.push_back(packet.began);
         }
-        all.erase(std::unique(all.begin(), all.end()), all.end()); // both wires may begin one
+        all.erase(std::unique(all.begin(), all.end()), all.end()); // both wires may begin a packet
         return all;
     }
 
@@ -200,13 +200,13 @@ private:
     const TwoMessages& exchange_;
     LinkFault fault_;
     Time LinkFault::*edge_;
-    BitModel ahead_; ///< stepped to the moment at which the edge is
+    BitModel ahead_; ///< has been run up to the edge
     std::int64_t first_ = 0;
-    std::vector<Fate> fates_; ///< for each moment from first_ on
+    std::vector<Fate> fates_; ///< for each nanosecond from first_ on
 };
 
-/// Three bytes one way, and three each way. Without overlapped acknowledges the wires are idle for half of the time; at
-/// twice the speed that leaves half of the moments.
+/// Returns messages of three bytes in one direction, and in both. Without overlapped acknowledges the wires are idle
+/// half of the time. Twice the speed halves the number of moments to try.
 std::vector<TwoMessages> exchanges() {
     std::vector<TwoMessages> all;
     for (bool overlapped : {true, false})
@@ -221,7 +221,7 @@ std::vector<TwoMessages> exchanges() {
     return all;
 }
 
-/// Calls it with each exchange and the packets that it has without a fault.
+/// Calls the function with each exchange and its packets without a fault.
 template <typename F>
 void with_each_exchange(F f) {
     for (const TwoMessages& exchange : exchanges()) {
@@ -279,7 +279,7 @@ TEST_CASE("a slow link becomes fast, at every moment of a message: as on a circu
         edge.pass(1, 2 * packets.back().began + 2);
         auto changes = edge.changes(), starts = edge.starts();
         CHECK(!changes.empty());
-        CHECK(std::ranges::includes(starts, changes)); // whether an acknowledge is slow may make no difference
+        CHECK(std::ranges::includes(starts, changes)); // a slow acknowledge may have no effect
         edge.check_picoseconds();
     });
 }

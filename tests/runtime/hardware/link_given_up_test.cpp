@@ -1,4 +1,4 @@
-// What is left of messages that were given up: nothing arrives later, and a run that gets stuck ends with their last
+// Tests the remains of messages that were given up: nothing arrives later, and a deadlocked run ends with their last
 // packets.
 
 #include "runtime/alternation.hpp"
@@ -25,11 +25,11 @@ using namespace std::chrono_literals;
 namespace {
 
 struct TwoParts {
-    std::uint32_t head = 0, bytes = 1; ///< with a head it has two parts
+    std::uint32_t head = 0, bytes = 1; ///< with a head there are two parts
     WireForm wire_form() const { return head > 0 ? WireForm(head, bytes) : WireForm(bytes); }
 };
 
-/// A link with a channel each way.
+/// A link with a channel in each direction.
 struct TwoWays {
     TwoWays(const LinkTiming& timing, bool every_byte) : link(simulation.add<Link>(timing)) {
         if (every_byte)
@@ -41,7 +41,7 @@ struct TwoWays {
     Channel<TwoParts> there{"there", link.from_a_to_b()}, back{"back", link.from_b_to_a()};
 };
 
-/// Returns when a run gets stuck in which no process receives a message.
+/// Returns when a run deadlocks in which no process receives a message.
 Time end_without_receiver(bool overlapped, bool every_byte) {
     TwoWays ways({.overlapped_acknowledge = overlapped}, every_byte);
     ways.simulation.process("sender", [&] { ways.there.out().output({.bytes = 4}); });
@@ -50,7 +50,7 @@ Time end_without_receiver(bool overlapped, bool every_byte) {
     return result.time;
 }
 
-/// When a run gets stuck in which a byte waits for the acknowledge of the other direction, and both are given up.
+/// Returns when a run deadlocks in which a byte waits for the other direction's acknowledge, and both are given up.
 Time end_after_withdrawals(bool every_byte) {
     TwoWays ways({.bits_per_second = 10'000'000}, every_byte);
     TwoParts received;
@@ -61,7 +61,7 @@ Time end_after_withdrawals(bool every_byte) {
     return ways.simulation.run().time;
 }
 
-/// When a run gets stuck in which long messages both ways are given up at these moments.
+/// Returns when a run deadlocks in which long messages in both directions are given up at these times.
 Time end_after_giving_up(Time there, Time back, bool every_byte) {
     TwoWays ways({}, every_byte);
     constexpr TwoParts megabyte{.bytes = 1'000'000};
@@ -72,7 +72,7 @@ Time end_after_giving_up(Time there, Time back, bool every_byte) {
     return ways.simulation.run().time;
 }
 
-/// How long the wires of a link at 1000 bit/s have been occupied, of which one began to be used later.
+/// Returns how long each wire of a link at 1000 bit/s was occupied, if one of them is first used at `later`.
 std::vector<Time> occupied_at_1000_bits_per_second(Time later, bool every_byte) {
     TwoWays ways({.bits_per_second = 1000, .wire_delay = 40ms}, every_byte);
     std::vector<Time> occupied;
@@ -105,7 +105,7 @@ TEST_CASE("a message that its receiver has given up twice does not arrive") {
         std::size_t chosen = 0;
         ways.simulation.process("sender", [&] { ways.there.out().output({.head = 1, .bytes = 1}); });
         ways.simulation.process("receiver", [&] {
-            TwoParts message; // its second part begins at 10.56 us, and is noticed at 15.82
+            TwoParts message; // the second part begins at 10.56 us, and is noticed at 15.82
             CHECK_FALSE(input_or_fail(ways.there.in(), message, Time{12us}));
             CHECK(reset(ways.there.in()) == 1);
             CHECK_FALSE(input_or_fail(ways.there.in(), message, Time{13us}));
@@ -135,7 +135,7 @@ TEST_CASE(
             CHECK(select(guards) == 0);
             announced = now();
         });
-        // This byte begins at the new speed before the receiver gives up.
+        // The byte begins at the new speed before the receiver gives up.
         ways.simulation.process("sender back", [&] { wait_until(Time{150ns}), ways.back.out().output({.bytes = 1}); });
         ways.simulation.process("receiver back", [&] { ways.back.in().input(); });
         ways.simulation.run();
@@ -168,7 +168,7 @@ TEST_CASE("a sender gives up while an adapter's program fetches the byte: it is 
     constexpr int count = 200;
     for (std::uint64_t seed : test::seeds(40, 1)) {
         INFO(test::replay(seed));
-        // At 100 kbit/s a byte is still arriving when the program has read it.
+        // At 100 kbit/s the next byte is still arriving when the program has read one.
         bool slow = seed % 2 == 0;
         test::Host host(32, slow ? LinkTiming{.bits_per_second = 100'000} : test::adapter_timing);
         RandomStream random(seed, "patience");
@@ -196,7 +196,7 @@ TEST_CASE("a sender gives up while an adapter's program fetches the byte: it is 
                         reset(c.in()), ++in_vain;
             },
             &host.sun);
-        // So that acknowledges have to wait for their wire.
+        // Bytes in this direction make acknowledges wait for their wire.
         host.simulation.process(
             "sender the other way", [&] { other_way.out().output({.bytes = slow ? 100u : 1000u}); }, &host.sun);
         host.simulation.process(

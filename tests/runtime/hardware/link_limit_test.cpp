@@ -1,4 +1,4 @@
-// What a link says it has done when a run is stopped in the middle of a message.
+// Tests the statistics of a link whose run is stopped in the middle of a message.
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/simulation.hpp"
@@ -26,7 +26,7 @@ struct Done {
     bool operator==(const Done&) const = default;
 };
 
-/// What a link has done of a message of 50 bytes, and of one of 3 that the other direction begins in the middle of it.
+/// Returns the progress of a message of 50 bytes, and of one of 3 that the other direction begins meanwhile.
 std::pair<Done, Done> done_until(Time limit, bool every_byte, bool other_direction = true) {
     Simulation simulation;
     Link& link = simulation.add<Link>(LinkTiming{});

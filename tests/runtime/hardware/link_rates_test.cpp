@@ -1,4 +1,4 @@
-// Links against published figures.
+// Tests links against published figures.
 
 #include "runtime/hardware/instructions.hpp"
 #include "runtime/hardware/link.hpp"
@@ -21,7 +21,7 @@ struct Block {
     WireForm wire_form() const { return WireForm(bytes); }
 };
 
-/// Kbyte/s over a link, in one direction or as the sum of both.
+/// Returns the rate over a link in Kbyte/s, in one direction or as the sum of both.
 double rate(const LinkTiming& timing, bool both_ways) {
     constexpr std::uint32_t bytes = 100'000;
     Simulation simulation;
@@ -42,8 +42,8 @@ void check_within(double percent, double value, double published) {
     CHECK(std::abs(value - published) <= percent / 100 * published);
 }
 
-/// Half the round trip of a message of so many words, in microseconds, between two high-priority processes
-/// as the measurement on real T805s had it.
+/// Returns half the round trip of a message of this many words in microseconds, between two high-priority processes, as
+/// measured on real T805s.
 double half_round_trip(std::uint32_t words) {
     constexpr int rounds = 10;
     Simulation simulation;
@@ -90,12 +90,12 @@ TEST_CASE("table 8.1 of the databook: data rates at 5, 10 and 20 Mbit/s, one way
 TEST_CASE("without overlapped acknowledges a link carries about 0.8 Mbyte/s") {
     LinkTiming timing;
     timing.overlapped_acknowledge = false;
-    CHECK(std::abs(rate(timing, false) - 800) <= 50); // as one digit says
+    CHECK(std::abs(rate(timing, false) - 800) <= 50); // published with one digit
 }
 
 TEST_CASE("through three C004 in series a link carries the 0.923 to 0.930 Mbyte/s measured in Poznan") {
     LinkTiming timing;
-    timing.wire_delay = duration_of(3 * 175, 100 * timing.bits_per_second); // the manual's 1.75 bits each
+    timing.wire_delay = duration_of(3 * 175, 100 * timing.bits_per_second); // the manual: 1.75 bits each way
     check_within(1, rate(timing, false), (923 + 930) / 2.0);
 }
 

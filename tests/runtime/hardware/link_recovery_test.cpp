@@ -1,4 +1,4 @@
-// What each end learns when a link loses a packet, and how the run continues.
+// Tests what each end learns when a link loses a packet, and how the run continues.
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"
@@ -32,12 +32,12 @@ namespace {
 
 struct Letter {
     int number = 0;
-    std::uint32_t bytes = 1, head = 0; ///< with a head it has two parts
+    std::uint32_t bytes = 1, head = 0; ///< with a head there are two parts
     WireForm wire_form() const { return head > 0 ? WireForm(head, bytes) : WireForm(bytes); }
 };
 
-/// When the packets of a message of so many bytes begin, one after the other: byte, acknowledge, byte...
-/// At 20 Mbit/s: a byte each 11.2 bits of 50 ns, its acknowledge 5.2 later.
+/// Returns the start of each packet of a message: byte, acknowledge, byte... At 20 Mbit/s a byte follows every 11.2
+/// bits of 50 ns, and its acknowledge 5.2 bits later.
 Time begin_of(std::uint32_t packet) { return packet / 2 * 560ns + packet % 2 * 260ns; }
 
 struct Told {
@@ -47,7 +47,8 @@ struct Told {
     FaultEffect effect;
 };
 
-/// A message of so many bytes, of which a fault takes one packet; both ends give up after 1 ms, reset, and try again.
+/// Sends a message of this many bytes, and a fault loses one packet. Both ends give up after 1 ms, reset, and try
+/// again.
 Told lose_packet(std::uint32_t bytes, std::uint32_t packet, bool every_byte) {
     Simulation simulation;
     Link& link = simulation.add<Link>();
@@ -132,8 +133,8 @@ TEST_CASE("a lost message is a partial deadlock when a time limit ends the run")
 
 namespace {
 
-/// Why a run holds up in which one end gives up a message at a moment, resets, and tries again, and the other never
-/// does; "" where it is not held up.
+/// Returns the report of a run in which one end gives up a message at a given time, resets, and tries again, while the
+/// other end never resets; "" if nothing is held up.
 std::string held_up_after(bool sender_gives_up, Time at, std::uint32_t head, bool every_byte) {
     Simulation simulation;
     Link& link = simulation.add<Link>();
@@ -171,7 +172,7 @@ TEST_CASE("where only one end of a channel is reset in the middle of a message, 
                 CHECK(held_up_after(false, at, head, every_byte) ==
                       "c: until sender gives up its message and resets its end, too: receiver has given it up in the "
                       "middle");
-                CHECK(held_up_after(true, Time{1s}, head, every_byte).empty()); // nothing is given up
+                CHECK(held_up_after(true, Time{1s}, head, every_byte).empty()); // no message is given up
             }
 }
 
@@ -182,7 +183,7 @@ TEST_CASE("a sender that gives up before anybody asks leaves a byte behind, unti
     simulation.process("sender", [&] {
         CHECK(!output_or_fail(c.out(), Letter{1, 10}, Time{10us}));
         CHECK(reset(c.out()) == 0);
-        CHECK(!output_or_fail(c.out(), Letter{2, 10}, Time{50us})); // the byte is in the way
+        CHECK(!output_or_fail(c.out(), Letter{2, 10}, Time{50us})); // the byte on the link blocks this output
         CHECK(reset(c.out()) == 0);
         wait_until(100us);
         CHECK(!output_or_fail(c.out(), Letter{3, 10}, Time{200us}));
@@ -193,7 +194,7 @@ TEST_CASE("a sender that gives up before anybody asks leaves a byte behind, unti
         alt(on(c.in(), [&](const Letter&) { chosen = true; }), after(Time{31us}, [] {}));
         CHECK(!chosen);
     });
-    CHECK(simulation.run().ending == Ending::stuck); // the byte made the guard ready, and the input waits for ever
+    CHECK(simulation.run().ending == Ending::stuck); // the byte made the guard ready, and the input then waits for ever
 
     Simulation again;
     Link& other = again.add<Link>();
@@ -278,8 +279,9 @@ TEST_CASE("a processor that computes when it halts has computed until then") {
 
 namespace {
 
-/// Pairs of processes over links with random faults. Each end may give up, by a time-out or because a third process
-/// tells it, and resets; some do not, and wait for ever. What a sender was told has gone has come, once and in order.
+/// Pairs of processes over links with random faults. Each end may give up, after a time-out or when a third process
+/// tells it to, and resets; some never give up. Each message that a sender knows to be sent must have arrived, once and
+/// in order.
 class RandomProgram {
 public:
     RandomProgram(std::uint64_t seed, bool every_byte) : random_(seed, "recovery over links") {
@@ -317,7 +319,7 @@ private:
         explicit Pair(std::string name) : channel(name), kill("kill " + name) {}
         Channel<Letter> channel;
         Channel<int> kill;
-        bool receiver_halts = false; ///< it may have a message, and not go on
+        bool receiver_halts = false; ///< the receiver may have a message and stop
         std::vector<int> told, received;
     };
 
@@ -375,7 +377,7 @@ private:
         Time deadline = soon(random);
         if (random.chance(0.7))
             return output_or_fail(pair.channel.out(), letter, deadline);
-        // as the toolset does it: a process beside it that tells it
+        // A process beside the sender tells it, as the toolset does.
         bool gone = false;
         Channel<int> stop("stop");
         par(

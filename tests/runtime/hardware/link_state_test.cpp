@@ -1,8 +1,9 @@
-// A link's state and its packets as values, without a kernel: what happens next, and when, by hand.
+// Tests a link's state and packets as values, without a kernel, against times worked out by hand.
 //
-// At 20 Mbit/s a bit takes 50 ns. Over a wire of 40 ns a byte is carried for 550 ns and has arrived after 590; it is
-// noticed after 5.2 bits and the wire, 300 ns; its acknowledge is carried for 100 ns and has arrived after 140; the
-// next byte follows 3.6 bits, 120 ns and the wire after the start of the acknowledge, 340 ns. So a byte takes 640 ns.
+// At 20 Mbit/s a bit takes 50 ns, and the wire delays by 40 ns. A byte occupies the wire for 550 ns and has arrived
+// after 590 ns. It is noticed after 5.2 bits and the wire's delay, 300 ns. Its acknowledge then occupies the wire for
+// 100 ns and has arrived after 140 ns. The next byte begins 3.6 bits, 120 ns and the wire's delay after the start of
+// the acknowledge, 340 ns. So a byte takes 640 ns.
 
 #include "runtime/hardware/link_period.hpp"
 #include "runtime/hardware/link_state.hpp"
@@ -46,7 +47,7 @@ LinkState::Outcome take_next(LinkState& state, LinkState::Fate fate = LinkState:
     return state.perform(state.next(), usual, fate);
 }
 
-/// Takes all steps that are to come.
+/// Takes all remaining steps.
 Steps drain(LinkState& state) {
     Steps steps;
     for (LinkState::Next next; (next = state.next()).at != never && steps.size() < 100;) {
@@ -56,7 +57,7 @@ Steps drain(LinkState& state) {
     return steps;
 }
 
-/// A part is to be sent from now on.
+/// Starts a part that is to be sent.
 void begin_part(LinkState& state, std::size_t direction, std::uint32_t bytes, Receiver receiver) {
     state.directions[direction].part_bytes = state.packets.streams[direction].bytes_left = bytes;
     state.directions[direction].receiver = receiver;
@@ -83,13 +84,13 @@ TEST_CASE("link state: a part of two bytes to a receiver that waits") {
 TEST_CASE("link state: the receiver has a part from its last acknowledge on, and goes on when its last byte arrives") {
     LinkState state;
     begin_part(state, 0, 1, Receiver::waits);
-    CHECK(state.runs_before(0, usual) == never); // its byte calls for nothing but its times
+    CHECK(state.runs_before(0, usual) == never); // the byte needs no event but its own times
     CHECK(!take_next(state).delivers);
-    CHECK(!state.expects_first_byte(0)); // its arrival makes no difference
+    CHECK(!state.expects_first_byte(0)); // its arrival has no visible effect
     LinkState::Outcome acknowledge = take_next(state);
     CHECK(acknowledge.delivers);
     CHECK(!acknowledge.wakes);
-    take_next(state); // the end of sending
+    take_next(state); // sending ends
     LinkState::Outcome last_byte = take_next(state);
     CHECK(!last_byte.delivers);
     CHECK(last_byte.wakes);
@@ -141,7 +142,7 @@ TEST_CASE("link state: a receiver that waits for the last byte of a part has not
     take_next(state), take_next(state), take_next(state);
     REQUIRE(shown(state.next()) == Step{LinkStep::last_byte_arrives, 0, 590ns});
     begin_part(state, 0, 1, Receiver::waits);
-    state.ask_for_byte(0, 550ns); // a sender with a faster restart
+    state.ask_for_byte(0, 550ns); // a sender that restarts faster
     take_next(state);
     CHECK(state.directions[0].phase == Phase::unnoticed);
     CHECK(drain(state) == Steps{{LinkStep::last_byte_arrives, 0, 590ns},
@@ -180,7 +181,7 @@ TEST_CASE("link state: within an instant acknowledges are asked for, then packet
     for (std::size_t direction : {0u, 1u}) {
         CHECK(priority_of_next(true, 600ns, direction) == EventQueue::request);
         CHECK(priority_of_next(true, 500ns, direction) == EventQueue::request); // its wire is free
-        CHECK(priority_of_next(true, 400ns, direction) == EventQueue::start);   // when its wire is free
+        CHECK(priority_of_next(true, 400ns, direction) == EventQueue::start);   // when its wire becomes free
         CHECK(priority_of_next(false, 600ns, direction) == EventQueue::start);
         CHECK(priority_of_next(false, 400ns, direction) == EventQueue::start);
     }
@@ -284,11 +285,11 @@ TEST_CASE("link state: what comes after the end of virtual time is noted") {
             take_next(state);
         return state.lasts_too_long;
     };
-    CHECK(lasts_too_long(299ns, 1)); // the acknowledge of the byte
+    CHECK(lasts_too_long(299ns, 1)); // the byte's acknowledge
     CHECK(!lasts_too_long(301ns, 1));
     CHECK(lasts_too_long(639ns, 2)); // the next byte
     CHECK(!lasts_too_long(641ns, 2));
-    CHECK(lasts_too_long(1229ns, 3)); // the arrival of that
+    CHECK(lasts_too_long(1229ns, 3)); // that byte's arrival
     CHECK(!lasts_too_long(1231ns, 3));
 }
 
@@ -332,21 +333,22 @@ TEST_CASE(
     CHECK(up_to_last.streams[0].bytes_left == 0);
     CHECK(!period.find(up_to_last, usual, {}));
     CHECK(period.find(before_last, usual, {.last_bytes_stop = true}));
-    CHECK(before_last.now == 940ns); // the acknowledge of the second byte
+    CHECK(before_last.now == 940ns); // the second byte's acknowledge
     CHECK(before_last.streams[0].bytes_left == 1);
     CHECK(!period.find(before_last, usual, {.last_bytes_stop = true}));
 }
 
-/// Returns how many bytes have begun, of two that begin at `first` and at `second` and again every 1780 ns.
+/// Returns how many bytes have begun of two directions, which begin bytes at `first` and `second`, and then every 1780
+/// ns.
 std::int64_t begun_by(Time moment, Time first, Time second) {
     auto of = [moment](Time start) { return moment < start ? 0 : 1 + (moment - start) / 1780ns; };
     return of(first) + of(second);
 }
 
-// On wire 0 the first byte of direction 0 is carried until 550; then the acknowledge of the other direction's goes, and
-// that direction's second byte begins at 890. On wire 1 that other byte, begun at 100, is carried until 650; the second
-// byte of direction 0 begins at 990. Of those two the one of direction 1 is ahead by as much as it was behind: so the
-// two directions change places, and are as they were after two bytes, 1780 ns.
+// Wire 0 carries the first byte of direction 0 until 550, then the other direction's acknowledge. Direction 1's second
+// byte begins at 890. Wire 1 carries direction 1's first byte, begun at 100, until 650; direction 0's second byte
+// begins at 990. Direction 1 is now ahead by as much as it was behind. The directions thus change places, and after two
+// bytes, 1780 ns, the initial state returns.
 TEST_CASE("link packets: two busy directions of which one began 100 ns later repeat themselves after two bytes") {
     LinkState start;
     begin_part(start, 0, 100, Receiver::waits);
@@ -387,8 +389,8 @@ PacketTimes random_times(RandomStream& random) {
     return PacketTimes(timing);
 }
 
-/// A direction in the middle of a part, or at its end, or with nothing to send. Its last byte began before the moment
-/// 0 and what comes next is asked for within four bytes; whole tenths of a bit make much of it happen at one moment.
+/// Returns a direction in the middle of a part, at its end, or with nothing to send. Its last byte began before time 0,
+/// and the next part is requested within four bytes. Times are whole tenths of a bit, so that many coincide.
 LinkPackets::Stream random_stream(RandomStream& random, const PacketTimes& times) {
     LinkPackets::Stream stream;
     if (random.chance(0.1))
@@ -400,14 +402,14 @@ LinkPackets::Stream random_stream(RandomStream& random, const PacketTimes& times
     return stream;
 }
 
-/// Runs the packets one by one.
+/// Simulates the packets one by one.
 LinkPackets run_each(LinkPackets packets, const PacketTimes& times, const LinkLimit& limit) {
     LinkPeriod unknown;
     unknown.replay(packets, times, limit);
     return packets;
 }
 
-/// In what makes a difference: when a wire became free that has been free for long does not.
+/// Compares everything that has an effect. When a wire became free long ago has none.
 void check_same(const LinkPackets& one, const LinkPackets& other) {
     REQUIRE(one.now == other.now);
     for (std::size_t d : {0u, 1u}) {

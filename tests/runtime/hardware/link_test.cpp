@@ -1,4 +1,4 @@
-// The times of links against an independent model of every bit, and the closed form against every byte.
+// Tests the times of links against the bit model, and the closed form against the simulation of every byte.
 
 #include "bit_model.hpp"
 
@@ -49,7 +49,7 @@ struct Outcome {
     std::vector<FaultEffect> effects;
 };
 
-/// Runs the traffic over the runtime's link.
+/// Sends the traffic over the runtime's link.
 Outcome run_on_runtime(const LinkTiming& timing, const std::array<Traffic, 2>& traffic, bool every_byte,
                        const std::vector<LinkFault>& faults = {}) {
     Simulation simulation;
@@ -91,8 +91,8 @@ Outcome run_on_runtime(const LinkTiming& timing, const std::array<Traffic, 2>& t
     return outcome;
 }
 
-/// Pauses of a sender and of a receiver never end at the same nanosecond by accident: they differ by one
-/// or two beyond the grid on which bits and bytes begin.
+/// Returns a random pause. The residues keep pauses of a sender and a receiver from ending at the same nanosecond: they
+/// differ by one or two from the grid on which bits and bytes begin.
 std::int64_t random_pause(RandomStream& random, std::int64_t residue) {
     if (random.chance(0.4))
         return 0;
@@ -159,7 +159,7 @@ TEST_CASE("the closed form gives the times of the single bytes, to the picosecon
 
 namespace {
 
-/// One to three faults somewhere in the first so many nanoseconds.
+/// Returns one to three random faults within this many nanoseconds.
 std::vector<LinkFault> random_faults(RandomStream& random, std::uint32_t nanoseconds) {
     std::vector<LinkFault> faults(1 + random.below(3));
     for (LinkFault& fault : faults) {
@@ -169,7 +169,7 @@ std::vector<LinkFault> random_faults(RandomStream& random, std::uint32_t nanosec
         if (fault.kind != LinkFault::Kind::loses_acknowledge && random.chance(0.6))
             fault.until = fault.from + std::chrono::nanoseconds{1 + random.below(20'000)};
         if (fault.kind == LinkFault::Kind::slow)
-            fault.factor = std::array{1, 2, 4, 5}[random.below(4)]; // whole nanoseconds
+            fault.factor = std::array{1, 2, 4, 5}[random.below(4)]; // factors that give whole nanoseconds
         else if (random.chance(0.6))
             (random.chance(0.5) ? fault.wire_from_a : fault.wire_from_b) = false;
     }

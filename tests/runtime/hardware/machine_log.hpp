@@ -11,11 +11,11 @@
 
 namespace placedpar::test {
 
-/// When everything happened in a random machine, what its links and processors said of themselves, and what a trace was
-/// told of messages and links.
+/// Logs the times of everything that happens in a random machine: statistics of its links and processors, and trace
+/// events of messages and links.
 class MachineLog final : public TraceSink {
 public:
-    using Entry = std::tuple<std::int64_t, std::string, std::int64_t>; ///< picoseconds, what, of what value
+    using Entry = std::tuple<std::int64_t, std::string, std::int64_t>; ///< picoseconds, what happened, its value
     const std::vector<Entry>& entries() const { return entries_; }
     void note(Time now, std::string what, std::int64_t value) {
         entries_.emplace_back(now.count(), std::move(what), value);

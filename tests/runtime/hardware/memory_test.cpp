@@ -1,5 +1,5 @@
-// What link engines take from a processor that computes, in cases worked by hand. Together with everything else at
-// random: link_alternation_test.cpp.
+// Tests how link engines slow down a processor's computing, in cases worked by hand. For random cases see
+// link_alternation_test.cpp.
 
 #include "runtime/channel.hpp"
 #include "runtime/hardware/instructions.hpp"
@@ -42,14 +42,14 @@ using Bytes = Channel<MovedBlock>;
 
 constexpr std::int64_t twenty_megahertz = 20'000'000;
 
-/// A processor with a link that processes without one use meanwhile.
+/// A processor with a link, used at the same time by processes that take no time.
 struct OneLink {
     explicit OneLink(const Memory& memory, bool receives = true)
         : processor(simulation.add<Processor>("t", twenty_megahertz, Cycles{0}, memory)), link(simulation.add<Link>()) {
         processor.has_link(link);
         channel.put_on(receives ? link.from_a_to_b() : link.from_b_to_a());
     }
-    /// `messages` of so many bytes, the first at `start`.
+    /// Sends `messages` messages of this many bytes, the first at `start`.
     void carry(int messages, std::uint32_t bytes, Time start = {}) {
         simulation.process("sends", [=, this] {
             wait_until(start);
@@ -61,7 +61,7 @@ struct OneLink {
                 channel.in().input();
         });
     }
-    /// How long a process takes to compute so many cycles.
+    /// Returns how long a process takes to compute this many cycles.
     Time computing(Cycles cycles, Priority priority = Priority::low) {
         Time took{};
         simulation.process(
@@ -82,8 +82,8 @@ struct OneLink {
     Bytes channel{"channel"};
 };
 
-/// Two directions of a link with three messages each, at random: what has been moved, and how long each has been
-/// occupied, at 6,000 moments of tenths of a bit, or a picosecond beside them.
+/// Sends three random messages in each direction of a link. Returns the bytes moved and the time occupied in each
+/// direction, at 6,000 times: tenths of a bit, or a picosecond beside them.
 std::vector<std::int64_t> observed(std::uint64_t seed, bool every_byte) {
     RandomStream random(seed, "two directions");
     LinkTiming timing{.bits_per_second =
@@ -102,7 +102,7 @@ std::vector<std::int64_t> observed(std::uint64_t seed, bool every_byte) {
             direction->simulate_every_byte();
         const bool is_second = !channels.empty();
         Bytes& channel = channels.emplace_back("", *direction);
-        // The second begins late, half of the time in the instant in which the last byte of the first does.
+        // The second direction begins later; in half of the cases when the first direction's last byte begins.
         Time start = (random.chance(0.5) ? 112 * (bytes[0] - 1) : random.below(600)) * (is_second ? tenth : Time{0});
         simulation.process("sends", [&channel, own = bytes[is_second], start] {
             wait_for(start);
@@ -166,7 +166,7 @@ TEST_CASE("a message that comes before or after the computation takes nothing fr
     before.simulation.process(
         "computes",
         [&] {
-            wait_until(milliseconds{4}); // 4000 bytes of 560 ns have gone by
+            wait_until(milliseconds{4}); // 4000 bytes of 560 ns have passed
             Time start = now();
             compute(Cycles{1000}), took = now() - start;
         },
@@ -178,11 +178,11 @@ TEST_CASE("a message that comes before or after the computation takes nothing fr
 TEST_CASE("of a message that is still coming, the words until the end count, those that come in the delay included") {
     OneLink t({.access = Cycles{3}});
     t.carry(1, 400'000);
-    // A byte every 560 ns, a word every 2.24 us, an access of .15 us each: 1 ms becomes 1 / (1 - .15 / 2.24) of it.
+    // Every 560 ns a byte, every 2.24 us a word, and each access takes .15 us: 1 ms becomes 1 / (1 - .15 / 2.24) ms.
     Time took = t.computing(Cycles{20'000});
     auto words = (took - 20'000 * cycle) / (3 * cycle);
     CHECK(took == 20'000 * cycle + words * 3 * cycle);
-    CHECK(words == 479); // 1 ms / (2.24 - .15) us = 478.5, the word under way counts
+    CHECK(words == 479); // 1 ms / (2.24 - .15) us = 478.5, plus the current word
 }
 
 TEST_CASE("time that links take does not cost a process its timeslice, nor its place before its rivals") {
@@ -204,7 +204,7 @@ TEST_CASE("time that links take does not cost a process its timeslice, nor its p
             },
             &t800);
     simulation.run();
-    // Half a timeslice each: one after the other, each longer by what its links took.
+    // Each process computes for half a timeslice, extended by the accesses of its links.
     CHECK(ended[0] > 10'000 * cycle);
     CHECK(ended[0] < 10'800 * cycle);
     CHECK(ended[1] > ended[0] + 10'000 * cycle);
@@ -223,7 +223,7 @@ TEST_CASE("an interrupt in between loses none of the time that links took") {
         &t.processor, Priority::high);
     Time took = t.computing(Cycles{200'000});
     CHECK(t.processor.memory_taken_by_links() == 3000 * cycle);
-    // 20 interrupts; all accesses fell into the computing of one process or the other.
+    // There are 20 interrupts, and all accesses fall into the computing of one of the processes.
     CHECK(took == (200'000 + 20 * (500 + 19) + 3000) * cycle);
 }
 
@@ -231,7 +231,7 @@ TEST_CASE("a chain of seven that stores, forwards and computes at once: each of 
           "links") {
     constexpr int nodes = 7, messages = 20;
     constexpr std::uint32_t bytes = 4000;
-    constexpr std::int64_t work = 200'000; // 10 ms, longer than a message takes: computing is what all wait for
+    constexpr std::int64_t work = 200'000; // 10 ms, longer than a message takes, so that computing is the bottleneck
     Simulation simulation;
     std::deque<Bytes> channels;
     std::vector<Processor*> chain;
@@ -251,7 +251,7 @@ TEST_CASE("a chain of seven that stores, forwards and computes at once: each of 
             [&, at] {
                 Bytes *from = at > 0 ? &channels[at - 1] : nullptr,
                       *to = at < channels.size() ? &channels[at] : nullptr;
-                for (int m = 0; m <= messages; ++m) // one is stored while the one before is forwarded
+                for (int m = 0; m <= messages; ++m) // one is stored while the previous one is forwarded
                     par(
                         [&] {
                             if (from && m < messages)
@@ -272,7 +272,7 @@ TEST_CASE("a chain of seven that stores, forwards and computes at once: each of 
         bool inner = i > 0 && i + 1 < chain.size();
         CHECK(chain[i]->memory_taken_by_links() == (inner ? 2 : 1) * words * cycle);
         Time own = (messages + 1) * work * cycle;
-        // Before the first message has come it has nothing to compute beside it.
+        // Before the first message arrives, no transfer slows down its computing.
         CHECK(chain[i]->time_busy() >= own + (inner ? 2 : 1) * words * cycle * (messages - 2) / messages);
         CHECK(chain[i]->time_busy() < own + (inner ? 2 : 1) * words * cycle + (messages + 1) * 200 * cycle);
     }
@@ -281,7 +281,7 @@ TEST_CASE("a chain of seven that stores, forwards and computes at once: each of 
 TEST_CASE(
     "a load shared out along a chain of seven under the C toolset: each stores what is for all behind it, forwards "
     "the rest and computes its own part at once, as long as by hand") {
-    // Words of the load, of 200 cycles each, such that all would end together if links took nothing from them.
+    // The numbers of words, each with 200 cycles of load, let all processors end together if links took no cycles.
     constexpr std::array<std::uint32_t, 7> words{26'302, 16'513, 10'423, 6'668, 4'406, 3'131, 2'557};
     Simulation simulation;
     std::vector<Processor*> chain;
@@ -315,10 +315,10 @@ TEST_CASE(
     Time by_hand{};
     for (std::size_t i = 0; i < words.size(); ++i) {
         CAPTURE(i);
-        constexpr Time slack = std::chrono::microseconds{17}; // of startp, interrupts and rescheduling, of 270 ms
+        constexpr Time slack = std::chrono::microseconds{17}; // for startp, interrupts and rescheduling, out of 270 ms
         CHECK(began[i] >= by_hand);
         CHECK(began[i] < by_hand + slack);
-        // Computing lasts longer than forwarding, which takes three cycles of it for each word.
+        // Computing lasts longer than forwarding, which takes three of its cycles for each word.
         Time own = (200 * std::int64_t{words[i]} + 3 * std::int64_t{behind(i)}) * cycle;
         CHECK(ended[i] >= by_hand + own);
         CHECK(ended[i] < by_hand + own + slack);

@@ -37,7 +37,7 @@ void ProcessorModel::step_ended() {
         go_on(*current_);
 }
 
-/// The process has ended a computation: it begins the next, or rests, or is over.
+/// Continues a process at the end of a computation: it begins the next one, rests, or ends.
 void ProcessorModel::go_on(std::size_t p) {
     ended_[p].push_back(now_);
     const auto& steps = loads_[p].steps;
@@ -93,7 +93,8 @@ void ProcessorModel::take_next() {
     }
 }
 
-/// After the end of a timeslice period a low process that has run for a whole one gives way to others, at a point.
+/// At the end of a timeslice period, a low-priority process that has run for a whole period yields at its next
+/// descheduling point.
 void ProcessorModel::slice_over() {
     if (!current_ || loads_[*current_].high || low_.empty())
         return;

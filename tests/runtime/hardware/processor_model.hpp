@@ -7,8 +7,8 @@
 
 namespace placedpar::test {
 
-/// One process: rests and computations in turn, in cycles. A rest of 0 is none. A computation has a descheduling point
-/// before each so many cycles and at its end.
+/// One process: alternate rests and computations, in cycles. A rest may be 0. A computation has descheduling points at
+/// a fixed distance and at its end.
 struct Load {
     bool high = false;
     struct Step {
@@ -17,14 +17,14 @@ struct Load {
     std::vector<Step> steps;
 };
 
-/// A processor as a machine clocked cycle by cycle, which looks at its queues in every cycle. Computes when
-/// every computation ends; shares nothing with runtime/hardware/processor.cpp, which knows only turns.
+/// Models a processor cycle by cycle: it looks at its queues in every cycle, and computes when each computation ends.
+/// It shares nothing with runtime/hardware/processor.cpp, which simulates whole turns.
 class ProcessorModel {
 public:
     static constexpr std::int64_t slice = 20'480, interrupt = 19;
 
     explicit ProcessorModel(const std::vector<Load>&);
-    /// For each process, the cycles at which its computations end.
+    /// Returns, for each process, the cycles at which its computations end.
     std::vector<std::vector<std::int64_t>> run();
     std::int64_t busy() const { return busy_; }
 
@@ -32,7 +32,7 @@ private:
     struct State {
         std::size_t step = 0;
         std::int64_t left = 0, wakes = -1;
-        std::int64_t rest_began = 0; ///< the order of alarms of one moment
+        std::int64_t rest_began = 0; ///< orders alarms of the same time
     };
     void step_ended();
     void go_on(std::size_t process);

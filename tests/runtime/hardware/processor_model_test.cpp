@@ -1,4 +1,4 @@
-// Random loads on a processor against a machine clocked cycle by cycle.
+// Tests random loads on a processor against a model clocked cycle by cycle.
 
 #include "processor_model.hpp"
 
@@ -27,7 +27,7 @@ std::vector<Load> random_loads(RandomStream& random) {
         for (auto& step : load.steps)
             step = {random.chance(0.2) ? 0 : 1 + random.below(30'000), 1 + random.below(load.high ? 3'000 : 60'000),
                     random.chance(0.5) ? 1 : 1 + random.below(5'000)};
-        load.steps[0].rest = 1 + random.below(30'000); // who is created first would be seen otherwise
+        load.steps[0].rest = 1 + random.below(30'000); // otherwise the order of creation would matter
     }
     return loads;
 }
@@ -66,7 +66,7 @@ TEST_CASE("random loads take the cycles that a clocked processor takes, each and
         ProcessorModel model(loads);
         REQUIRE(ended == model.run());
         REQUIRE(t800.time_busy() == model.busy() * cycle);
-        // Nothing is lost: beyond what the processes asked for there are only whole interrupts.
+        // No time is lost: besides the requested computations there are only whole interrupts.
         REQUIRE((model.busy() - sum_of_computations(loads)) % ProcessorModel::interrupt == 0);
     }
 }

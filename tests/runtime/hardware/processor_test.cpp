@@ -1,4 +1,4 @@
-// How a processor shares itself out, in cases worked by hand. At random against a model: processor_model_test.cpp.
+// Tests how a processor shares its time, in cases worked by hand. For random cases see processor_model_test.cpp.
 
 #include "runtime/channel.hpp"
 #include "runtime/hardware/instructions.hpp"
@@ -75,7 +75,7 @@ TEST_CASE(
     simulation.process(
         "high", [&] { wait_until(500 * cycle), compute(Cycles{100}), high = now(); }, &t800, Priority::high);
     simulation.run();
-    // The process "high" is created last, so that "interrupted" computes when it gets its first turn: one more
+    // The process "high" is created last, so that "interrupted" computes when "high" gets its first turn: one more
     // interrupt, before its delay.
     CHECK(high == (500 + 19 + 100) * cycle);
     CHECK(interrupted == (1000 + 19 + 19 + 100) * cycle);
@@ -101,10 +101,10 @@ TEST_CASE("an interrupt waits for the end of an instruction: at most 58 cycles w
             simulation.run();
             std::int64_t latency = began / cycle - moment;
             least = std::min(least, latency), most = std::max(most, latency);
-            CHECK(ended == (59 * 39 * 10 + 19) * cycle); // nothing but the switch is lost
+            CHECK(ended == (59 * 39 * 10 + 19) * cycle); // only the switches are lost
         }
         CHECK(least == 19);
-        CHECK(most == at_most - (instruction > 1)); // in whole cycles: the instruction's first cycle is over
+        CHECK(most == at_most - (instruction > 1)); // in whole cycles: the instruction's first cycle has passed
     }
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("a high-priority process is not interrupted by another, nor timesliced
         "low", [] { compute(Cycles{10}); }, &t800);
     simulation.run();
     CHECK(first == 5 * Processor::timeslice);
-    CHECK(second == first + (4 + 10) * cycle); // its moment has passed by then: 4 cycles for asking
+    CHECK(second == first + (4 + 10) * cycle); // its time has passed by then: asking takes 4 cycles
 }
 
 TEST_CASE("a low-priority process with rivals loses the processor after one to two timeslice periods") {
@@ -135,7 +135,7 @@ TEST_CASE("a low-priority process with rivals loses the processor after one to t
             "rival",
             [&] {
                 wait_until(start * cycle + nanoseconds{1});
-                rival_began = now(); // only the process that has the processor executes
+                rival_began = now(); // only the process on the processor executes
             },
             &t800);
         simulation.run();
@@ -161,7 +161,7 @@ TEST_CASE(
         simulation.run();
         REQUIRE(began.size() == 2);
         CHECK(began[0] == Processor::timeslice + late * cycle);
-        // The second rival has run at the end of its second period for a whole one.
+        // The second rival has run for a whole period at the end of its second period.
         CHECK(began[1] == (began[0] / Processor::timeslice + 2) * Processor::timeslice + cycle);
     }
 }
@@ -245,7 +245,7 @@ TEST_CASE("a process that goes on after an interrupt pays for no switch, and the
             "low", [] { compute(Cycles{1000}); }, &t800);
         return simulation.run().time;
     };
-    CHECK(time(Cycles{4}) - time(Cycles{0}) == 2 * 4 * cycle); // each of them when it begins
+    CHECK(time(Cycles{4}) - time(Cycles{0}) == 2 * 4 * cycle); // each one when it begins
 }
 
 TEST_CASE("messages of one word and of ten on one processor cost their instructions") {

@@ -117,7 +117,7 @@ void RandomMachine::add_faults(Link& link) {
     }
 }
 
-/// Connected at the start; at random moments it is connected elsewhere for a while.
+/// Leads the link through a switch. It is connected at the start, and at random times connected elsewhere for a while.
 void RandomMachine::lead_through_switch(Link& link) {
     has("switch");
     Crossbar& sw = simulation_.add<Crossbar>(fmt::format("sw{}", links_.size()));
@@ -146,7 +146,7 @@ void RandomMachine::add_packets(RouterLink& shared, bool forth, Node& from, Node
         add_lane(from, to, false).channel.put_on(simulation_.add<Route>(std::vector<Hop>{Hop{shared, forth}}));
 }
 
-/// Adds the adapter of a Sun, or of a master whose programs take no time besides that of the bus.
+/// Adds the adapter of a Sun, or of a master whose programs take only the bus's time.
 void RandomMachine::add_adapter(Link& link, Node& transputer, bool at_a) {
     has("adapter");
     std::string name = fmt::format("host{}", hosts_.size());
@@ -169,7 +169,7 @@ Lane& RandomMachine::add_lane(Node& from, Node& to, bool can_be_given_up) {
     Lane& lane = lanes_.emplace_back(fmt::format("c{}", lanes_.size()), can_be_given_up);
     if (also(0.4))
         to.inputs.push_back(&lane);
-    else if (random_.chance(0.9)) // else no process ever receives
+    else if (random_.chance(0.9)) // otherwise no process ever receives
         add_receiver(to, {&lane});
     start("sends on " + lane.channel.name(), from.executive, [&lane](RandomProgram& p) { p.send(lane); });
     if (can_be_given_up && also(0.5))
@@ -201,7 +201,7 @@ void RandomMachine::add_computing(Processor& processor) {
           [compute_and_note](RandomProgram& p) { p.repeat(400, compute_and_note); });
 }
 
-/// What the machine says of itself.
+/// Logs the machine's statistics.
 void RandomMachine::observe(Time at) {
     for (const Link* link : links_)
         for (const LinkDirection* direction : {&link->from_a_to_b(), &link->from_b_to_a()}) {

@@ -20,29 +20,29 @@
 
 namespace placedpar::test {
 
-/// A machine of up to four transputers, and a program on it that does everything that meets on links. Messages of all
-/// lengths travel both ways on each link: of one channel, of several channels in packets, or by a link adapter. The
-/// program uses ALTs, time-outs, both priorities, and messages that are given up again and again, and computes in
-/// memory that the engines of the links use as well. Links have all speeds, faults, and switches that are set in the
-/// middle of messages. Many runs get stuck. All of this is drawn from the seed. Every other one is traced, which costs
-/// packets their closed form here and there.
+/// A random machine of up to four transputers, with a program that combines everything that can happen on links. All
+/// choices come from the seed. Messages of all lengths travel in both directions on each link: on one channel, on
+/// several channels in packets, or through a link adapter. The program uses ALTs, time-outs, both priorities, and
+/// messages that are given up repeatedly, and it computes in memory that link engines also use. Links have various
+/// speeds, faults, and switches that are set in the middle of messages. Many runs deadlock. Every other machine is
+/// traced, which at times prevents the closed form of packets.
 class RandomMachine {
 public:
     RandomMachine(std::uint64_t seed, bool every_byte);
 
     RunResult run();
     const std::vector<MachineLog::Entry>& log() const { return log_.entries(); }
-    /// Whether of each channel everything came that has gone.
+    /// Whether everything sent on each channel arrived.
     bool lanes_are_whole() const;
-    /// What the machine has, by name: so many of each.
+    /// Returns the names of the machine's features, each as often as it occurs.
     const std::vector<std::string>& features() const { return features_; }
 
 private:
     struct Node {
         Executive* executive;           ///< null: its programs take no time
-        hardware::Processor* processor; ///< the same, if it has memory that links use
+        hardware::Processor* processor; ///< the same executive, if link engines use its memory
         hardware::Router* router;
-        std::vector<Lane*> inputs = {}; ///< of one process, which alternates between them
+        std::vector<Lane*> inputs = {}; ///< inputs of one process, which alternates between them
     };
 
     void add_node();
@@ -65,8 +65,8 @@ private:
     RandomStream random_;
     std::int64_t bits_per_second_;
     RandomPace pace_;
-    std::uint32_t most_rounds_; ///< of a program; 0 if it has no end
-    bool quiet_; ///< nothing but the channels of one link: what is left of them is the last that happens in its run
+    std::uint32_t most_rounds_; ///< of a program; 0 if it never ends
+    bool quiet_; ///< the machine has only the channels of one link, so that their last packets end the run
     Time limit_;
     Simulation simulation_;
     std::deque<Node> nodes_, hosts_;

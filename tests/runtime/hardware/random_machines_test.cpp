@@ -1,5 +1,5 @@
-// The closed form of links against every byte, where everything meets that links have to do with; and both against what
-// they did before.
+// Tests the closed form of links against the simulation of every byte, on random machines that combine all features of
+// links; and both against fingerprints of earlier versions.
 
 #include "random_machine.hpp"
 #include "runtime/fingerprint.hpp"
@@ -24,7 +24,7 @@ using namespace placedpar::test;
 
 namespace {
 
-/// How often each thing was done in them, by the first words of its entry in the log.
+/// Counts the log's entries by their first words.
 using Tally = std::map<std::string, std::uint64_t>;
 
 std::string report_of(const RunResult& result) { return result.deadlock ? result.deadlock->text() : ""; }
@@ -82,7 +82,7 @@ void check_that_they_have_everything(Tally& tally, std::uint64_t machines) {
 } // namespace
 
 TEST_CASE("random machines and programs do the same, to the picosecond, with the closed form and with every byte") {
-    // The fingerprints of everything that each hundred machines log. A change that alters one says why.
+    // Fingerprints of the logs of each hundred machines. A change that alters one must explain why.
     constexpr std::array<std::string_view, 20> fingerprints{
         "ed6191c60fbbaffa", "832d23d43d03ff11", "60552bf693d994e3", "67c77b1e54180c3f", "fd816ce136f70da0",
         "8c6c4400d5e80612", "e6ee69470ad42205", "7ecf4c6ba6f9cfb2", "57158845b9d601ad", "728759a917c19ee3",
@@ -101,15 +101,15 @@ TEST_CASE("random machines and programs do the same, to the picosecond, with the
 
 TEST_CASE("random machines by which a fault was found make no difference") {
     Tally tally;
-    compare_random_machines({56,   // an adapter's program read a byte that its sender had taken back
+    compare_random_machines({56,   // an adapter's program read a byte that its sender had withdrawn
                              357,  // periods of more than two milliseconds
-                             390,  // a message to an adapter that had to do with the one given up before it
-                             545}, // given up while the end of the part before was on the wire
+                             390,  // a message to an adapter affected by the one given up before
+                             545}, // given up while the end of the previous part was on the wire
                             tally);
 }
 
 TEST_CASE("a hundred thousand of them do" * doctest::skip()) {
-    // The fingerprints of everything that each thousand machines log.
+    // Fingerprints of the logs of each thousand machines.
     constexpr std::array<std::string_view, 100> fingerprints{
         "8f9024c448682551", "0a3598e8a763eeb9", "73ee11e2837ec86e", "bde6f06d81ddb840", "28193fd6d18896d2",
         "ea691fe65ad28598", "09bc021fb9fb0b19", "92daf183b71d606b", "6c2ca0b3c12c01b1", "6896e5f47085a9a1",

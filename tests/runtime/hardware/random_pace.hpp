@@ -7,8 +7,8 @@
 
 namespace placedpar::test {
 
-/// How long the programs of a random machine wait, in bits of its links: so that on slow links, too, they do something
-/// in the middle of messages. Whole tenths of a bit make much of it happen at one moment.
+/// Chooses the waits of a random machine's programs in bits of its links, so that programs act in the middle of
+/// messages even on slow links. Waits are whole tenths of a bit, so that many events coincide.
 class RandomPace {
 public:
     RandomPace(std::int64_t bits_per_second, bool in_tenths)

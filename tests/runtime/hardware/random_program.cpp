@@ -57,7 +57,7 @@ void RandomProgram::receive(const std::vector<Lane*>& lanes) {
     }
 }
 
-/// It need not take the message then.
+/// Alternates between the lanes. The program may then leave the message.
 void RandomProgram::alternate(const std::vector<Lane*>& lanes) {
     std::vector<Guard> guards;
     for (Lane* lane : lanes)
@@ -112,14 +112,14 @@ void RandomProgram::pause() {
         wait_for(pace_.pause(random_));
 }
 
-/// Or soon.
+/// Returns a time in the middle of the letter, or a short time.
 Time RandomProgram::middle_of(const Letter& letter) {
     if (random_.chance(0.3))
         return soon();
     return now() + pace_.less_than(20 + 15 * (letter.head + letter.body + letter.tail), random_);
 }
 
-/// Often both ends, or both directions, give up nearly at once.
+/// Returns a short time, so that both ends, or both directions, often give up almost together.
 Time RandomProgram::soon() {
     if (random_.chance(0.5))
         return now() + pace_.less_than(patience_, random_);

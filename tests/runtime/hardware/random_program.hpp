@@ -12,15 +12,15 @@
 
 namespace placedpar::test {
 
-/// What a process of a random machine does, for so many rounds.
+/// The behaviour of a process of a random machine, for a number of rounds.
 class RandomProgram {
 public:
     RandomProgram(RandomStream, const RandomPace&, int rounds, MachineLog&);
 
     void send(Lane&);
-    /// From each of them. REQUIRES: there is one.
+    /// Receives from all of these lanes. REQUIRES: there is at least one.
     void receive(const std::vector<Lane*>&);
-    /// That, each time after so many bits at most.
+    /// Repeats the action, each time after at most this many bits.
     void repeat(std::uint32_t bits, const std::function<void(RandomStream&)>&);
 
 private:
@@ -38,11 +38,12 @@ private:
     const RandomPace& pace_;
     int rounds_;
     MachineLog& log_;
-    // What sort of program it is.
-    std::uint32_t longest_letter_; ///< bytes, of its longest part
-    std::uint32_t patience_;       ///< bits: at most so long it waits before it gives up
-    double pauses_;                ///< how often it rests before it does something
-    double gives_up_; ///< how often it is ready to. A channel lasts if both ends are always: else one waits for ever
+    // The program's random character.
+    std::uint32_t longest_letter_; ///< bytes of the longest part
+    std::uint32_t patience_;       ///< bits: the longest wait before it gives up
+    double pauses_;                ///< how often it rests before an action
+    double gives_up_; ///< probability of giving up. A channel keeps working only if both ends always may: otherwise one
+                      ///< waits for ever
 };
 
 } // namespace placedpar::test

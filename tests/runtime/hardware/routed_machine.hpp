@@ -15,7 +15,7 @@
 
 namespace placedpar::test {
 
-/// Processors and the links between them.
+/// A graph of processors and links.
 struct Graph {
     std::size_t nodes;
     std::vector<std::pair<std::size_t, std::size_t>> links;
@@ -53,7 +53,7 @@ inline Graph line(std::size_t n) {
     return graph;
 }
 
-/// A simulation of it, with a router at every processor.
+/// A simulation of a graph, with a router on every processor.
 class RoutedMachine {
 public:
     explicit RoutedMachine(const Graph& graph, const hardware::RouterCosts& costs = {}) : graph_(graph) {
@@ -67,7 +67,7 @@ public:
         }
     }
 
-    /// Along these processors, each a neighbour of the one before.
+    /// Adds a route along these processors, each a neighbour of the previous one.
     hardware::Route& route(const std::vector<std::size_t>& way) {
         std::vector<hardware::Hop> hops;
         for (std::size_t i = 0; i + 1 < way.size(); ++i)
@@ -75,7 +75,7 @@ public:
         return simulation.add<hardware::Route>(hops);
     }
 
-    /// Any way that passes no processor twice, shortest or not.
+    /// Returns a random path that visits no processor twice, not necessarily the shortest.
     std::vector<std::size_t> random_way(std::size_t from, std::size_t to, RandomStream& random) const {
         std::vector<std::size_t> way;
         do {
@@ -90,14 +90,14 @@ public:
         return way;
     }
 
-    /// One of those over the fewest links.
+    /// Returns a path over the fewest links.
     std::vector<std::size_t> shortest_way(std::size_t from, std::size_t to) const {
         std::vector<std::vector<std::size_t>> next(graph_.nodes);
         for (auto [a, b] : graph_.links) {
             next[a].push_back(b);
             next[b].push_back(a);
         }
-        std::vector<std::size_t> on_the_way(graph_.nodes, graph_.nodes), reached{to}; // from each node: the next one
+        std::vector<std::size_t> on_the_way(graph_.nodes, graph_.nodes), reached{to}; // each node's next one
         on_the_way[to] = to;
         for (std::size_t i = 0; i < reached.size(); ++i)
             for (std::size_t node : next[reached[i]])
@@ -115,7 +115,7 @@ public:
     std::vector<hardware::Processor*> processors;
     std::vector<hardware::Router*> routers;
     std::vector<hardware::Link*> links;
-    std::vector<hardware::RouterLink*> shared; ///< what routers use of each link
+    std::vector<hardware::RouterLink*> shared; ///< the routers' part of each link
 
 private:
     hardware::Hop hop(std::size_t from, std::size_t to) const {

@@ -1,4 +1,4 @@
-// What routers ask of their processors: at which priority they run, and what a packet costs them.
+// Tests the load that routers put on their processors: their priority, and the cost of a packet.
 
 #include "runtime/channel.hpp"
 #include "runtime/executive.hpp"
@@ -19,7 +19,7 @@ using test::RoutedMachine;
 
 namespace {
 
-/// When a message over a processor that computes for 10 ms reaches its end, and when that computation ends.
+/// When a message over a computing processor arrives, and when the computation of 10 ms ends.
 struct BesideAComputation {
     Time message{}, computation{};
 };
@@ -45,8 +45,8 @@ TEST_CASE("routers of low priority wait for their turn beside a computation and 
                        low = send_beside_a_computation({.priority = Priority::low});
     constexpr Time slice = Processor::timeslice;
     CHECK(high.message < microseconds{200});
-    // It arrives in the first period, and its receiver has its turn after the second. Its sender waits behind the
-    // computation, which then has two periods more.
+    // The packet arrives in the first period, and its receiver gets its turn after the second. Its sender then waits
+    // behind the computation for two more periods.
     CHECK(low.message > 4 * slice);
     CHECK(low.message < 4 * slice + microseconds{50});
     constexpr Time first_inputs = 2 * 19 * cycle;          // of the receivers at the two links
@@ -60,7 +60,7 @@ TEST_CASE("a packet costs what its router says, at every processor on its way") 
     BesideAComputation usual = send_beside_a_computation({}),
                        slow = send_beside_a_computation({.handling = Cycles{1200}}),
                        free = send_beside_a_computation({.handling = Cycles{0}});
-    // It is sent, passed on and received, and its acknowledge is sent before the inputting process goes on.
+    // The packet is sent, passed on and received, and its acknowledge is sent, before the inputting process continues.
     CHECK(slow.message - usual.message == 5 * 1000 * cycle);
     CHECK(usual.message - free.message == 5 * 200 * cycle);
     CHECK(slow.computation - usual.computation == 2 * 2 * 1000 * cycle);

@@ -1,4 +1,4 @@
-// Channels in packets on machines of which something fails.
+// Tests channels in packets on machines with faults.
 
 #include "runtime/hardware/router.hpp"
 #include "runtime/random.hpp"
@@ -36,7 +36,7 @@ struct PostedLetter {
     WireForm wire_form() const { return WireForm(bytes); }
 };
 
-/// Each processor sends some letters to some others, by any routes.
+/// Each processor sends letters to some others, along random routes.
 class Post {
 public:
     static constexpr std::size_t letters = 3;
@@ -48,7 +48,7 @@ public:
                     add_sender(from, there);
     }
 
-    /// Looks at the end, before the processes are gone, at which of the channels are stopped.
+    /// Checks at the end of the run, while the processes still exist, which channels have stopped.
     template <class IsStopped>
     RunResult run(IsStopped is_stopped) {
         return machine.simulation.run(Time::max(), [this, is_stopped] {
@@ -72,7 +72,7 @@ public:
     }
 
     RoutedMachine machine;
-    // By channel.
+    // The following are indexed by channel.
     std::vector<Way> ways;
     std::vector<const Route*> routes;
     std::vector<std::size_t> sent; ///< letters
@@ -104,7 +104,7 @@ private:
             machine.processors[from]);
     }
 
-    /// A taker for each: one that took from several would wait for the rest of a message of which a part has come.
+    /// Adds a receiver for each channel. A common receiver would block on a message of which only a part arrives.
     void add_taker(std::size_t there, Input<PostedLetter> from, std::size_t channel) {
         machine.simulation.process(
             "t" + std::to_string(channel), {from},
@@ -195,7 +195,7 @@ TEST_CASE("where a link under routers loses something, the channels that have pa
                 stopped += !complete;
             }
             CHECK((result.ending == Ending::stuck) == (stopped > 0));
-            // Each direction stands still at its first loss.
+            // each direction stops at its first loss
             CHECK(effect.bytes_lost + effect.acknowledges_lost <= (silent ? 2 : 1));
             CHECK((effect.last.has_value() || stopped == 0));
             if (effect.last)

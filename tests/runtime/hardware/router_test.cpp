@@ -1,4 +1,4 @@
-// Channels that share a link, and channels over processors between.
+// Tests channels that share a link, and channels routed over other processors.
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"
@@ -111,16 +111,16 @@ TEST_CASE("the stated price: a packet each way on the link, two handlings on eac
     CHECK(nodes.simulation.run().ending == Ending::completed);
     CHECK(nodes.link.from_a_to_b().bytes_carried() == RouterPacket::header_bytes + 100);
     CHECK(nodes.link.from_b_to_a().bytes_carried() == RouterPacket::header_bytes);
-    // a: the sender handles the packet and outputs it, the receiver inputs the acknowledge and handles it, and
-    // the program outputs: 200 + 19, 19 + 200 and 19 cycles, and the receiver asks for a second packet, 19.
-    // The sender's start interrupts the program once at most.
+    // On a: the sender handles the packet and outputs it (200 + 19 cycles), the receiver inputs the acknowledge and
+    // handles it (19 + 200), the program outputs (19), and the receiver asks for a second packet (19). The sender's
+    // start interrupts the program at most once.
     for (const Processor* processor : {&nodes.a, &nodes.b}) {
         Time least = (2 * 200 + 4 * 19) * cycle;
         CHECK(processor->time_busy() >= least);
         CHECK(processor->time_busy() <= least + 2 * 19 * cycle);
     }
     Time on_link = 103 * nanoseconds{560} + nanoseconds{550};
-    // The inputting process has low priority: b has handled the acknowledge packet before it goes on.
+    // The inputting process has low priority: b handles the acknowledge packet first.
     CHECK(input >= on_link + 3 * 200 * cycle);
     CHECK(input <= on_link + (3 * 200 + 6 * 19) * cycle);
     Time back_on_link = 3 * nanoseconds{560} + nanoseconds{550};
@@ -143,8 +143,8 @@ struct Text {
     WireForm wire_form() const { return WireForm(bytes); }
 };
 
-/// Every processor sends every other one some messages, short and long: what came by each channel, in order.
-/// `machine`: null if nothing is placed.
+/// Lets every processor send short and long messages to every other one; returns what arrived on each channel, in
+/// order. `machine` is null if nothing is placed.
 std::vector<std::vector<std::size_t>> all_talk_to_all(std::size_t nodes, std::uint64_t seed, RoutedMachine* machine) {
     constexpr std::size_t messages = 2;
     Simulation unplaced;
@@ -208,12 +208,12 @@ TEST_CASE("a transfer over two links takes what its parts take, to the picosecon
 
     constexpr auto handling = 200 * cycle, instruction = 19 * cycle;
     auto on_link = [](int bytes) { return (bytes - 1) * nanoseconds{560} + nanoseconds{550}; };
-    // The message is output, and the sender handles its packet and outputs it.
+    // The message is output; the sender handles its packet and outputs it.
     Time there = instruction + handling + instruction + on_link(14);
-    // The receiver handles it and asks for the next; the sender handles it and outputs it.
+    // The receiver handles the packet and asks for the next; the sender handles it and outputs it.
     constexpr Time passed_on = 2 * (handling + instruction);
     there += passed_on + on_link(14);
-    // Where it arrives, the acknowledge is on its way before the inputting process, of low priority, goes on.
+    // At the destination, the acknowledge leaves before the inputting process, of low priority, continues.
     there += passed_on;
     CHECK(input - begin == there);
     Time back = on_link(4) + passed_on + on_link(4) + handling + instruction;
@@ -251,8 +251,8 @@ TEST_CASE("what computes at a processor between is slowed down by the packets pa
         CHECK(machine.simulation.run().ending == Ending::completed);
         return end;
     };
-    // For each message a packet and an acknowledge: each is received and sent, and interrupts when it comes and when it
-    // has gone.
+    // Each message has a packet and an acknowledge. Each of them is received and sent, and interrupts when it arrives
+    // and when it has gone.
     Time each = 2 * (2 * 19 + 2 * (200 + 19)) * cycle;
     CHECK(end_of_computing(1) - end_of_computing(0) == each);
     CHECK(end_of_computing(7) - end_of_computing(0) == 7 * each);
@@ -282,7 +282,7 @@ TEST_CASE("a short message overtakes a long one, on every link that they share")
         "inputs short", [&] { CHECK(short_one.in().input().number == 2); }, machine.processors[2]);
     CHECK(machine.simulation.run().ending == Ending::completed);
     CHECK(long_done > microseconds{56'000}); // 100000 bytes at 1786 bytes a millisecond
-    // On each link one packet of the other channel goes before it, and on the way back none but acknowledges.
+    // On each link it waits for one packet of the other channel; acknowledges are the only packets back.
     Time packet = 260 * nanoseconds{560};
     CHECK(short_done - short_sent > microseconds{100});
     CHECK(short_done - short_sent < 2 * 2 * packet + microseconds{150});
@@ -359,7 +359,7 @@ TEST_CASE("hundreds of channels on a torus of 256 processors and a hypercube of 
 
 namespace {
 
-/// The channel from each processor to the one that is so many further on, by the shortest way.
+/// Has a channel from each processor to every other one, along a shortest path.
 class AllToAll {
 public:
     explicit AllToAll(const Graph& graph) : machine_(graph), nodes_(graph.nodes), channels_(graph.nodes) {
@@ -368,7 +368,7 @@ public:
                 add(from, further);
     }
 
-    /// Each outputs to the next and inputs from the one before, then to the one after that, and so on.
+    /// Each processor outputs to the next and inputs from the previous one, then does so at distance two, and so on.
     RunResult run() {
         for (std::size_t i = 0; i < nodes_; ++i)
             machine_.simulation.process(
@@ -422,7 +422,7 @@ TEST_CASE("each of 36 processors of a torus outputs to all others, over the proc
     check_all_to_all(torus(6, 6));
 }
 
-// A minute: ctest -C studies -L studies
+// This takes a minute: ctest -C studies -L studies
 TEST_CASE("each of 256 processors of a torus outputs to all others" * doctest::skip()) {
     check_all_to_all(torus(16, 16));
 }

@@ -33,7 +33,7 @@ Arbitration arbitration_of(BusWorld::Rule rule) {
 
 constexpr Time unit = nanoseconds{1};
 
-/// Returns what ends_of_blocks() returns, from the runtime's bus.
+/// Returns what ends_of_blocks() returns, but from the runtime's bus.
 std::vector<std::vector<int>> run(const BusWorld& world) {
     Simulation simulation;
     VmeTiming timing{.word = world.word * unit, .arbitration = world.arbitration * unit};
@@ -57,7 +57,7 @@ std::vector<std::vector<int>> run(const BusWorld& world) {
     return ends;
 }
 
-/// The masters' programs, by number: when the first block is asked for, how long it is, when the second is.
+/// Makes a master's program from a number: the time of the first request, its length, and the time of the second.
 std::vector<BusWorld::Block> program(int number) {
     return {{number & 1 ? 5 : 0, number & 2 ? 3 : 1}, {number & 4 ? 7 : 0, 2}};
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A header of the consumer's own that has the name of one of ours.
+/// The consumer has a header of its own with the same name as one of PlacedPar's.
 struct Channel {
     int number;
 };

@@ -1,4 +1,4 @@
-// What the experiments of 3.1 work on: records of either plant.
+// Tests the data for the experiments of section 3.1: records of both plants.
 #include "experiments/chapter_3/kit/boom_data.hpp"
 #include "tests/nearly.hpp"
 

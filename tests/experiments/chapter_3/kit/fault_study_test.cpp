@@ -1,4 +1,4 @@
-// What faults of the machine do to the compliance that is found.
+// Tests how faults of the machine change the identified compliance.
 
 #include "experiments/chapter_3/kit/fault_study.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 
 const RecordSource quiet_plant{"scenario-a", "none", false}, quiet_machine{"excavator", "none", true};
 
-/// doctest::Approx allows an absolute error, too, which is as large as a compliance.
+/// Compares without doctest::Approx, which also allows an absolute error as large as a compliance.
 bool is_near(double found, double known, double part) { return std::abs(found - known) <= part * std::abs(known); }
 
 } // namespace

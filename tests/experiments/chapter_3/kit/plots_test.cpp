@@ -1,4 +1,4 @@
-// Plots and block diagrams of chapter 3.
+// Tests plots and block diagrams of chapter 3.
 
 #include "experiments/chapter_3/kit/block_diagrams.hpp"
 #include "experiments/chapter_3/kit/boom_plots.hpp"
@@ -42,7 +42,7 @@ TEST_CASE("Figure 3.3 is of the record: a voltage that is held between its steps
     REQUIRE(plot.panels.size() == 4);
     const std::vector<Point>& volts = plot.panels[1].series.at(0).points;
     REQUIRE(volts.size() > 2);
-    for (std::size_t i = 1; i < volts.size(); ++i) // either time or voltage stands still
+    for (std::size_t i = 1; i < volts.size(); ++i) // in each step only time or only voltage changes
         CHECK((volts[i].x == volts[i - 1].x || volts[i].y == volts[i - 1].y));
     CHECK(plot.panels[2].series.size() == 2);
     for (const Panel& panel : plot.panels)
@@ -65,7 +65,7 @@ TEST_CASE("Figures 3.5 and 3.6 begin their angle at 0, and keep the last answer 
     CHECK(answers.points.back().y == 1000 * identified.compliance_in3_per_psi);
     CHECK(plot.panels[3].marks.at(0).y == doctest::Approx(8.6));
     REQUIRE(plot.panels[4].series[0].points.size() == generations.size());
-    for (std::size_t i = 1; i < generations.size(); ++i) // those of one sample stand side by side
+    for (std::size_t i = 1; i < generations.size(); ++i) // the generations of one sample stand side by side
         CHECK(plot.panels[4].series[0].points[i].x > plot.panels[4].series[0].points[i - 1].x);
 }
 

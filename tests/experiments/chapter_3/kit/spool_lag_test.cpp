@@ -30,7 +30,7 @@ TEST_CASE("the lag and the offset that find a compliance do find it") {
     CHECK(found_while_rising(data, {AreasFrom::servo, lag_that_finds(0.011, data), 0}) == test::nearly(0.011, 0.001));
     double low = offset_that_finds(0.005, data);
     CHECK(low < 0);
-    // A sensor that reads so much too low.
+    // The sensor reads too low by this much.
     for (double& spool_in : data.record.of(Link::boom, Sensor::spool))
         spool_in += low;
     CHECK(found_while_rising(data, model_of(data, AreasFrom::spool)) == test::nearly(0.005, 0.001));

@@ -1,4 +1,4 @@
-// What many searches make of scenario A.
+// Tests the study of many searches on scenario A.
 
 #include "experiments/chapter_3/kit/study.hpp"
 #include "tests/nearly.hpp"
@@ -15,7 +15,7 @@ using namespace placedpar::identification;
 TEST_CASE("of the errors the lower middle one, the one that nine in ten do not exceed, and how many are within ten") {
     SearchStudy study;
     study.error_percent = {20, 1, 4, 2, 3, 12, 7, 5, 9, 40};
-    CHECK(study.median_percent() == 5); // and not the mean of 5 and 7
+    CHECK(study.median_percent() == 5); // not the mean of 5 and 7
     CHECK(study.ninetieth_percent() == 20);
     CHECK(study.within_ten_percent() == 70);
 }
@@ -29,7 +29,7 @@ TEST_CASE("without noise each seed's search ends near the best of all codes, whi
     CHECK(transients.true_in3_per_psi == test::nearly(0.0086));
     REQUIRE(transients.samples.size() == 3);
     CHECK(transients.samples[0].size() == way.usable.count);
-    CHECK(transients.samples[0].front().links == transients.samples[2].front().links); // no noise, no seed
+    CHECK(transients.samples[0].front().links == transients.samples[2].front().links); // no noise, no difference
     const SearchStudy found = study(transients, way, seeds);
     CHECK(found.within_ten_percent() == 100);
     REQUIRE(found.codes_from_optimum.size() == 3);

@@ -1,4 +1,4 @@
-// Bucket and boom together: errors of two compliances, and the states inside of the circuit.
+// Tests bucket and boom together: errors of both compliances, and the circuit's internal states.
 
 #include "experiments/chapter_3/kit/two_link_study.hpp"
 
@@ -16,13 +16,13 @@ using namespace placedpar::identification;
 
 namespace {
 
-/// Compliances that are these times the machine's own.
+/// Returns compliances that are these multiples of the machine's own.
 std::vector<double> times_true(double bucket, double boom) {
     const Parameters& machine = Parameters::excavator();
     return {bucket * machine["bucket.inlet_compliance"], boom * machine["boom.inlet_compliance"]};
 }
 
-/// A search that found these, one after the other.
+/// A search that found these values, one after the other.
 SearchRun search_through(const std::vector<std::vector<double>>& found) {
     SearchRun run;
     for (const std::vector<double>& compliances : found)
@@ -37,7 +37,7 @@ TEST_CASE("errors are percent of the machine's own compliances, without sign") {
     CHECK(errors.bucket == doctest::Approx(10));
     CHECK(errors.boom == doctest::Approx(20));
     CHECK(errors.both_within(20.001));
-    CHECK_FALSE(errors.both_within(19)); // of both the larger one counts
+    CHECK_FALSE(errors.both_within(19)); // the larger error counts
     CHECK_FALSE(errors_of(times_true(1.3, 1)).both_within(20));
 }
 

@@ -1,4 +1,4 @@
-// Machines that an operator moves, faults that they are given, and what the on-line diagnosis says of them.
+// Tests the on-line diagnosis of simulated machines, moved by an operator, with faults.
 
 #include "experiments/chapter_3/kit/verdict_study.hpp"
 
@@ -27,7 +27,7 @@ std::vector<TestedFault> called(const std::vector<TestedFault>& faults, AlarmKin
     return some;
 }
 
-/// The readings of the boom's pressure in a movement.
+/// Returns the readings of the boom's pressure in a movement.
 std::vector<double> pressures(const SimulatedExcavator& digger, const PlantFault& fault, double compliance_factor,
                               std::uint64_t number) {
     return digger.movement(fault, compliance_factor, number).of(Link::boom, Sensor::inlet_pressure);
@@ -39,11 +39,11 @@ TEST_CASE("what can be wrong depends on what is read of the valve: its spool has
     const auto by_spool = tested_faults(low_plant, AreasFrom::spool),
                by_voltage = tested_faults(low_machine, AreasFrom::servo),
                by_areas = tested_faults(low_plant, AreasFrom::areas);
-    CHECK(called(by_spool, AlarmKind::offset).size() == 2); // either way
+    CHECK(called(by_spool, AlarmKind::offset).size() == 2); // in both directions
     CHECK(called(by_spool, AlarmKind::drift).empty());
     CHECK(called(by_voltage, AlarmKind::drift).size() == 2);
     CHECK(called(by_voltage, AlarmKind::offset).empty());
-    CHECK(by_areas.size() == 5); // neither, nor a leak that begins
+    CHECK(by_areas.size() == 5); // no offset, and no leak that begins
     for (const auto& faults : {by_spool, by_voltage, by_areas}) {
         std::set<std::string> names;
         for (const TestedFault& each : faults)
@@ -118,7 +118,7 @@ TEST_CASE("a compliance that grows by a half is found and called so; watching on
     CHECK(outcome.called);
     CHECK_FALSE(outcome.undecided);
     CHECK(machine.alarms().empty());
-    TestedFault miscalled = softer; // what is found is not what was expected
+    TestedFault miscalled = softer; // the expected alarm is another one
     miscalled.called = AlarmKind::leak;
     const Outcome other = watch(machine, miscalled, faulty_movements, next);
     CHECK(other.found_after == outcome.found_after);

@@ -44,5 +44,5 @@ TEST_CASE("no formula gives more than as many processors, nor more than what is 
             CHECK(formula_c_1({.evaluating = alpha, .breeding = 1, .communication = 0.1}, processors) <
                   formula_4_9(alpha, processors));
         }
-    CHECK(formula_4_9(8, 1e9) == doctest::Approx(9)); // of infinitely many
+    CHECK(formula_4_9(8, 1e9) == doctest::Approx(9)); // an unlimited number of slaves
 }

@@ -1,4 +1,4 @@
-// Differential evolution and CMA-ES on objectives whose optimum is known.
+// Tests differential evolution and CMA-ES on objectives with a known optimum.
 
 #include "experiments/chapter_5/kit/covariance_adaptation.hpp"
 #include "experiments/chapter_5/kit/differential_evolution.hpp"
@@ -13,14 +13,14 @@ namespace {
 
 double sphere(const Eigen::VectorXd& x) { return (x - Eigen::VectorXd::Constant(x.size(), 0.3)).squaredNorm(); }
 
-/// A long valley that lies across the axes: axis lengths from 1 to 1000.
+/// A long valley across the axes, with axis lengths from 1 to 1000.
 double ellipse(const Eigen::VectorXd& x) {
     Eigen::VectorXd from = x - Eigen::VectorXd::Constant(x.size(), 0.6);
     double along = from.sum(), sum = along * along / static_cast<double>(x.size());
     return sum * 1e-6 + (from.squaredNorm() - sum);
 }
 
-/// Its optimum lies in a corner of the cube.
+/// A slope with its optimum in a corner of the cube.
 double slope(const Eigen::VectorXd& x) { return x.sum(); }
 
 } // namespace

@@ -1,4 +1,4 @@
-// Least squares against what is known: the plant itself, the batch of the same samples, and every string.
+// Tests recursive least squares against the plant, a batch solution with the same samples, and every string.
 
 #include "experiments/chapter_5/kit/least_squares.hpp"
 #include "gaprocs/representation/genome.hpp"
@@ -27,7 +27,7 @@ double distance_from_truth(Pole pole) {
     return std::hypot(pole.alpha - truth.alpha, pole.beta - truth.beta);
 }
 
-/// Sum of squared prediction errors of what a string stands for.
+/// Returns the sum of squared prediction errors of the parameters in a string.
 double squared_error(const PlantProblem& problem, const Genome& genome, std::span<const Sample> window) {
     double sum = 0;
     for (const Sample& sample : window)

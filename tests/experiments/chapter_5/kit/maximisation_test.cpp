@@ -49,7 +49,7 @@ TEST_CASE("curves by size have their points at the sizes, each with its interval
     const Panel taken = taken_panel("", {.from = 0, .to = 30}, {}, {often, seldom});
     REQUIRE(taken.series.size() == 2);
     CHECK(taken.series[0].intervals.size() == 2);
-    REQUIRE(taken.series[1].points.size() == 1); // the smaller size does not reach it often enough
+    REQUIRE(taken.series[1].points.size() == 1); // the smaller population does not reach it often enough
     CHECK(taken.series[1].points[0].x == 20);
     CHECK(taken.series[1].intervals[0].low == 3);
 }

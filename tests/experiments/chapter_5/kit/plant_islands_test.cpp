@@ -1,4 +1,4 @@
-// Few seeds and loose bounds: placedpar replay pga-1 to pga-5 have all.
+// Tests with few seeds and loose bounds. For all seeds: placedpar replay pga-1 to pga-5.
 
 #include "experiments/chapter_5/kit/plant_islands.hpp"
 

@@ -1,4 +1,4 @@
-// Studies of the changing plant: what is claimed and said of it, and the configurations of Table 5.3.
+// Tests studies of the changing plant: their claims and texts, and the configurations of Table 5.3.
 
 #include "experiments/chapter_5/kit/plant_study.hpp"
 
@@ -27,7 +27,7 @@ std::vector<double> from_1_to(int last) {
     return values;
 }
 
-/// The true pole of the ramp, so many generations late.
+/// Returns the ramp's true pole, delayed by `late` generations.
 std::vector<Pole> pole_late_by(int late) {
     std::vector<Pole> found;
     for (int generation = 0; generation <= 600; ++generation)
@@ -35,7 +35,7 @@ std::vector<Pole> pole_late_by(int late) {
     return found;
 }
 
-/// A study whose n-th seed follows the pole 10 n generations late.
+/// A study whose n-th seed follows the pole with a delay of 10 n generations.
 PlantStudy late_study(const ReplayContext& context) {
     const Seeds seeds = seeds_of(context);
     return study_pole(context, "late", {}, [&](std::uint64_t seed) {
@@ -43,7 +43,7 @@ PlantStudy late_study(const ReplayContext& context) {
     });
 }
 
-/// Evaluations of the error that a generation of all islands takes.
+/// Returns how many evaluations of the error one generation of all islands takes.
 std::size_t errors_a_generation(const PlantIslands& islands) {
     return std::inner_product(islands.populations.begin(), islands.populations.end(), islands.windows.begin(),
                               std::size_t{0});
@@ -53,12 +53,12 @@ std::size_t errors_a_generation(const PlantIslands& islands) {
 
 TEST_CASE("a claim holds where the whole interval of the median is on its side, and is undecided where a part is") {
     CHECK(verdict(claim_of({6, 6, 6, 6}, 5)) == "holds");
-    CHECK(verdict(claim_of({6, 6, 6, 6}, 6)) == "holds"); // the bound belongs to it
+    CHECK(verdict(claim_of({6, 6, 6, 6}, 6)) == "holds"); // the bound itself counts
     CHECK(verdict(claim_of({4, 4, 4, 4}, 5)) == "does not hold");
     CHECK(verdict(claim_of({4, 4, 4, 4}, {}, 5)) == "holds");
     CHECK(verdict(claim_of(from_1_to(40), 20)) == "undecided");
     CHECK(verdict(claim_of(from_1_to(40), 1, 40)) == "holds");
-    CHECK(verdict(claim_of(from_1_to(40), 20, 21)) == "undecided"); // only the median itself is between them
+    CHECK(verdict(claim_of(from_1_to(40), 20, 21)) == "undecided"); // only the median lies between
     CHECK(verdict(claim_of({4, 4, 4, 4}, 5, 6)) == "does not hold");
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("a study of a pole has the figures of each seed, in their order, and e
     CHECK(study.lags() == std::vector<double>{0, 10, 20});
     CHECK(study.of(0, Tracking::delay_20) == std::vector<double>{40, 50, 60});
     CHECK(study.median(0, Tracking::lag) == 10);
-    CHECK(study.found_percent(0) == 100); // all are there when the ramp has ended
+    CHECK(study.found_percent(0) == 100); // all have found it when the ramp ends
     REQUIRE(study.runs.at(2).at(0).poles.size() == 121);
     CHECK(study.runs[2][0].poles[60].alpha == pole_late_by(20)[300].alpha);
     CHECK_THROWS_WITH_AS(study.answer("fittest"), "late has no answer by fittest", std::invalid_argument);
@@ -119,7 +119,7 @@ TEST_CASE("figures of the same seeds are compared one by one; a quotient of noth
     const std::vector<double> by = ratio({2, 0, 1}, {1, 0, 0});
     CHECK(by[0] == doctest::Approx(2).epsilon(1e-3));
     CHECK(by[1] == 1);
-    CHECK(by[2] == doctest::Approx(1001)); // and not infinite
+    CHECK(by[2] == doctest::Approx(1001)); // not infinite
 }
 
 TEST_CASE("the configurations of Table 5.3 have as many individuals, and one search of equal cost as many errors") {
@@ -163,12 +163,12 @@ TEST_CASE(
     CHECK(medians.series[0].name == "late");
     CHECK(medians.series[1].stroke == Stroke::dashes);
     CHECK(medians.series[0].points.at(60).x == 300);
-    CHECK(medians.series[0].points[60].y == pole_late_by(10)[300].alpha); // the middle one of the three
+    CHECK(medians.series[0].points[60].y == pole_late_by(10)[300].alpha); // the median of the three
     CHECK(medians.series[1].points[60].y == pole_late_by(10)[300].beta);
     CHECK(medians.series[2].name == "truth");
     CHECK(medians.series[2].points.front().y == 0.75);
     CHECK(medians.series[2].points.back().y == 0.25);
-    CHECK(medians.series[3].points.front().y == doctest::Approx(0.370810)); // root of .7 - .75^2
+    CHECK(medians.series[3].points.front().y == doctest::Approx(0.370810)); // square root of .7 - .75^2
     REQUIRE(medians.bands.size() == 1);
     CHECK(medians.bands[0].points.at(60).low == pole_late_by(0)[300].alpha);
     CHECK(medians.bands[0].points[60].high == pole_late_by(20)[300].alpha);

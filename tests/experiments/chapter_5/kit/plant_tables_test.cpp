@@ -9,7 +9,7 @@ using namespace placedpar;
 
 namespace {
 
-/// The names in the legend of a panel with rows of these names, without the truth's.
+/// Returns the legend of a panel whose rows have these names, without the true pole's entry.
 std::vector<std::string> legend_with(const std::vector<std::string>& names) {
     PlantStudy study;
     study.runs = {{PlantTrack{}}};

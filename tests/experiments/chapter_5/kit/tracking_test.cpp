@@ -10,7 +10,7 @@ using namespace placedpar;
 
 namespace {
 
-/// The true pole, `late` generations late.
+/// Returns the true pole, delayed by `late` generations.
 std::vector<Pole> late_by(double late, const PlantChange& change) {
     std::vector<Pole> found;
     for (int generation = 0; generation <= 600; ++generation)

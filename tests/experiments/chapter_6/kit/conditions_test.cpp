@@ -1,4 +1,4 @@
-// Shares of runs that converged and that followed, their intervals, and what one condition gains over another.
+// Tests shares of runs that converged and that followed, their intervals, and the gain of one condition over another.
 
 #include "experiments/chapter_6/kit/conditions.hpp"
 
@@ -46,11 +46,11 @@ TEST_CASE("shares stand with the interval of Clopper and Pearson, and are judged
     Comparison comparison;
     add_tally(comparison, tally_with(10, 8, 0), {.converged = 90, .followed = {}});
     CHECK(cell_at(comparison, "converged").simulated == 80);
-    CHECK(cell_at(comparison, "converged >=").simulated == doctest::Approx(44.39).epsilon(1e-4)); // of 8 in 10
+    CHECK(cell_at(comparison, "converged >=").simulated == doctest::Approx(44.39).epsilon(1e-4)); // for 8 in 10
     CHECK(cell_at(comparison, "converged <=").simulated == doctest::Approx(97.48).epsilon(1e-4));
     CHECK(cell_at(comparison, "converged").tolerance == share_tolerance(90, 10));
     CHECK(cell_at(comparison, "followed").simulated == 0);
-    CHECK(cell_at(comparison, "followed <=").simulated == doctest::Approx(30.85).epsilon(1e-4)); // of none in 10
+    CHECK(cell_at(comparison, "followed <=").simulated == doctest::Approx(30.85).epsilon(1e-4)); // for none in 10
     CHECK_FALSE(cell_at(comparison, "followed").is_judged());
     CHECK(cell_at(comparison, "generation").simulated == 40);
     CHECK(cell_at(comparison, "generation >=").simulated == 40);

@@ -34,11 +34,11 @@ TEST_CASE("the drawing has each search's strings, and each of their bits") {
     CHECK(occurrences(svg, "24 strings of 22 bits") == 1);
     CHECK(occurrences(svg, "30 strings of 22 bits") == 1);
     CHECK(occurrences(svg, "newest 30 samples") == 1);
-    CHECK(occurrences(svg, "\"bit coarse\"") == 2 * 22); // its string, and where they are in the problem's
-    CHECK(occurrences(svg, "\"bit zero\"") == 37 - 22);  // what the coarse one leaves out
+    CHECK(occurrences(svg, "\"bit coarse\"") == 2 * 22); // in its own string, and their places in the problem's
+    CHECK(occurrences(svg, "\"bit zero\"") == 37 - 22);  // the bits that the coarse string leaves out
     CHECK(occurrences(svg, "\"bit fine\"") == 22);
     CHECK(occurrences(svg, "−8 ... +7") == 5);
-    CHECK(occurrences(svg, ">all<") == 1); // the delay has all its bits in both
+    CHECK(occurrences(svg, ">all<") == 1); // the delay has all its bits in both strings
 }
 
 TEST_CASE("the drawing follows the settings") {

@@ -1,4 +1,4 @@
-// How well a search followed the plant's pole, and how the plant's string is read.
+// Tests how well a search follows the plant's pole, and the reading of the plant's string.
 
 #include "experiments/chapter_6/kit/plant_runs.hpp"
 
@@ -12,8 +12,8 @@ using namespace placedpar;
 
 namespace {
 
-/// The outcome of answers whose alpha is off by this much in each generation of Table 5.4; `beta_sign`: of the pole's
-/// two conjugates.
+/// Returns the outcome of answers whose alpha is wrong by distance(generation) in each generation of Table 5.4.
+/// `beta_sign` selects one of the two conjugate poles.
 PlantOutcome outcome_off_by(const std::function<double(int)>& distance, double beta_sign = 1) {
     PoleTrack track;
     for (int generation = 0; generation <= 600; ++generation) {
@@ -23,7 +23,7 @@ PlantOutcome outcome_off_by(const std::function<double(int)>& distance, double b
     return track.outcome();
 }
 
-/// Far from the pole but in these generations.
+/// Returns a distance that is large except in these generations.
 std::function<double(int)> near_within(int first, int end) {
     return [=](int generation) { return generation >= first && generation < end ? 0.05 : 0.5; };
 }
@@ -52,7 +52,7 @@ TEST_CASE("a pole is found whichever of the two conjugates the string stands for
 TEST_CASE("a search has converged from the first of ten generations on in which it stays near") {
     CHECK(outcome_off_by(near_within(50, 601)).converged_at == 50);
     CHECK(outcome_off_by(near_within(20, 30)).converged_at == 20);
-    CHECK(outcome_off_by(near_within(20, 29)).converged_at == 200); // nine are too few
+    CHECK(outcome_off_by(near_within(20, 29)).converged_at == 200); // nine generations are too few
     const auto interrupted = [](int generation) {
         return generation >= 20 && generation < 40 && generation != 29 ? 0.05 : 0.5;
     };
