@@ -340,9 +340,24 @@ std::string print(const std::vector<StuckChannel>& rows) {
                    std::string_view waiting, std::string_view netlist) {
         return line_of({{channel, 44}, {outputter, 28}, {inputter, 28}, {waiting, 9}, {netlist, 0}});
     };
-    std::string out = line("channel", "outputter", "inputter", "who waits", last_column(rows, nullptr));
+    std::string out = line("channel", "outputter", "inputter", "waiting", last_column(rows, nullptr));
     for (const StuckChannel& row : rows)
         out += line(row.name, row.outputter, row.inputter, row.waiting, last_column(rows, &row));
+    return out;
+}
+
+/// Says which processes wait for one that has ended: the usual reason of a deadlock without a cycle.
+std::string print_ended(const std::vector<StuckChannel>& rows) {
+    constexpr std::string_view ended = " (has ended)";
+    std::string out;
+    for (const StuckChannel& row : rows) {
+        const bool inputs = row.waiting == "inputter";
+        std::string_view partner = inputs ? row.outputter : row.inputter;
+        if (partner.ends_with(ended))
+            out += fmt::format("no wait cycle: {} {} for ever, but {} has ended; do both expect equally many messages?\n",
+                               inputs ? row.inputter : row.outputter, inputs ? "inputs" : "outputs",
+                               partner.substr(0, partner.size() - ended.size()));
+    }
     return out;
 }
 
@@ -352,6 +367,8 @@ std::string Deadlock::text() const {
     std::string out;
     if (!cycle.empty())
         out += fmt::format("wait cycle: {} -> {}\n", fmt::join(cycle, " -> "), cycle.front());
+    else
+        out += print_ended(channels);
     for (const auto& why : held_up)
         out += fmt::format("held up: {}\n", why);
     out += "\n" + print(processes);

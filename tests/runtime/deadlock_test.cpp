@@ -66,7 +66,7 @@ fork[1]                      inputs                     left[1]                 
 philosopher[2]               outputs                    right[2]                                     philosophers.cpp:4
 fork[2]                      inputs                     left[2]                                      philosophers.cpp:7
 
-channel                                      outputter                    inputter                     who waits
+channel                                      outputter                    inputter                     waiting
 right[0]                                     philosopher[0]               fork[1]                      outputter
 left[0]                                      philosopher[0]               fork[0]                      inputter
 right[1]                                     philosopher[1]               fork[2]                      outputter
@@ -96,6 +96,7 @@ TEST_CASE("a partial deadlock lists those who are left and not those who ended")
     CHECK(result.deadlock->processes[0].activity == Activity::inputting);
     REQUIRE(result.deadlock->channels.size() == 1);
     CHECK(result.deadlock->channels[0].outputter == "once (has ended)");
+    CHECK(result.deadlock->text().starts_with("no wait cycle: twice inputs for ever, but once has ended; "));
     CHECK(result.deadlock->channels[0].waiting == "inputter");
 }
 
