@@ -78,8 +78,8 @@ ComplianceFit fit_at(const PerLinkVector& compliance, const Eigen::VectorXd& mis
     return fit;
 }
 
-/// Returns the fitness of every string, as one number with the first junction's code leftmost. Unlike in a search, it
-/// is not rounded.
+/// Returns the fitness of every string. A string's index is the number whose leftmost bits are the first junction's
+/// code. Unlike in a search, the fitness is not rounded.
 std::vector<double> fitness_of_all(const Circuit& circuit, std::span<const CircuitSample> window,
                                    const FlowConstants& flow, InletFlow form, std::size_t bits, double largest,
                                    double bias) {
@@ -118,7 +118,7 @@ std::optional<ComplianceFit> fit_compliances(const Circuit& circuit, std::span<c
             return std::nullopt;
         if (step.cwiseAbs().maxCoeff() < settled)
             return fit_at(compliance, missing, normal);
-        // Far from the solution a full step may reach another branch of the square root: halve it.
+        // Far from the solution a full step may reach another branch of the square root, so the step is halved.
         Eigen::VectorXd then = residuals(compliance - step);
         while (then.squaredNorm() > missing.squaredNorm() && step.cwiseAbs().maxCoeff() >= settled) {
             step /= 2;

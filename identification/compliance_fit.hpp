@@ -21,8 +21,8 @@ struct ComplianceFit {
 };
 
 /// Fits compliances by least squares to the signed missing flows of all junctions and samples (equations 3.5 to 3.8).
-/// Uses Gauss-Newton from `start`, usually the search's answer. Returns nullopt if it does not settle within 50 steps.
-/// REQUIRES: samples of this circuit, start.size() == circuit.size().
+/// Uses Gauss-Newton from `start`, usually the search's answer. Returns nullopt if the fit does not converge within 50
+/// steps. REQUIRES: samples of this circuit, start.size() == circuit.size().
 std::optional<ComplianceFit> fit_compliances(const hydraulics::Circuit& circuit,
                                              std::span<const hydraulics::CircuitSample> samples,
                                              const hydraulics::FlowConstants& flow, std::span<const double> start);
@@ -33,7 +33,7 @@ struct ExhaustiveOptimum {
     double fitness;                   ///< sum of bias - error^2 (equation 3.9)
 };
 
-/// Limits the length of strings that are all evaluated: 2^20 is about a million.
+/// The greatest length of strings that exhaustive_optimum() accepts, in bits; 2^20 is about a million strings.
 inline constexpr std::size_t exhaustive_bits = 20;
 
 /// Finds the best of all strings, where C = largest * code / 2^bits. REQUIRES: circuit.size() * bits <=

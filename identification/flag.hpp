@@ -48,8 +48,8 @@ struct LeastSquares {
 inline constexpr double uncertain_share = 0.1;
 
 /// Return whether an answer is at the end of the search's range; `step` is the resolution of the search. A spool offset
-/// can make the data fit best at a negative compliance, or at one beyond the range, and the search then stays at the
-/// end.
+/// can make the data fit best at a compliance that is negative or beyond the range. The search then stays at the end of
+/// its range.
 bool at_lower_bound(double compliance_in3_per_psi, double step_in3_per_psi);
 bool at_upper_bound(double compliance_in3_per_psi, double step_in3_per_psi);
 

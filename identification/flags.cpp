@@ -17,11 +17,12 @@ using namespace hydraulics;
 
 namespace {
 
-// Ours: half the gate's. Below these a third of the estimates are off by more than 10 % at the medium noise.
+// Ours: half the limits of ExcitationGate. Below these limits, a third of the estimates are off by more than 10 % at
+// the medium noise.
 constexpr double least_slope_psi_per_s = 400, least_flow_in3_per_s = 3.4;
-// The largest accepted difference, as a share of the compliance.
+// The largest accepted difference between the halves' compliances, as a share of the compliance.
 constexpr double halves_differ = 0.3;
-// The halves must also differ by this many standard errors, so that noise alone raises no flag.
+// A flag also requires a difference of this many standard errors, so that noise alone raises no flag.
 constexpr double halves_differ_errors = 4;
 
 /// This function and the next return whether they have flagged the link.
@@ -80,8 +81,8 @@ void flag_pressure(LinkIdentified& link, std::span<const CircuitSample> samples,
                                            samples[frozen->first].time_s, frozen->jump)});
 }
 
-/// Flags a piston that retracts on average over the samples. Oil that flows in extends it, apart from what the hose
-/// takes up.
+/// Flags a piston that retracts on average over the samples. Oil that flows in extends the piston, apart from the oil
+/// that the hose takes up.
 void flag_falling(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction) {
     double flow = 0;
     for (const CircuitSample& sample : samples)

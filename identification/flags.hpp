@@ -8,11 +8,12 @@ namespace placedpar::identification {
 
 /// Adds to LinkIdentified::flags the reasons why a compliance may be wrong:
 ///
-/// - at a bound of the search: the true value may lie beyond it, and a spool offset can make it negative;
+/// - at a bound of the search: the true value may lie beyond the bound, and a spool offset can make the best fit
+/// negative;
 /// - no excitation: the pressure hardly moves in the last window, so that noise decides;
 /// - inconsistent: the circuit's equations miss the flow by more than the bias allows (misfit), the two halves of the
 ///   record disagree, the valve reading never changes, or the piston retracts while oil flows in;
-/// - impossible: a pressure below vacuum, or one that freezes and then jumps;
+/// - impossible: a pressure below vacuum, or a pressure that freezes and then jumps;
 /// - uncertain: the relative standard error of least squares exceeds uncertain_share. This flag is omitted if a bound
 ///   or the lack of excitation has already been flagged.
 ///

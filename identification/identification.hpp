@@ -38,8 +38,8 @@ struct Identified {
 };
 
 /// Identifies the compliances of a circuit from its samples, without simulated transputers. The search draws from the
-/// random stream (seed, "master"), as the process of that name in a netlist does, so both give the same answer. Throws
-/// UnfitRecord, with the reason, if there are too few samples for the first generation.
+/// random stream (seed, "master"), as the process "master" of a netlist does, so this function and the netlist give the
+/// same answer. Throws UnfitRecord, with the reason, if there are too few samples for the first generation.
 Identified identify(const CircuitProblem& problem, const hydraulics::FlowConstants& flow,
                     std::span<const hydraulics::CircuitSample> samples, const IdentificationWay& way,
                     std::uint64_t seed);

@@ -11,8 +11,8 @@
 
 namespace placedpar::identification {
 
-/// The settings of a search as in chapter 3, over one transient of a record. For all movements of a record, with an
-/// engineer's improvements, use the diagnosis (on_line/record_diagnosis.hpp).
+/// The settings of a search as in chapter 3, over one transient of a record. To identify all movements of a record,
+/// with an engineer's improvements, use the diagnosis (on_line/record_diagnosis.hpp).
 struct IdentificationWay {
     SearchSettings search;
     std::size_t bits = CircuitProblem::usual_bits; ///< of one compliance

@@ -30,7 +30,7 @@ std::span<const CircuitSample> last_window(std::span<const CircuitSample> sample
     return samples.subspan(first, size - first);
 }
 
-/// Returns the least squares over these samples, started at the search's answer.
+/// Returns the least-squares fit to these samples, started at the search's answer.
 std::optional<ComplianceFit> fit_beside(const Identified& result, std::span<const CircuitSample> samples,
                                         const FlowConstants& flow) {
     std::vector<double> found;

@@ -20,8 +20,8 @@ struct SteadySample {
     double inlet_psi, piston_flow_in3_per_s, spool_in;
 };
 
-/// Returns the missing flow if the true spool is its reading minus the offset. It falls as the offset grows, since a
-/// smaller spool opens the bypass wider.
+/// Returns the missing flow if the true spool position is the reading minus the offset. The missing flow falls as the
+/// offset grows, since a smaller spool opens the bypass wider.
 double missing_in3_per_s(const SteadySample& sample, double offset_in, const FlowConstants& flow) {
     OrificeAreas areas = boom_orifices(std::max(sample.spool_in - offset_in, boom_dead_band_in + 1e-4));
     double pump_psi =

@@ -16,7 +16,7 @@ namespace placedpar::identification {
 struct TransientEstimate {
     std::size_t index; ///< index of the sample in the record
     double time_s;
-    bool frozen;            ///< whether the gate was shut; then the estimate is the previous one
+    bool frozen;            ///< whether the gate was shut; if so, this repeats the previous estimate
     double error_in3_per_s; ///< rms over the window, for the best individual
     std::vector<double> compliance_in3_per_psi;
 };

@@ -56,7 +56,7 @@ void Attempt::message_announced() {
 
 void Attempt::happen() noexcept {
     if (failure_ && !failure_->message_waits())
-        return; // it was given up itself
+        return; // the message on the failure channel was given up
     failed_ = end_ == End::output ? channel_.give_up_output() : channel_.give_up_input();
 }
 

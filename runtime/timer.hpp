@@ -17,9 +17,9 @@ void wait_until(Time due, const SourceLocation& = SourceLocation::current());
 /// Makes the running process wait for the given time. REQUIRES: how_long >= 0.
 void wait_for(Time how_long, const SourceLocation& = SourceLocation::current());
 
-/// Makes the running process wait until the work of the simulation is over: nothing else can happen unless a process
-/// that waits here continues. Activity after the work is measured apart, such as a test of the machine in its final
-/// state: the run's time, its trace and its limit are those of the work.
+/// Makes the running process wait until the work of the simulation is over, that is, until nothing can happen any more
+/// unless a process that waits in this function continues. Activity after the work, such as a test of the machine's
+/// final state, is not counted in the run's time, trace or time limit.
 void wait_until_work_is_over(const SourceLocation& = SourceLocation::current());
 
 // occam's arithmetic for readings of a 32-bit clock, which wraps round after 71 minutes and 35 seconds at high
@@ -38,8 +38,9 @@ constexpr std::int32_t minus(std::int32_t a, std::int32_t b) {
 constexpr bool is_after(std::int32_t a, std::int32_t b) { return minus(a, b) > 0; }
 
 /// occam's TIMER: the clock that the running process's executive shows to processes of its priority. A reading has the
-/// bits of a word: 32, or 16 in a T2. There it is a number from -32768 to 32767, and the clock wraps round after 65.5
-/// ms at high priority, 4.19 s at low. Numbers given by a program are reduced to the same bits.
+/// bits of a word: 32, or 16 in a T2. On a T2 a reading is a number from -32768 to 32767, and the clock wraps round
+/// after 65.5 ms at high priority and after 4.19 s at low priority. Numbers given by a program are reduced to the same
+/// bits.
 class Timer {
 public:
     /// Returns the period of the running process's clock; a microsecond if the process is not placed.
@@ -52,8 +53,8 @@ public:
     std::int32_t plus(std::int32_t a, std::int32_t b) const;
     std::int32_t minus(std::int32_t a, std::int32_t b) const;
     bool is_after(std::int32_t a, std::int32_t b) const { return minus(a, b) > 0; }
-    /// Returns the time at which the clock's reading becomes later than `ticks`, which is how long `timer ? AFTER
-    /// ticks` waits. If the reading is later already, returns a time that is not in the future.
+    /// Returns the time at which the clock's reading becomes later than `ticks`; `timer ? AFTER ticks` waits until
+    /// then. If the reading is later already, returns a time that is not in the future.
     Time moment_after(std::int32_t ticks) const;
     /// `timer ? AFTER ticks`.
     void wait_after(std::int32_t ticks, const SourceLocation& = SourceLocation::current()) const;

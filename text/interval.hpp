@@ -4,7 +4,7 @@
 
 namespace placedpar {
 
-/// An estimate from some seeds: with a probability of 95 % the figure lies within the interval.
+/// A confidence interval of 95 % for a figure that was estimated from some seeds.
 struct Interval {
     double low, high;
 

@@ -60,7 +60,7 @@ std::string nearest_name(std::string_view wanted, const std::vector<std::string>
         return "";
     auto wanted_lower = lower_case(wanted);
     std::string best;
-    std::pair best_distance(most_edits(wanted) + 1, std::size_t{0}); // the second counts case as well
+    std::pair best_distance(most_edits(wanted) + 1, std::size_t{0}); // second: differences of case count, too
     for (const auto& candidate : candidates) {
         if (candidate.size() > longest_word || candidate == wanted)
             continue;

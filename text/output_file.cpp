@@ -37,7 +37,7 @@ fs::path follow_links(const fs::path& path) {
     return end;
 }
 
-/// Whether the file's permissions allow writing. They are respected even for root, who could write every file.
+/// Returns whether the file's permissions allow writing. They are respected even for root, who could write every file.
 bool may_write(const fs::path& path, const struct stat& file) {
     constexpr mode_t by_anybody = S_IWUSR | S_IWGRP | S_IWOTH;
     return (file.st_mode & by_anybody) != 0 && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
@@ -56,7 +56,7 @@ fs::path destination_of(const fs::path& path) {
     return there && !S_ISREG(file.st_mode) ? path : follow_links(path);
 }
 
-/// Whether the destination is a device or a pipe, which must not be replaced by a file.
+/// Returns whether the destination is a device or a pipe, which must not be replaced by a file.
 bool is_written_as_it_goes(const fs::path& destination) {
     std::error_code error;
     return is_standard_stream(destination) || fs::is_other(destination, error);

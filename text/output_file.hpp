@@ -17,7 +17,7 @@ class OutputFile {
 public:
     /// Throws UserError that names the file and the reason.
     explicit OutputFile(const std::filesystem::path&);
-    /// Removes the temporary file unless finish() was called.
+    /// Removes the temporary file unless finish() has replaced the destination with it.
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;

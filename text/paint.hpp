@@ -5,8 +5,8 @@
 
 namespace placedpar {
 
-/// What is coloured where a terminal shows it. Those of the first line go to standard error, those of the second to
-/// standard output.
+/// Names the parts of the output that a terminal shows in colour. The parts up to `caret` go to standard error, the
+/// others to standard output.
 enum class Paint { error, warning, note, place, caret, heading, success, failure };
 
 enum class PaintedStream { errors, output };
@@ -20,11 +20,11 @@ void set_painted(PaintedStream, bool painted);
 /// cannot contain any.
 std::string painted(Paint, std::string_view text);
 
-/// escaped(), but for ends of lines and the colours that painted() has put around texts: as terminals may have what is
-/// printed.
+/// Returns the text as escaped() does, but keeps newlines and turns the marks of painted() into colours. The result is
+/// safe for a terminal.
 std::string escaped_but_paint(std::string_view text);
 
-/// Without the marks of painted(): for what is kept, or sent elsewhere, before it is printed.
+/// Returns the text without the marks of painted(). Use it for a text that is stored or sent elsewhere.
 std::string unpainted(std::string_view text);
 
 } // namespace placedpar

@@ -10,12 +10,12 @@ namespace placedpar {
 
 namespace {
 
-/// Files that include files: the innermost tell where one is.
+/// The greatest number of "included here" notes on one diagnostic, from the innermost file outwards.
 constexpr int most_included_notes = 10;
 
 bool in_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// The words of a line, each once.
+/// Returns the words of a line, without repetitions.
 std::set<std::string_view> words_in(std::string_view line) {
     std::set<std::string_view> words;
     for (auto begin = line.begin(); begin != line.end();) {

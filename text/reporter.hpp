@@ -13,10 +13,10 @@
 namespace placedpar {
 
 inline constexpr std::size_t most_errors = 20;
-/// Errors beyond those that are kept are counted, up to so many in all.
+/// Further errors are only counted; reading stops when this many errors were found.
 inline constexpr std::size_t most_counted_errors = 1000;
 inline constexpr std::size_t most_warnings = 200;
-/// Errors at places that have one already: what is read in a loop goes wrong each time.
+/// Reading stops after this many errors at places that already have an error, as a line in a loop would cause.
 inline constexpr std::size_t most_repeated = 50;
 
 /// Thrown when reading on makes no sense: too many errors, a bound exceeded. The last diagnostic says why. It is not
@@ -26,24 +26,25 @@ struct GiveUp {};
 /// Collects what is wrong while a text is read.
 class Reporter {
 public:
-    /// Keeps one error a place, a second one there says nothing new, and no more than most_errors. Throws GiveUp when
-    /// most_counted_errors were found.
+    /// Keeps at most one error per place and most_errors in total. Throws GiveUp when there are most_counted_errors
+    /// errors, or most_repeated at places that already had an error.
     void error(const Location& location, std::string message, std::string hint = "",
                std::vector<SecondPlace> others = {});
     /// Reports the last error, after which it makes no sense to read on.
     [[noreturn]] void give_up(const Location& location, std::string message, std::vector<SecondPlace> others = {});
     void warning(const Location& location, std::string message, std::string hint = "");
-    /// Each diagnostic in this file will say where the file is included.
+    /// Makes each later diagnostic in this file say where the file is included.
     void add_included(const std::shared_ptr<const SourceFile>& file, const Location& at) { included_[file] = at; }
-    /// An option gave the name another value: each error in a line that uses it will say so, since that may be why.
+    /// Records that an option gave the name another value. Each later diagnostic in a line that uses the name says so,
+    /// since the value may be the cause.
     void add_option(const std::string& name, const Location& at) { options_[name] = at; }
-    /// One error says it all: forgets what was reported before.
+    /// Forgets all earlier reports and keeps only this error.
     void replace_all(const Location& location, std::string message, std::string hint);
 
     bool failed() const { return errors_ > 0; }
-    /// Whether one more error would be kept, and is worth a good hint.
+    /// Returns whether another error would be kept, so that computing a hint for it is worthwhile.
     bool keeps_more() const { return errors_ < most_errors; }
-    /// The file of the first error; null without one.
+    /// Returns the file of the first error; null if there is no error or the error has no file.
     std::shared_ptr<const SourceFile> first_file() const;
     std::vector<Diagnostic> take() { return std::move(diagnostics_); }
     /// Returns a note on the errors and warnings that were not kept; "" if all were kept.
@@ -57,8 +58,8 @@ private:
 
     std::vector<Diagnostic> diagnostics_;
     std::set<std::tuple<std::shared_ptr<const SourceFile>, std::size_t, std::size_t>> places_; ///< of errors
-    std::map<std::shared_ptr<const SourceFile>, Location> included_;                           ///< at
-    std::map<std::string, Location, std::less<>> options_;                                     ///< by name: at
+    std::map<std::shared_ptr<const SourceFile>, Location> included_; ///< where each is included
+    std::map<std::string, Location, std::less<>> options_;           ///< where each name is set
     std::size_t errors_ = 0, repeated_ = 0, warnings_ = 0;
 };
 

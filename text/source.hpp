@@ -8,17 +8,17 @@
 
 namespace placedpar {
 
-/// A text that is read: of a file, or without one, such as what stands behind "--set".
+/// A text that is read, from a file or from elsewhere, such as the argument of "--set".
 class SourceFile {
 public:
-    /// A piece of a longer text begins at a later line than the first.
+    /// `first_line` is above 1 if the text is a piece of a longer text.
     SourceFile(std::string shown_path, std::string text, std::size_t first_line = 1);
 
-    /// The path as people should see it in a message.
+    /// Returns the path as messages show it.
     const std::string& path() const { return path_; }
     const std::string& text() const { return text_; }
     std::size_t first_line() const { return first_line_; }
-    /// The text of a line, counted from 1, without its line end; empty before the first and beyond the last.
+    /// Returns a line, counted from 1, without its newline; "" for a number before the first line or after the last.
     std::string_view line(std::size_t number) const;
 
 private:
@@ -28,14 +28,14 @@ private:
     std::vector<std::size_t> line_starts_;
 };
 
-/// A place in a source. Lines and columns count from 1; a column counts bytes. Line 0 is the source as a whole. Without
-/// a file it is a place in a text whose name only the caller knows, or, with line 0, no place at all.
+/// A place in a source. Lines and columns count from 1; a column counts bytes. Line 0 is the source as a whole. A
+/// location without a file is a place in a text whose name only the caller knows or, if the line is 0, no place.
 struct Location {
     std::shared_ptr<const SourceFile> file;
     std::size_t line = 0;
     std::size_t column = 0;
 
-    /// "path:line:column", or the path alone for line 0; "" without a file.
+    /// Returns "path:line:column", or the path alone for line 0; "" if there is no file.
     std::string text() const;
 
     bool operator==(const Location&) const = default;

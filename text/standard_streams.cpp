@@ -7,7 +7,7 @@ namespace placedpar {
 
 namespace {
 
-bool gives_it_to_a_file = false; // as standard output itself, it is the whole program's
+bool gives_it_to_a_file = false; // global, as standard output itself is
 
 } // namespace
 

@@ -5,22 +5,21 @@
 
 namespace placedpar {
 
-/// "-" in the place of a file's name: standard input where a file is read, standard output where one is written. A file
-/// that is really called so is "./-".
+/// Returns whether the path is "-", which means standard input or standard output. A file whose name is "-" can be
+/// given as "./-".
 bool is_standard_stream(const std::filesystem::path&);
 
-/// What messages call a file that is read: its path, or "<standard input>".
+/// Returns the name of an input file in messages: its path, or "<standard input>".
 std::string shown_input(const std::filesystem::path&);
-/// What messages call a file that is written: its path, or "<standard output>".
+/// Returns the name of an output file in messages: its path, or "<standard output>".
 std::string shown_output(const std::filesystem::path&);
 
-/// From now on print_out() writes to standard error, because a file is written to standard output,
-/// which must hold nothing else.
+/// Makes print_out() write to standard error from now on, because standard output receives a file and nothing else.
 void give_standard_output_to_a_file();
 bool standard_output_takes_a_file();
 
-/// Takes the places of standard input, output and error where they are closed, so that no file that is opened later
-/// gets what is printed. Reading and writing there goes wrong as before.
+/// Reserves the descriptors of standard input, output and error if they are closed. Otherwise a file opened later could
+/// take such a descriptor and receive the printed text. Reading from a reserved stream, or writing to it, still fails.
 void hold_closed_streams();
 
 } // namespace placedpar

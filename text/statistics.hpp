@@ -4,22 +4,23 @@
 
 namespace placedpar {
 
-/// Standard deviation of a sample. REQUIRES: two values at least.
+/// Returns the standard deviation of a sample. REQUIRES: at least two values.
 double deviation(const std::vector<double>& values);
 double mean(const std::vector<double>& values);
 /// Returns the share of the values that are at most `limit`, in percent.
 double percent_within(const std::vector<double>& values, double limit);
 
-/// Half of the values lie on either side of it: the middle one, or the mean of the middle two (Boost.Math's).
-/// REQUIRES: not empty.
+/// Returns the median as Boost.Math computes it: the middle value, or the mean of the middle two. REQUIRES: at least
+/// one value.
 double median(std::vector<double> values);
 
-/// The middle one, and of two middle ones the lower: quantile(values, 0.5). Where a table gives the median of what many
-/// searches found, it is one that was found, and not the mean of two. REQUIRES: not empty.
+/// Returns the middle value, or the lower of the two middle values: quantile(values, 0.5). Use it for tables of search
+/// results, so that the median is a value that a search found. REQUIRES: at least one value.
 double lower_median(std::vector<double> values);
 
-/// The smallest of the values such that at least the given share of them lie at or below it: number ceil(share * size)
-/// in ascending order (nearest rank). Always one of the values. REQUIRES: not empty, 0 <= share <= 1.
+/// Returns the value with number ceil(share * size), counted from 1, when the values are in ascending order (nearest
+/// rank). At least the given share of the values lie at or below it. REQUIRES: at least one value, 0
+/// <= share <= 1.
 double quantile(std::vector<double> values, double share);
 
 } // namespace placedpar

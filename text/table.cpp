@@ -35,7 +35,7 @@ TextCell trimmed(std::string_view text, std::size_t column) {
     return {std::string(text), column};
 }
 
-/// `open_quote` becomes the column of a quote that is not closed, 0 when all are.
+/// Sets `open_quote` to the column of a quote that is not closed, or to 0 if all are closed.
 std::vector<TextCell> split_line(std::string_view line, std::size_t& open_quote) {
     std::vector<TextCell> cells;
     std::size_t start = 0;
@@ -61,7 +61,7 @@ std::string_view without_mark(std::string_view comment) {
     return comment.substr(0, comment.find_last_not_of(blanks) + 1);
 }
 
-/// What is wrong with a row as a whole, if anything.
+/// Returns what is wrong with a row as a whole, if anything is.
 void check_row(std::string_view line, const TextRow& row, std::size_t open_quote, std::vector<Diagnostic>& faults) {
     if (open_quote > 0)
         faults.push_back(
@@ -89,7 +89,7 @@ void add_row(TextTable& table, TextRow row, std::vector<Diagnostic>& faults) {
             fmt::format("the header on line {} has {} columns", table.header.line, table.header.cells.size())));
 }
 
-/// Cuts the first line off the text.
+/// Removes the first line from the text and returns it.
 std::string_view take_line(std::string_view& text) {
     std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view line = text.substr(0, end);
@@ -99,7 +99,7 @@ std::string_view take_line(std::string_view& text) {
 
 bool is_blank(std::string_view line) { return line.find_first_not_of(blanks) == std::string_view::npos; }
 
-/// A line that is neither blank nor a comment: the header, or a row below it.
+/// Adds a line that is neither blank nor a comment: the header, or a row below it.
 void add_line(TextTable& table, std::string_view line, std::size_t number, std::vector<Diagnostic>& faults) {
     std::size_t open_quote = 0;
     TextRow row{number, split_line(line, open_quote)};
@@ -110,7 +110,7 @@ void add_line(TextTable& table, std::string_view line, std::size_t number, std::
     table.header = std::move(row);
 }
 
-/// Whether a number beyond the range of a double is too near to 0, rather than too large.
+/// Returns whether a number outside the range of a double is too near to 0; otherwise it is too large.
 bool is_tiny(std::string_view number) {
     return number.find("e-") != std::string_view::npos || number.find("E-") != std::string_view::npos;
 }
@@ -135,7 +135,7 @@ std::size_t append_lines(TextTable& table, std::string_view text, std::size_t nu
         if (!is_blank(line) && !line.starts_with('#'))
             add_line(table, line, number, faults);
         bool was_header = above_header && !table.header.cells.empty();
-        if (was_header && has_errors(faults)) // then the rows cannot be told
+        if (was_header && has_errors(faults)) // a faulty header does not say what the rows mean
             break;
     }
     return number;

@@ -24,10 +24,11 @@ fs::path name_beside(const fs::path& path) {
     return name;
 }
 
-/// The only name of a file that has no other.
+/// Returns the path under which Linux shows an open file that has no name.
 std::string name_of_open(int file) { return fmt::format("/proc/self/fd/{}", file); }
 
-/// Below 0 where the file system has no such files, or where there is no /proc to name them by.
+/// Opens a file without a name. Returns a number below 0 if the file system does not support this, or if there is no
+/// /proc.
 int open_nameless(const fs::path& folder) {
     int file = ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, as_any_file);
     if (file < 0 || ::access(name_of_open(file).c_str(), F_OK) == 0)
@@ -58,7 +59,7 @@ TemporaryFile::~TemporaryFile() {
         std::remove(name_.c_str());
 }
 
-/// A link takes no other file's place, a renaming does.
+/// Gives the file a name of its own first, because a link cannot replace an existing file, but a renaming can.
 bool TemporaryFile::take_place() {
     if (name_.empty() && give_name(file_, destination_))
         return true;
@@ -72,7 +73,7 @@ bool TemporaryFile::take_place() {
 
 bool TemporaryFile::take_name() {
     fs::path name = name_beside(destination_);
-    std::remove(name.c_str()); // of a program of the same number that was killed just here
+    std::remove(name.c_str()); // left by a killed program that had the same process number
     if (!give_name(file_, name))
         return false;
     name_ = std::move(name);

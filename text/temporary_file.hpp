@@ -4,28 +4,29 @@
 
 namespace placedpar {
 
-/// What is written before it takes the place of a file, in the same folder. Where the file system has files without a
-/// name it has none until then, so that nothing is left of it even when the program is killed; elsewhere it is called
-/// as that file, with the number of the process and ".part" behind it.
+/// A file that is written in the destination's folder and then replaces the destination. If the file system supports
+/// it, the file has no name until then, so nothing is left even if the program is killed. Otherwise its name is that of
+/// the destination followed by the process number and ".part".
 class TemporaryFile {
 public:
-    /// With the permissions of any new file. errno says why it could not be opened, if so.
+    /// Creates the file with the usual permissions of a new file. If it cannot be opened, errno says why.
     explicit TemporaryFile(const std::filesystem::path& destination);
-    /// Removes the file, unless it has taken its place.
+    /// Removes the file unless it has replaced the destination.
     ~TemporaryFile();
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
 
     /// Returns the file's descriptor; below 0 if the file could not be opened.
     int descriptor() const { return file_; }
-    /// At once, whether a file is there or not. False if it cannot; errno says why. REQUIRES: it is open; called once.
+    /// Replaces the destination, or creates it, in one step. Returns false if that fails; errno then says why.
+    /// REQUIRES: the file is open; take_place() is called once.
     bool take_place();
 
 private:
     bool take_name();
 
     std::filesystem::path destination_;
-    std::filesystem::path name_; ///< "": none
+    std::filesystem::path name_; ///< "": the file has no name
     int file_;
 };
 

@@ -4,18 +4,19 @@
 
 namespace placedpar {
 
-/// Something that a user gave, or asked for, cannot be used: a file, an option, a value, a place to write to. what()
-/// says what is wrong, and what would be right where that can be said, in one line without its end.
+/// Reports that something from the user cannot be used: a file, an option, a value, a place to write to. what() is one
+/// line without its newline. It says what is wrong and, if possible, what would be right.
 ///
-/// Throw it, or a class derived from it, wherever a user can be the cause, however deep in a room; the program prints
-/// it and ends with its exit code for wrong use. A defect of the program itself is a std::logic_error, such as
-/// std::invalid_argument: the program calls it a defect, with an exit code of its own.
+/// Throw it, or a class derived from it, wherever the user can be the cause. The program prints the message and ends
+/// with the exit code for wrong use. A defect of the program itself is a std::logic_error, such as
+/// std::invalid_argument, and has another exit code.
 class UserError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// A user's file that was refused. what() is the rendered diagnostics, whole lines: it is printed as it is.
+/// Reports that a user's file was refused. what() is the rendered diagnostics in whole lines, which are printed
+/// unchanged.
 class RefusedInput : public UserError {
 public:
     using UserError::UserError;

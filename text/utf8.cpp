@@ -12,7 +12,7 @@ namespace {
 
 bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
-/// What the first byte says; 0 where none begins with it.
+/// Returns the length of a character, from its first byte; 0 if no character begins with this byte.
 std::size_t bytes_announced(unsigned char first) {
     auto ones = static_cast<std::size_t>(std::countl_one(first));
     return ones == 0 ? 1 : ones >= 2 && ones <= 4 ? ones : 0;
@@ -30,7 +30,8 @@ std::string escaped_bytes(std::string_view bytes) {
 } // namespace
 
 Utf8Character first_character(std::string_view text) {
-    static constexpr std::array<char32_t, 5> least{0, 0, 0x80, 0x800, 0x10000}; // what takes this many bytes
+    static constexpr std::array<char32_t, 5> least{0, 0, 0x80, 0x800,
+                                                   0x10000}; // the least code that takes this many bytes
     auto first = text.empty() ? 0xff : static_cast<unsigned char>(text.front());
     auto bytes = bytes_announced(static_cast<unsigned char>(first));
     if (bytes == 0 || bytes > text.size() || !std::ranges::all_of(text.substr(1, bytes - 1), continues_character))
@@ -58,7 +59,7 @@ std::string as_utf8(std::string_view text) {
 
 namespace {
 
-/// The text in UTF-8, with other words for some of its characters: those for which `word` has one.
+/// Returns the text in UTF-8. Characters for which `word` returns a text are replaced with it.
 template <class Word>
 std::string reworded(std::string_view text, Word word) {
     const std::string utf8 = as_utf8(text);

@@ -9,24 +9,26 @@ namespace placedpar {
 /// A character of a text, and the bytes that it takes.
 struct Utf8Character {
     char32_t code = 0;
-    std::size_t bytes = 0; ///< 0: the text begins with none
+    std::size_t bytes = 0; ///< 0: the text does not begin with a character
 };
 
 /// Returns the first character of the text. Overlong forms and surrogates are not characters.
 Utf8Character first_character(std::string_view text);
 
-/// The text with every byte that is not part of a UTF-8 character taken as Latin-1, as old files have it.
+/// Returns the text in UTF-8. A byte that is not part of a UTF-8 character is read as Latin-1, which old files use.
 std::string as_utf8(std::string_view text);
 
-/// The text of an element, or the value of an attribute, of XML or HTML: `<`, `>`, `&` and `"` written as these want
-/// them, and bytes as in as_utf8(). Control characters, which they do not have, are shown as `?`.
+/// Returns the text for an element or an attribute's value in XML or HTML. It escapes `<`, `>`, `&` and `"`, treats
+/// bytes as as_utf8() does, and shows control characters, which XML forbids, as `?`.
 std::string as_markup(std::string_view text);
 
-/// A text of JSON as others may read it, and terminals show it: bytes as in as_utf8(), and the control characters that
-/// JSON lets pass written as `\u009b`. REQUIRES: the others are written so already.
+/// Returns the JSON text in a form that is safe for other programs and for terminals. It treats bytes as as_utf8()
+/// does, and escapes the control characters that JSON allows, for example as `\u009b`. REQUIRES: all other control
+/// characters are escaped already.
 std::string as_json(std::string_view json);
 
-/// The text as a terminal may have it: control characters, and bytes that are not UTF-8, as `\x1b`. Tabs stay.
+/// Returns the text in a form that is safe for a terminal: control characters, and bytes that are not UTF-8, are
+/// written as `\x1b`. Tabs stay.
 std::string escaped(std::string_view text);
 
 } // namespace placedpar

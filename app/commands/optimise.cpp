@@ -281,7 +281,7 @@ Action declare_optimise(Options& command, const std::string&) {
 
 extern const Command optimise_command{
     .name = "optimise",
-    .about = "Searches a study for the best machine, with a genetic algorithm, and says why it is",
+    .about = "Finds a study's best machine with a genetic algorithm, and says why it is the best",
     .place = 24,
     .declare = declare_optimise,
 };

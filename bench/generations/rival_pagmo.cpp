@@ -37,7 +37,7 @@ Answer follow(const Chase& chase, Algorithm algorithm) {
         pagmo::problem problem(WindowProblem{chase.window_at(number)});
         pagmo::population next(problem, number == 0 ? Chase::population : 0, seed);
         for (const pagmo::vector_double& x : population.get_x())
-            next.push_back(x); // evaluated again in the new window: the first of the sample's generations
+            next.push_back(x); // evaluates x in the new window: this is the sample's first generation
         population = algorithm.evolve(std::move(next));
         PoleZeroPlant best = plant_of(population.champion_x());
         answer.poles.push_back({best.alpha, best.beta});

@@ -111,8 +111,8 @@ std::vector<Noun> policy_nouns() {
          "two searches instead of one: one over a coarse grid, one around its best",
          {"coarse/fine", "pair"}},
         {"farm",
-         "how a master deals its population out to slaves (thesis, algorithm A): their form is what the netlist "
-         "connects",
+         "how a master deals its population out to slaves (thesis, algorithm A); the netlist connects the slaves "
+         "in a chain, a star or a tree",
          {"algorithm-a"}}};
     for (Noun& noun : nouns)
         std::ranges::copy_if(forms, std::back_inserter(noun.forms),

@@ -164,7 +164,7 @@ ProcessKind analyst_kind(const ProblemRegistry& problems, SearchObserver* observ
                        cycles_per_error()},
         .measurements = {{"answers", "", "how often it has chosen: from the first full window of every island on"},
                          {"chosen", "", "the island whose best is the answer at the end"},
-                         {"the problem's parameters", "", "as decoded from that best"}},
+                         {"the problem's parameters", "", "as decoded from the best individual of that island"}},
         .body = [&problems,
                  observer](ProcessEnvironment& environment) { run_analyst(environment, problems, observer); },
         .check = [&problems](const Network& network,

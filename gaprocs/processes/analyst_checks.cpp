@@ -110,11 +110,11 @@ private:
                     last = run->generations() / every * every; // of the exchanges
         if (last > 0 && run->samples_at(last) >= longest_window())
             return;
-        std::string why = last == 0 ? fmt::format("the first exchange is due after {} generations, and the run has {}",
-                                                  every, run->generations())
-                                    : fmt::format("the last exchange is after {} samples, and the longest window holds "
-                                                  "{}",
-                                                  run->samples_at(last), longest_window());
+        std::string why = last == 0
+                              ? fmt::format("the first exchange is due after {} generations, and the run has {}", every,
+                                            run->generations())
+                              : fmt::format("the last exchange comes after {} samples, but the longest window needs {}",
+                                            run->samples_at(last), longest_window());
         complaints_.push_back({analyst_, "", fmt::format("\"{}\" answers nothing: {}", name(analyst_), why), "", true});
     }
 

@@ -17,7 +17,8 @@ namespace placedpar {
 /// anything between. The master sends to the nearest slaves first, evaluates a share itself, then receives the results.
 /// Without slaves it evaluates everything.
 ///
-/// The fitness depends neither on the slaves' number and form nor on which of them evaluated what: see fitness.hpp.
+/// The fitness does not depend on the number of slaves, on how they are connected, or on which slave evaluated which
+/// individual (see fitness.hpp).
 class Farm {
 public:
     struct Settings {

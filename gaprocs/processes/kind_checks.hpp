@@ -9,8 +9,9 @@
 
 namespace placedpar {
 
-// Checks of the kinds on a netlist before it runs, beyond ranges and single ports: they refuse settings with which a
-// process could not work, and connections on which a process would wait for ever.
+// These are the checks that kinds make on a netlist before it runs, in addition to the checks of ranges and single
+// ports. They refuse settings with which a process could not work, and connections on which a process would wait for
+// ever.
 
 /// Checks that the problem exists and that its record has the samples that are to be sent.
 std::vector<Complaint> check_host(const Network&, std::size_t process, const ProblemRegistry&);

@@ -158,7 +158,7 @@ std::vector<MeasurementDescription> individual_measurements(const std::string& w
         {"best_fitness", "(unit of the error)^2", "of " + whose},
         {"best_objective", "the problem's", "for a problem without a record: the best objective of all generations"},
         {"known_optimum", "the problem's", "the best possible objective, if the problem knows it"},
-        {"the problem's parameters", "", "as decoded from that individual"},
+        {"the problem's parameters", "", "as decoded from " + whose},
     };
 }
 

@@ -16,8 +16,8 @@ constexpr std::uint64_t gray_decoded(std::uint64_t code) {
     return code;
 }
 
-/// A binary string whose fields are in Gray code, each field by itself. A problem that reads its string by
-/// field(first, count) can read this one instead, unchanged.
+/// A binary string whose fields are in Gray code, each field by itself. A problem that reads its string with
+/// field(first, count) needs no change to read a GrayCoded string instead.
 template <typename G>
 class GrayCoded {
 public:
@@ -33,14 +33,15 @@ private:
     const G& genome_;
 };
 
-/// What a problem is given to read: the string itself, or its fields in Gray code.
+/// The type from which a problem reads: the string itself, or a view that decodes its fields from Gray code.
 template <bool gray>
 using StringRead = std::conditional_t<gray, GrayCoded<Genome>, const Genome&>;
 
 /// The length of a string of `bits` with `dont_care` bits stuffed between every two neighbours (thesis eq. 6.15).
 /// REQUIRES: bits > 0.
 constexpr std::size_t stuffed_bits(std::size_t bits, std::size_t dont_care) { return bits + dont_care * (bits - 1); }
-/// The string that was stuffed. REQUIRES: a length that stuffed_bits() gives for it.
+/// Returns the string without its stuffing. REQUIRES: genome.size() equals stuffed_bits(bits, dont_care) for some
+/// number of bits.
 Genome unstuffed(const Genome& genome, std::size_t dont_care);
 
 } // namespace placedpar

@@ -21,7 +21,7 @@ struct MeasurementNoise {
 /// Reads the rows noise.*.
 MeasurementNoise measurement_noise(const Parameters& parameters);
 
-/// The noise levels of the identification studies (ours).
+/// The noise levels of the identification studies, chosen for this project.
 inline constexpr MeasurementNoise no_noise{};
 inline constexpr MeasurementNoise low_noise{2, 0.003, 0.0003, 0.001};
 inline constexpr MeasurementNoise mid_noise{5, 0.005, 0.0005, 0.002};
@@ -36,8 +36,8 @@ double standard_normal(const UniformSource& uniform);
 /// The thesis samples every 20 ms.
 inline constexpr double sampling_period_s = 0.020;
 
-/// The resolutions of readings, far below any noise. Rounding removes the last bits of exp, log and tanh, which may
-/// differ between mathematical libraries, from the record and everything computed from it.
+/// The resolutions of readings, far below any noise. The last bits of exp, log and tanh may differ between mathematical
+/// libraries; rounding keeps them out of the record and of everything computed from it.
 inline constexpr double pressure_resolution_psi = 0x1p-20;
 inline constexpr double angle_resolution_deg = 0x1p-30;
 inline constexpr double spool_resolution_in = 0x1p-30;

@@ -12,7 +12,8 @@ using namespace hydraulics;
 
 namespace {
 
-// Pump 1 feeds bucket and boom, pump 2 swing and stick. Through the cross-over each may feed the others too.
+// Pump 1 feeds bucket and boom, pump 2 swing and stick. Through the cross-over each pump may also feed the other two
+// links.
 constexpr std::array<LinkSet, 2> branches{LinkSet{Link::bucket, Link::boom}, LinkSet{Link::stick, Link::swing}};
 
 /// Describes the deviation and the part to inspect.

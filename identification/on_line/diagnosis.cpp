@@ -15,8 +15,8 @@ using namespace hydraulics;
 
 namespace {
 
-/// The share of a sample's period by which a sample may be early or late, or a reading late. Beyond it, 5 samples no
-/// longer count as equally spaced, and the windows restart.
+/// The share of a sample's period by which a sample may be early or late, or a reading late. If this share is exceeded,
+/// 5 samples no longer count as equally spaced, and the windows restart.
 constexpr double jitter = 0.1;
 
 /// Returns the alarms of `a` that are not in `b`.

@@ -23,7 +23,7 @@ namespace placedpar::identification {
 /// The deviations of the links of a set in a single movement, in the order of links_of().
 struct JudgedMovement {
     hydraulics::LinkSet set;
-    std::vector<Deviation> links; ///< from a healthy link: its compliance in health, no leak, no offset
+    std::vector<Deviation> links; ///< from a healthy link, which has its compliance in health, no leak and no offset
 };
 
 /// The readings of a sample that is not complete yet.
@@ -38,7 +38,7 @@ struct OpenSample {
 
 /// Holds everything that is needed to restore a Diagnosis.
 struct DiagnosisState {
-    std::string name; ///< the excavator's
+    std::string name; ///< of the excavator
     ExcavatorParameters parameters;
     std::optional<hydraulics::Configuration> configuration;
     hydraulics::LinkSet active;
@@ -49,7 +49,8 @@ struct DiagnosisState {
     std::optional<double> sample_s; ///< middle of the last complete sample since the windows began
     hydraulics::PerLink<LinkTrack> tracks;
     std::map<hydraulics::LinkSet, PopulationSet::State> sets; ///< all sets ever used
-    hydraulics::PerLink<double> health_in3_per_psi{};         ///< in health: the control system's, or its kind's
+    hydraulics::PerLink<double>
+        health_in3_per_psi{}; ///< compliances in health: set by the control system, or else those of the machine's kind
     hydraulics::PerLink<FrozenWatch> pressures, angles;
     std::map<hydraulics::LinkSet, SetWatch::State> watches; ///< one for each set ever used
     bool judged = false;       ///< whether a verdict may have changed since the alarms were last determined
@@ -94,15 +95,16 @@ public:
     /// Returns the middle of the last complete sample since the windows began.
     std::optional<double> sample_s() const { return state_.sample_s; }
     const std::map<hydraulics::LinkSet, PopulationSet>& sets() const { return sets_; }
-    /// Returns the compliance of the link in health: the control system's, or else that of the machine's kind.
+    /// Returns the compliance of the link in health: the value set by the control system, or else that of the machine's
+    /// kind.
     double health_in3_per_psi(hydraulics::Link link) const {
         return state_.health_in3_per_psi[hydraulics::index_of(link)];
     }
     const std::vector<Alarm>& alarms() const { return state_.alarms; }
     std::vector<hydraulics::LinkSet> sets_in_use() const;
     LinkCheck check(hydraulics::Link link) const;
-    /// Returns the most informative verdict of any set: a fault before none, then the set that has judged most
-    /// movements.
+    /// Returns the most informative verdict of any set. A fault comes before no fault, then the set that has judged
+    /// most movements is preferred.
     LinkVerdict verdict(hydraulics::Link link) const;
     /// Returns the compliance that the link is compared with: that of its own first movements, or that of its kind.
     double baseline_in3_per_psi(hydraulics::Link link) const;

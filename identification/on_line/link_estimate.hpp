@@ -61,7 +61,7 @@ public:
     std::pair<double, double> spread_in3_per_psi() const;
     /// Returns the reasons why the newest estimate may be wrong; none before there is an estimate.
     std::vector<Flag> flags(const DiagnosisSettings& settings) const;
-    /// Returns the reasons why the newest settled value may be wrong. REQUIRES: there is one.
+    /// Returns the reasons why the newest settled value may be wrong. REQUIRES: there is a settled value.
     std::vector<Flag> settled_flags(const DiagnosisSettings& settings) const;
     /// Returns the newest settled value.
     std::optional<double> settled_in3_per_psi() const;

@@ -19,7 +19,7 @@ public:
     struct Sums {
         double inlet_psi = 0, angle_deg = 0;
         double spool_in = 0;                  ///< as read, or as computed from the voltage
-        double inlet_in2 = 0, bypass_in2 = 0; ///< areas as read, if they are
+        double inlet_in2 = 0, bypass_in2 = 0; ///< areas, if they are read
         std::size_t readings = 0;
         bool areas = false; ///< whether areas are read
 
@@ -29,7 +29,8 @@ public:
     /// Plain values, oldest first.
     struct State {
         std::vector<double> inlet_psi, angle_deg, inlet_in2, bypass_in2;
-        std::optional<double> spool_in, desired_in; ///< of the spool that is computed from its voltage
+        std::optional<double> spool_in,
+            desired_in; ///< actual and desired position of a spool that is computed from its voltage
         Sums sums;
 
         friend bool operator==(const State&, const State&) = default;
@@ -43,8 +44,8 @@ public:
     /// Adds a reading. `elapsed_s` is the time since the previous reading, above 0. If it is unknown, a spool computed
     /// from its voltage is assumed to be at rest.
     void read(const Reading& reading, const hydraulics::LinkConstants& constants, std::optional<double> elapsed_s);
-    /// Makes one sample of the readings since the last: their mean. Areas and spool positions are not mixed; the later
-    /// kind is used. REQUIRES: there is a reading.
+    /// Makes a sample, the mean of the readings since the last sample. Areas and spool positions are not mixed; the
+    /// sample uses the kind that was read last. REQUIRES: there is a reading.
     void finish_sample();
     /// Forgets the readings but not the spool, which continues to move over a gap or a change of circuit.
     void restart();

@@ -17,7 +17,7 @@ struct Individual; // gaprocs/policies/individual.hpp
 
 namespace placedpar::identification {
 
-/// A population and its estimates. Both outlive changes of configuration.
+/// A population with its estimates. Population and estimates outlive changes of configuration.
 ///
 /// Its random numbers depend on the seed, the names of excavator and set, and the number of samples seen. Its results
 /// are therefore a function of its own samples, independent of other sets, and a restart does not change them.
@@ -28,7 +28,7 @@ public:
         std::vector<Genome> population; ///< the elite first
         std::vector<SetSample> window;  ///< oldest first
         std::size_t to_skip = 0;        ///< usable samples still to be skipped
-        std::uint64_t samples = 0;      ///< number seen, usable or not
+        std::uint64_t samples = 0;      ///< number of samples seen, usable or not
         std::uint64_t generations = 0;
         std::vector<LinkEstimate> estimates; ///< one for each link, in the order of links_of()
 
@@ -44,7 +44,7 @@ public:
     const State& state() const { return state_; }
 
     /// Adds the newest sample to the window and makes the trials if window and gate allow it. Returns the number of
-    /// generations made. REQUIRES: the problem is one of this set's links.
+    /// generations made. REQUIRES: the problem has the links of this set.
     std::size_t take(const SetProblem& problem, const SetSample& sample, double time_s);
 
     /// Empties the window after a change of configuration or a gap in the samples, because earlier samples do not

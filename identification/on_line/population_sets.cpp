@@ -17,7 +17,7 @@ struct NamedSet {
 
 constexpr Link bu = Link::bucket, bo = Link::boom, st = Link::stick, sw = Link::swing;
 
-/// The sets of Figure 3.13.
+/// The sets of Figure 3.13, in its order.
 constexpr std::array<NamedSet, 15> figure_3_13{{
     {"P1a", {bu}},
     {"P1b", {bo}},

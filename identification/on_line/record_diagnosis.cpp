@@ -41,8 +41,8 @@ void confirm(LinkFinding& link) {
         link.flags.push_back(*flag);
 }
 
-/// Flags a link whose movement shows a leak or an offset without telling which. A link whose areas are measured has no
-/// offset.
+/// Flags a link whose movement shows either a leak or an offset but does not distinguish them. A link whose areas are
+/// measured has no offset.
 void note_leak_or_offset(LinkFinding& link) {
     constexpr double errors = 3;
     if (!link.whole || link.whole->deviation.by[index_of(FaultHypothesis::offset)] == 0)

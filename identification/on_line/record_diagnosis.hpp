@@ -12,14 +12,14 @@
 
 namespace placedpar::identification {
 
-/// The result for one link of least squares over a complete movement, rest included. Verdicts are based on it.
+/// One link's result of a least-squares fit to a complete movement, rest included. Verdicts are based on these results.
 struct WholeMovement {
-    Deviation deviation; ///< from a healthy link: its compliance in health, no leak, no offset
+    Deviation deviation; ///< from a healthy link, which has its compliance in health, no leak and no offset
     WayUnits units;
     double compliance_in3_per_psi;
 };
 
-/// The result of a movement for one link: its settled estimate, or else its last one.
+/// The result of a movement for one link: its settled estimate, or else its last estimate.
 struct LinkFinding {
     hydraulics::Link link;
     std::optional<double> compliance_in3_per_psi; ///< nullopt: the pressure never moved enough
@@ -47,7 +47,7 @@ public:
 
     /// Processes the next piece of the record and returns the movements that end in it. REQUIRES: the configuration has
     /// been set, and the piece has the readings of the active links. Throws RefusedSample if the piece is not later
-    /// than the one before.
+    /// than the previous piece.
     std::vector<MovementFinding> take(const hydraulics::Record& piece);
     /// Ends the record and returns the movements that were still going on.
     std::vector<MovementFinding> end();

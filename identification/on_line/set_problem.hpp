@@ -35,12 +35,13 @@ public:
     double compliance_in3_per_psi(const Genome& genome, std::size_t position) const;
     double step_in3_per_psi() const;
 
-    /// Returns whether flow enters every cylinder, by the steady flow of the circuit. If not, equation 3.6 does not
-    /// hold.
+    /// Returns whether oil flows into every cylinder, according to the circuit's steady flow. If not, equation 3.6 does
+    /// not hold.
     bool open(const SetSample& sample) const;
 
-    /// Returns the standard error of each compliance by least squares on the window from an answer, both in the set's
-    /// order. An error is infinite if the window does not determine the compliance.
+    /// Returns the standard error of each compliance from a least-squares fit to the window. The fit starts at the
+    /// given answer. Answer and errors are in the order of links_of(). An error is infinite if the window does not
+    /// determine the compliance.
     std::vector<double> standard_errors_in3_per_psi(std::span<const SetSample> window,
                                                     std::span<const double> answer_in3_per_psi) const;
 

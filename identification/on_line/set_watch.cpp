@@ -19,13 +19,13 @@ constexpr double driven_in3_per_s = 10;
 /// A boom that swings after its valve has shut swings back within half a second.
 constexpr double longest_swing_s = 0.5;
 
-/// Returns whether the movement determines the size of this deviation. A steady one hardly improves it.
+/// Returns whether the movement determines the size of this deviation. A steady movement hardly does.
 bool tells(const Deviation& deviation, FaultHypothesis way) {
     return deviation.standard_error(way) <= LinkJudge::most_uncertain;
 }
 
-/// Returns whether a deviation is physically impossible: a compliance below 0, or a spool off by more than .05 in; both
-/// by at least two standard errors.
+/// Returns whether a deviation is physically impossible: a compliance below 0, or a spool offset above .05 in. The
+/// excess must be at least two standard errors.
 bool impossible(const Deviation& found, AreasFrom valve) {
     const Deviation deviation = found.with_steady_leak();
     constexpr double no_compliance = -1 / WayUnits::compliance_share, furthest_offset = 10, errors = 2;

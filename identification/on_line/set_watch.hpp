@@ -32,12 +32,12 @@ public:
     /// The deviation of each link in a movement that has ended, in the order of links_of(); nullopt if none has ended.
     using Judged = std::optional<std::vector<Deviation>>;
 
-    /// Adds a sample. `health_in3_per_psi` are the links' compliances in health. REQUIRES: the problem is one of this
-    /// set's links, and each span has one entry per link.
+    /// Adds a sample. `health_in3_per_psi` are the links' compliances in health. REQUIRES: the problem has the links of
+    /// this set, and each span has one entry per link.
     Judged take(const SetProblem& problem, const SetSample& sample, std::span<const hydraulics::AreasFrom> valves,
                 std::span<const double> health_in3_per_psi);
-    /// Returns whether a piston has moved for half a second while its valve reads shut, and records it as impossible.
-    /// Must be called before take(), with the same sample.
+    /// Returns whether a piston has moved for half a second while its valve reads shut, and records such readings as
+    /// impossible. Must be called before take(), with the same sample.
     bool note_moving_shut(const SetSample& sample, std::span<const double> health_in3_per_psi);
     /// Judges an unfinished movement after a gap in the samples or a change of configuration.
     Judged end_movement(const SetProblem& problem, std::span<const double> health_in3_per_psi);

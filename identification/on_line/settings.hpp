@@ -7,7 +7,7 @@
 
 namespace placedpar::identification {
 
-/// Limits the transients of a link whose settled values are kept.
+/// The greatest number of transients of a link whose settled values are kept.
 inline constexpr std::size_t kept_transients = 5;
 
 /// Returns the thesis's values, with one elite individual.
@@ -20,8 +20,8 @@ struct DiagnosisSettings {
     std::size_t bits = 10;                    ///< per compliance; not printed in the thesis
     ExcitationGate gate;                      ///< closes while excitation is too low; the estimate is then frozen
     std::size_t skipped = 2;                  ///< usable samples left out after the path to a cylinder has opened; ours
-    std::size_t median_over = 25;   ///< generations; the estimate is the median of their best individuals; ours
-    double settled_within = 0.2;    ///< settled if (greatest - least) / median of those is at most this; ours
+    std::size_t median_over = 25; ///< generations; the estimate is the median of their best individuals; ours
+    double settled_within = 0.2;  ///< settled if (greatest - least) / median of these individuals is at most this; ours
     double inconsistent_over = 0.3; ///< limit of (greatest - least) / median between population sets; ours
     double stale_after_s = 600;     ///< older estimates are left out of cross-checks; ours
 

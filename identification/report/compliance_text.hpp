@@ -15,7 +15,7 @@ namespace placedpar {
 /// Returns a compliance and its standard error in in^3/psi and in m^3/Pa: "C_BOi     0.00850    0.00004  2.019e-11
 /// 8.7e-14".
 std::string print_compliance(std::string_view name, double compliance_in3_per_psi, double standard_error_in3_per_psi);
-/// Returns the heading of those columns.
+/// Returns the heading of the columns of print_compliance().
 std::string compliance_heading();
 
 /// Returns one line, which begins with !, for each flag.

@@ -18,9 +18,9 @@ struct WayUnits {
     static WayUnits of(double compliance_in3_per_psi) { return {compliance_share * compliance_in3_per_psi}; }
 };
 
-/// The error of the equations themselves, in units. It varies from one movement to the next, however long a movement
-/// is; ours. An offset repeats better. Its value is tuned on the machines of seeds 4001 to 5040, so that leaks that
-/// begin with a movement are found.
+/// The standard deviation, in units, of the equations' own error from one movement to the next, however long the
+/// movements are. The values are ours. An offset repeats better than other deviations. The value for offsets is tuned
+/// on the machines of seeds 4001 to 5040, so that leaks that begin with a movement are found.
 inline constexpr double repeats_within = 0.15, offset_repeats_within = 0.1375;
 
 /// The deviations of a link in units of WayUnits, from one movement or several.

@@ -27,9 +27,10 @@ class Movement {
 public:
     struct State {
         MovementSamples samples;
-        std::vector<JunctionSamples> shut; ///< newest, with shut valves; rest, if two more such samples follow
-        std::size_t opened = 0;            ///< samples since the valves opened
-        std::size_t closed = 0;            ///< samples since not all valves were open, after a movement
+        std::vector<JunctionSamples>
+            shut;               ///< the newest samples with shut valves; they are rest if two more such samples follow
+        std::size_t opened = 0; ///< samples since the valves opened
+        std::size_t closed = 0; ///< samples since not all valves were open, after a movement
 
         friend bool operator==(const State&, const State&) = default;
     };
@@ -37,12 +38,12 @@ public:
     /// Number of samples left out where the valve changes. A slope uses five samples, which must not span two states of
     /// the valve. One more is left out, since the path to a cylinder opens between samples and is judged by readings.
     static constexpr std::size_t slope_reach = 3;
-    static constexpr std::size_t slope_ahead = 2;     ///< samples by which slopes reach beyond the end of a movement
-    static constexpr double rest_s = 1;               ///< length of rest that is kept
-    static constexpr double piece_s = 4;              ///< a longer movement is judged in pieces
-    static constexpr double shut_for_s = 0.06;        ///< time shut after which a movement does not continue
-    static constexpr double rest_after_s = 0.4;       ///< time after that for the valves to shut and a rest to follow
-    static constexpr double open_by_psi = 25;         ///< as UsableSamples
+    static constexpr std::size_t slope_ahead = 2; ///< samples by which slopes reach beyond the end of a movement
+    static constexpr double rest_s = 1;           ///< length of rest that is kept
+    static constexpr double piece_s = 4;          ///< a longer movement is judged in pieces
+    static constexpr double shut_for_s = 0.06;    ///< time shut after which a movement does not continue
+    static constexpr double rest_after_s = 0.4;   ///< further time in which the valves must shut and a rest must follow
+    static constexpr double open_by_psi = 25;     ///< as in UsableSamples
     static constexpr double least_inlet_in2 = 0.0125; ///< .01 in of spool beyond the dead band
 
     Movement() = default;

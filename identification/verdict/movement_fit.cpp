@@ -20,15 +20,16 @@ namespace {
 
 constexpr Eigen::Index ways = all_hypotheses.size();
 constexpr std::size_t fewest_at_rest = 4;
-/// Variance per sample, in (in^3/s)^2, beyond the noise of the sensors. During the movement it is the error of the
-/// equations; at rest it comes from a converter and from friction.
+/// The variance per sample, in (in^3/s)^2, that sensor noise does not explain. During the movement its cause is the
+/// error of the equations; at rest, a converter and friction.
 constexpr double least_variance_moving = 0.001, least_variance_at_rest = 0.05;
-/// The relative error of the estimated noise of the slopes: it rests on 50 readings and a median.
+/// The relative error of the estimated noise of the slopes. The estimate is a median over about 50 readings.
 constexpr double noise_known_within = 0.3;
-/// The compliance at rest may differ from that during the movement by this many units (5 %).
+/// The greatest difference between the compliances at rest and during the movement, in units; it is 5 % of the
+/// compliance.
 constexpr double compliance_at_rest_within = 0.25;
-/// A leak at rest after a movement may be smaller than during it by up to this share, because the pressure behind the
-/// piston, which is not read, acts against it (ours).
+/// The greatest share by which a leak at rest after a movement is smaller than during the movement. The pressure behind
+/// the piston, which is not read, acts against the leak (ours).
 constexpr double leak_after_within = 0.25;
 /// If flow alone distinguishes a leak from an offset, the leak has an error of about this many units, since the
 /// equations are not exact. Sound machines without noise or at 5 kHz appear to have a leak of -.4 to -2.8 units (ours).
@@ -92,7 +93,8 @@ public:
             to[junction].bypass_in2 = std::max(0.0, to[junction].bypass_in2 + step);
         });
     }
-    /// Returns the change of the imbalance per inch by which the spool reads too high, that is, stands lower.
+    /// Returns the change of the imbalance per inch by which the spool's reading is too high. The true position is
+    /// lower than the reading.
     VectorXd by_offset(const JunctionSamples& samples, std::size_t junction) const {
         return by(samples, 0.1 * units_[junction].offset_in,
                   [&](JunctionSamples& to, double step) { to[junction] = with_spool_moved(to[junction], -step); });
@@ -249,8 +251,8 @@ Equations before_movement(Eigen::Index unknowns) {
     return {MatrixXd::Identity(unknowns, unknowns) / (prior_units * prior_units), none, none, none};
 }
 
-/// Adds the moving samples and the noise in their slopes. That noise adds to the information of a compliance, which
-/// would become too small by it (errors in variables).
+/// Adds the moving samples and the noise in their slopes. The noise in the slopes adds to the information of a
+/// compliance and would make it too small (errors in variables).
 void add_moving(Equations& equations, const MovingRows& moving) {
     const Weights weights(moving.rows);
     const MatrixXd information = weights.information();
@@ -282,8 +284,8 @@ void limit_leak(Equations& equations, Eigen::Index leak) {
     equations.pull[leak] -= too_much * by[leak];
 }
 
-/// Adds the information of a rest about the leak, given the compliance. It adds nothing about the compliance itself,
-/// whose slopes are mostly noise at rest.
+/// Adds the information that a rest gives about the leak, given the compliance. A rest gives no information about the
+/// compliance itself, because the slopes at rest are mostly noise.
 void add_rest(Equations& equations, const NoisyRows& rest, Eigen::Index leak) {
     const Weights weights(rest);
     const double known = weights.information()(leak, leak);
@@ -318,8 +320,8 @@ std::optional<std::vector<Deviation>> solve(const Equations& equations) {
     return parts(by, inverse * pulls * inverse);
 }
 
-/// Limits the accuracy of a leak determined by the rest after the movement to leak_after_within, and adjusts all that
-/// is correlated with it.
+/// Limits the accuracy of a leak determined by the rest after the movement to leak_after_within, and adjusts the
+/// deviations that are correlated with this leak.
 void add_unread_pressure(Deviation& deviation) {
     const Eigen::Index leak = row_of(FaultHypothesis::leak);
     WayMatrix covariance = matrix_of(deviation.covariance);

@@ -26,9 +26,9 @@ inline constexpr std::size_t fewest_moving = 12;
 /// Fits the deviations of all links of a circuit, in the order of its junctions, to one movement. The method is
 /// generalised least squares. During the movement it fits the missing flow (equations 3.5 to 3.7, 3.10, 3.11; signed)
 /// by compliance, leak and offset of every link. At rest it fits A v + C dP/dt + k_l P = 0, which is independent of the
-/// spool. The rest before the movement determines the leak before it; the rest after determines the leak during it. A
-/// rest after is used only if there is one before: otherwise, as at the end of a long movement, only the closing of the
-/// valve would determine the compliance.
+/// spool. The rest before the movement determines the leak before the movement; the rest after it determines the leak
+/// during the movement. A rest after the movement is used only if there is also a rest before it. Otherwise, as at the
+/// end of a long movement, only the closing of the valve would determine the compliance.
 ///
 /// The covariance of the errors follows from the noise of pressures, angles and valves at all junctions. Each noise is
 /// estimated from the fourth differences of its readings and propagated through the equations and the 5-point slopes;

@@ -29,7 +29,7 @@ Sparse noise_through(const Taps& taps, const MatrixXd& by) {
     return columns;
 }
 
-/// The assumed noises count as this many rows of those in which they appear.
+/// The weight of the assumed noise in Weights::scale(), as a number of rows. The residuals of more rows outweigh it.
 constexpr double noise_worth_rows = 8;
 
 } // namespace

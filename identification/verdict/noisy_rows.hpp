@@ -17,7 +17,7 @@ inline constexpr double white_gain = 70, slope_gain = 25.2;
 /// smooth signal. Ripple counts as noise, since it disturbs the readings likewise. REQUIRES: at least five readings.
 double noise_variance(const std::vector<double>& readings, double gain);
 
-/// Return the effect on the rows of a reading's noise of variance 1. The result has a column per instant of reading,
+/// Return how noise of variance 1 in the readings affects the rows. The result has a column per instant of reading,
 /// from two before the first sample to two after the last. `by` has a column per sample: the effect of the reading
 /// itself, or of the 5-point slopes of the readings.
 Sparse white_noise(const Eigen::MatrixXd& by);
@@ -34,7 +34,7 @@ struct NoisyRows {
     void add_noise(const Sparse& columns) { covariance += Sparse(columns * columns.transpose()); }
 };
 
-/// Solves such rows by generalised least squares (A. Aitken, Proc. R. Soc. Edinburgh 55, 1935). Slopes that share
+/// Solves NoisyRows by generalised least squares (A. Aitken, Proc. R. Soc. Edinburgh 55, 1935). Slopes that share
 /// samples have errors that cancel over a movement, except at its ends; the covariance accounts for this.
 class Weights {
 public:

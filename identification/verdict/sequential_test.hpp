@@ -65,7 +65,7 @@ public:
     /// each hypothesis.
     void take(const Deviation& movement, const Deviation& from, const PerHypothesis& scale = {1, 1, 1, 1});
     bool raised() const { return state_.raised; }
-    /// Returns the mean of the movements that count, weighted by their information; nullopt if there is none.
+    /// Returns the mean of the movements that count, weighted by their information; nullopt if no movement counts.
     std::optional<Deviation> mean() const;
 
 private:

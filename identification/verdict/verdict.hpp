@@ -69,8 +69,8 @@ public:
     /// If the spool is computed from the voltage, a compliance is found half a unit too great, since the valve's dead
     /// time is unknown.
     static constexpr double servo_units_beyond_kind = 3;
-    /// The greatest standard error in units. Usual movements determine each deviation to a unit or better; steady ones
-    /// hardly determine one of them.
+    /// The greatest standard error in units. Usual movements determine each deviation to a unit or better; steady
+    /// movements leave one deviation almost undetermined.
     static constexpr double most_uncertain = 2.5;
     /// Below this probability of being sound, the suspected faults together are likelier.
     static constexpr double least_sure_sound = 0.5;
@@ -80,7 +80,7 @@ public:
         SequentialTest::State from_itself, from_kind;
         hydraulics::AreasFrom valve = hydraulics::AreasFrom::spool; ///< source of the last movement's areas
         bool impossible_now = false; ///< whether a reading since the last movement was impossible
-        bool impossible = false;     ///< whether one was impossible since the last movement with plausible readings
+        bool impossible = false; ///< whether a reading was impossible since the last movement with plausible readings
 
         friend bool operator==(const State&, const State&) = default;
     };
@@ -96,9 +96,10 @@ public:
     static bool is_evidence(const Deviation& movement, hydraulics::AreasFrom valve);
     /// Adds a finished movement. A movement with impossible readings or without excitation is ignored.
     void take(const Deviation& movement, hydraulics::AreasFrom valve);
-    /// Records an impossible reading: the verdict is `sensor` until a movement has none.
+    /// Records an impossible reading: the verdict is `sensor` until a movement has no impossible reading.
     void note_impossible() { state_.impossible_now = state_.impossible = true; }
-    /// Returns sound only if that is likelier than not, and a fault only if it exceeds its standard error.
+    /// Returns `sound` only if its probability is above one half, and a fault only if its size exceeds its standard
+    /// error.
     Verdict verdict() const;
     /// Returns the reference of the link, the mean of its first movements relative to its kind; nullopt until there are
     /// enough movements.

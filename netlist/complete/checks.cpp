@@ -35,7 +35,7 @@ void check_together(Completion& c, const ProcessInstance& process, const std::ve
     c.reporter.error(c.network.channels[connected->channel].connected,
                      fmt::format("the channel \"{0}.{1}\" is connected, but \"{0}.{2}\" is not", process.name,
                                  connected->port, *left_out),
-                     fmt::format("the kind \"{}\" takes both or neither: connect {}.{} to ...;", process.kind,
+                     fmt::format("the kind \"{}\" needs both channels or neither: connect {}.{} to ...;", process.kind,
                                  process.name, *left_out));
 }
 

@@ -50,7 +50,7 @@ bool is_processor(std::string_view line) {
     return !number.empty() && is_digit(number.front());
 }
 
-/// Returns true for an include of an occam library, `#INCLUDE "hostio.inc"`. Netlists include other files.
+/// Returns true for an include of an occam library, `#INCLUDE "hostio.inc"`. A netlist never includes an occam library.
 bool includes_library(std::string_view line) {
     static constexpr std::array<std::string_view, 7> libraries{
         "hostio.inc", "streamio.inc", "linkaddr.inc", "mathvals.inc", "ticonst.inc", "msdos.inc", "occonf.inc"};

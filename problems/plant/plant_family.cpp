@@ -19,7 +19,7 @@ struct PlantThatEnds : Problem {
 /// The numbers of an experiment.
 struct PlantFamily {
     static constexpr std::string_view name = "plant",
-                                      about = "chapter 5's plant with a change of a1 and noise e: identified";
+                                      about = "identification of chapter 5's plant, with a change of a1 and noise e";
     double a1 = PlantChange().a1, from = PlantChange().from, lasts = PlantChange().lasts;
     double noise = PlantExperiment().noise, c1 = 0, c2 = 0;
     std::size_t generations = PlantExperiment().generations, per_sample = PlantExperiment().per_sample;

@@ -204,8 +204,8 @@ TEST_CASE("an analyst that would never answer is a warning at its place") {
     CHECK(
         never.find("warning: \"analyst\" answers nothing: the first exchange is due after 17 generations, and the run "
                    "has 16") != std::string::npos);
-    CHECK(early.find("warning: \"analyst\" answers nothing: the last exchange is after 9 samples, and the longest "
-                     "window holds 10") != std::string::npos);
+    CHECK(early.find("warning: \"analyst\" answers nothing: the last exchange comes after 9 samples, but the longest "
+                     "window needs 10") != std::string::npos);
     CHECK(early.find("process analyst;") != std::string::npos);
 }
 

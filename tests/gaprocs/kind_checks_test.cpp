@@ -136,7 +136,7 @@ TEST_CASE("half-connected pairs are refused where the connected half is") {
     auto text = render(read_netlist_text(netlist(lines), kinds.catalogue, {}, "farm.cfs").diagnostics);
     says(text, "farm.cfs:9:1: error: the channel \"master.to_slaves\" is connected, but \"master.from_slaves\" is "
                "not\n    connect master.to_slaves");
-    says(text, "hint: the kind \"ga.master\" takes both or neither: connect master.from_slaves to ...;");
+    says(text, "hint: the kind \"ga.master\" needs both channels or neither: connect master.from_slaves to ...;");
     says(text,
          "farm.cfs:2:1: error: the channel \"slave[1].from_slaves\" is connected, but \"slave[1].to_slaves\" is not");
 }

@@ -16,7 +16,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A problem whose fitness is the string's number of 16 bits, whatever the sample.
+/// A problem whose fitness grows with the string's value as a 16-bit number, whatever the sample.
 struct GreatestNumber {
     std::size_t bits() const { return 16; }
     std::size_t channels() const { return 1; }
@@ -54,7 +54,7 @@ IslandsSettings barren(std::size_t islands, const char* topology, const char* sc
     return settings;
 }
 
-/// Islands one of which has an individual better than all others.
+/// Islands of which one holds an individual that is better than every other individual.
 class Takeover {
 public:
     explicit Takeover(const IslandsSettings& settings)
@@ -219,7 +219,7 @@ TEST_CASE("who comes to another window is measured in it") {
                                                                std::span(record).subspan(end - length, length),
                                                                migration.to == 0 ? 400 : 100));
     }
-    // The short window is full after three samples, but waits for the other's five.
+    // The short window is full after three samples, but its island waits until the other island has its first five.
     CHECK(result.islands[1].estimates.front().sample == 4);
     CHECK(result.islands[1].generations == result.islands[0].generations);
 }
@@ -355,7 +355,8 @@ TEST_CASE("islands that cannot be are refused, with what would be right") {
     CHECK(refusal(settings) ==
           "island 0: 15 immigrants come at once to an island of 12 individuals, 1 of them elite, expected at most 11");
     settings.schedule = SequentialSchedule{};
-    CHECK(refusal(settings).starts_with("island 0: 15 immigrants come at once")); // all others have only that island
+    // Island 0 is every other island's only neighbour.
+    CHECK(refusal(settings).starts_with("island 0: 15 immigrants come at once"));
     settings.topology = CompleteTopology{};
     CHECK(refusal(settings).empty()); // one comes at a time
     settings.emigration = BestEmigration{12};

@@ -94,7 +94,8 @@ constexpr OperationCosts costs_of_a_clerk{
 
 using Spent = std::vector<std::int64_t>;
 
-/// Returns the computations of a process alone on a clerk, and of the operations that it calls.
+/// Runs a process as the only one on a Clerk. Returns the cycles of its computations and of the operations that it
+/// calls.
 Spent spent_by(Process::Body body) {
     Simulation simulation;
     auto& clerk = simulation.add<Clerk>("clerk", costs_of_a_clerk);

@@ -53,8 +53,8 @@ void add_outlet_pressure(Record& record, std::span<const ExcavatorState> states,
     }
 }
 
-/// Adds the voltage that the controller commands at every sampling instant. It computes the voltage from the desired
-/// spool by an A.1 with the offset as its error.
+/// Adds the voltage that the controller commands at every sampling instant. The controller computes the voltage from
+/// the desired spool position with equation A.1, which has the offset as its error.
 void add_voltage(Record& record, const ExcavatorScenario& scenario, double offset_in) {
     const auto& valve = std::get<SpoolOrifices>(scenario.links.front().valve);
     const SpoolStep& step = valve.steps.front();

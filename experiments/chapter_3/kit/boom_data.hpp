@@ -13,21 +13,21 @@
 
 namespace placedpar {
 
-/// Selects the simulated plant: the one with the structure of the model (single_boom_scenario), or the one with hoses,
-/// stiction, pump ripple, dead time and converters (measured_excavator.hpp).
+/// Selects the simulated plant. `simple` has the structure of the model (single_boom_scenario); `measured` also has
+/// hoses, stiction, pump ripple, dead time and converters (measured_excavator.hpp).
 enum class BoomPlant : unsigned char { simple, measured };
 
-/// A motion of the boom as its sensors recorded it, and the machine that moved. The experiments of 3.1 need nothing
-/// else.
+/// A motion of the boom as its sensors recorded it, and the machine that moved. The experiments of thesis 3.1 need no
+/// other data.
 struct BoomData {
     hydraulics::Record record; ///< of the boom: both pressures, angle, spool, voltage of the servo-valve
     hydraulics::FlowConstants flow;
     hydraulics::LinkMechanics boom; ///< the true values
 };
 
-/// A step of the boom to 4 deg/s, of a machine of excavator.csv except for what is set here. A spool offset does not
-/// change the motion: readings and A.1 have the same error, so the controller asks for the voltage that moves the spool
-/// to the right place.
+/// A step of the boom to 4 deg/s. The machine is that of excavator.csv, except for the values set here. A spool offset
+/// does not change the motion: readings and A.1 have the same error, so the controller asks for the voltage that moves
+/// the spool to the right place.
 struct BoomMotion {
     BoomPlant plant = BoomPlant::simple;
     hydraulics::MeasurementNoise noise = hydraulics::no_noise;

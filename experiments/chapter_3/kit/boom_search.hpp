@@ -9,7 +9,7 @@
 
 namespace placedpar {
 
-/// The result of an identification from data with a model, by the thesis's way or another.
+/// The result of an identification from measured data with a model.
 struct BoomIdentified {
     std::vector<hydraulics::CircuitSample> samples; ///< only the usable samples
     identification::Identified found;
@@ -22,7 +22,8 @@ struct BoomIdentified {
 BoomIdentified identify_boom(const BoomData&, const BoomModel&, const identification::IdentificationWay&,
                              std::uint64_t seed);
 
-/// Returns the signed least squares over all usable samples; nullopt if there are fewer than 5 or it does not settle.
+/// Returns the compliance from a least-squares fit to all usable samples; it may be negative. Returns nullopt if there
+/// are fewer than 5 samples or the fit does not converge.
 std::optional<double> least_squares_compliance(const BoomData&, const BoomModel&,
                                                const hydraulics::UsableSamples& = {});
 

@@ -36,11 +36,11 @@ struct RecordSource {
 
 hydraulics::Record record_of(const PlantFault& fault, const RecordSource& source, std::uint64_t seed);
 
-/// Runs one search with an engineer's improvements while the pressure rises. The identification does not know the
-/// fault: it assumes the machine of excavator.csv.
+/// Runs one search with an engineer's improvements over the samples in which the pressure rises. The identification
+/// does not know the fault: it assumes the machine of excavator.csv.
 identification::SearchRun search_faulty(const hydraulics::Record& record, hydraulics::AreasFrom from,
                                         std::uint64_t seed);
-/// Returns the last answer of that search, in in^3/psi.
+/// Returns the last answer of search_faulty(), in in^3/psi.
 double identified(const hydraulics::Record& record, hydraulics::AreasFrom from, std::uint64_t seed);
 
 /// Returns the result of least squares over the rise, in in^3/psi. Throws if there are too few samples.

@@ -18,13 +18,13 @@ struct LoggerRate {
 inline constexpr LoggerRate logger_rates[]{
     {"50 Hz", 0.02, true}, {"200 Hz", 0.005, false}, {"1 kHz", 0.001, true}, {"5 kHz", 0.0002, false}};
 
-/// Returns a movement in which the valve stays open for 12 s, most of them steady, so that nothing in it determines a
-/// compliance.
+/// Returns a movement in which the valve stays open for 12 s. The motion is steady for most of this time, so the
+/// movement does not determine a compliance.
 PlantFault long_movement(const RecordSource& source);
 
 /// Compares the verdicts on machines (tested_machine.hpp), one for each seed of the replay, whose loggers have these
-/// rates. Sound machines make a long movement, then sound_movements usual ones and another long one. Others become
-/// faulty as in verdict_comparison().
+/// rates. Sound machines make a long movement, then sound_movements usual movements and another long movement. The
+/// other machines become faulty as in verdict_comparison().
 Comparison rate_comparison(const ReplayContext& context, const char* machine, const RecordSource& source,
                            hydraulics::AreasFrom from);
 

@@ -35,9 +35,9 @@ void scatter(Parameters& parameters, std::span<const Scatter> by, RandomStream& 
         parameters.set(name, parameters[name] * uniform(random, 1 - share, 1 + share));
 }
 
-/// Sets the operator's command: the valve opens to 60 to 140 % of the thesis's flow within 0 to 0.3 s, for 1 to 2.5 s,
-/// and shuts. In the scenario for two links, its own controller opens both valves at once. Only the servo-valve can be
-/// shut.
+/// Sets the operator's command, drawn at random. The valve opens for 60 to 140 % of the thesis's flow. Opening takes 0
+/// to 0.3 s, and the valve shuts 1 to 2.5 s later. The scenario for two links has a controller of its own, which opens
+/// both valves at once. Only the servo-valve can be shut.
 void command(Parameters& parameters, const RecordSource& source, RandomStream& random) {
     const double opened = random.uniform(), ramp_s = uniform(random, 0, 0.3), for_s = uniform(random, 1, 2.5);
     if (source.has_servo) {

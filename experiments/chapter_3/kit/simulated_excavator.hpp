@@ -10,12 +10,13 @@
 
 namespace placedpar {
 
-/// A simulated machine that an operator moves. All scatter is ours. Machines differ in compliances by up to 10 %, in
-/// friction, damping and the drain side by 20 %, and in the load by 10 %. Movements differ in how far, how quickly and
-/// for how long the valve is opened, and in the load by 5 %.
+/// A simulated machine that an operator moves. The sizes of all scatter are ours. Machines differ in compliances by up
+/// to 10 %, in friction, damping and the drain side by 20 %, and in the load by 10 %. Movements differ in how far, how
+/// quickly and for how long the valve is opened, and in the load by 5 %.
 class SimulatedExcavator {
 public:
-    /// `from` is what is read of the valves. Only a source with a servo-valve has both spool and servo.
+    /// `from` says which readings of the valves the samples contain. Only a source with a servo-valve has both spool
+    /// and servo.
     SimulatedExcavator(const RecordSource& source, hydraulics::AreasFrom from, std::uint64_t seed);
 
     /// Returns the links that move, in configuration a.

@@ -5,15 +5,15 @@
 
 namespace placedpar {
 
-/// These functions compute the effect of a wrong a_0 on experiment 2, and of a spool that reads too low on experiment
-/// 1.
+/// These functions compute the effect of a wrong a_0 on experiment 2, and the effect of a spool that reads too low on
+/// experiment 1.
 
 /// Returns the a_0 with which least squares over the rising samples, areas from the voltage, gives this compliance.
-/// Throws UserError if no a_0 from half to four times the machine's does.
+/// Throws UserError if no a_0 between half the machine's own and four times as much gives it.
 double lag_that_finds(double compliance_in3_per_psi, const BoomData& data);
 
 /// Returns the offset of the spool, below 0, with which least squares over the rising samples gives this compliance if
-/// it is left in the readings. Throws UserError if no offset down to -.015 in does.
+/// it is left in the readings. Throws UserError if no offset down to -.015 in gives it.
 double offset_that_finds(double compliance_in3_per_psi, const BoomData& data);
 
 /// Plots the compliance over the assumed a_0 for two machines, with the thesis's two compliances.

@@ -48,8 +48,8 @@ double error_in_si(const SiFlow& flow, const SiSample& sample, double compliance
     return flow.pump_m3_per_s - std::abs(inlet) - bypass_flow(k * sample.bypass_m2, junction_pa - flow.tank_pa);
 }
 
-/// Returns the best of all codes with all values in SI units. The equations do not depend on units, except B, which has
-/// those of the flow squared.
+/// Returns the best of all codes with all values in SI units. The equations hold in any units, but B has the unit of
+/// the flow squared and is converted.
 double optimum_code_in_si(std::span<const CircuitSample> window, const FlowConstants& flow,
                           const IdentificationWay& way) {
     const SiFlow si_flow = in_si(flow);

@@ -13,7 +13,7 @@ namespace placedpar {
 struct SearchStudy {
     std::vector<double> error_percent;      ///< error of the last estimate, absolute
     std::vector<double> codes_from_optimum; ///< distance from the best of all codes on the last window
-    std::vector<double> si_codes;           ///< distance of that optimum from the one found with all values in SI units
+    std::vector<double> si_codes; ///< distance of this optimum from the optimum found with all values in SI units
 
     double median_percent() const;
     double ninetieth_percent() const;

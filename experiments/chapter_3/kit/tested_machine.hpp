@@ -12,7 +12,8 @@ class TestedMachine {
 public:
     TestedMachine(const RecordSource& source, hydraulics::AreasFrom from, std::uint64_t seed);
 
-    /// Makes a movement (SimulatedExcavator::movement()) and gives it to the diagnosis, which has judged it on return.
+    /// Makes a movement (SimulatedExcavator::movement()) and gives it to the diagnosis. When this function returns, the
+    /// diagnosis has judged the movement.
     void move(const PlantFault& fault, double compliance_factor, std::uint64_t number);
     const identification::Diagnosis& diagnosis() const { return diagnosis_; }
     /// Returns the active alarms.

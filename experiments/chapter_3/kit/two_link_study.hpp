@@ -33,14 +33,14 @@ struct TwoErrors {
 };
 TwoErrors errors_of(std::span<const double> compliance_in3_per_psi);
 
-/// Returns the way of 3.2 with two additions: one elite individual, and the first two samples after the valve opens
-/// left out.
+/// Returns the settings of thesis 3.2 with two changes: there is one elite individual, and the first two samples after
+/// the valve opens are left out.
 identification::IdentificationWay elite_way();
 /// Returns elite_way() with Gray code.
 identification::IdentificationWay gray_way();
 
-/// The number of records for a judged share. A share p has the standard deviation sqrt(p (1 - p) / 200), 3.5 points at
-/// one half.
+/// The number of records for a judged share. A share p has the standard deviation sqrt(p (1 - p) / 200), which is 3.5
+/// percentage points if p is one half.
 inline constexpr std::size_t search_records = 200;
 
 /// Runs a search for each seed, with its own noise and random numbers.

@@ -99,9 +99,9 @@ std::uint64_t make_known(TestedMachine& machine) {
 
 namespace {
 
-/// Returns the expected log likelihood ratio of one unit of the fault to none after faulty_movements movements. It
-/// assumes that these movements resemble the first ones and that everything else is known to be sound. It uses the
-/// stated standard errors.
+/// Returns the expected logarithm of the likelihood ratio of one unit of the fault to no fault after faulty_movements
+/// movements. The function assumes that these movements resemble the first movements, that their stated standard errors
+/// are right, and that the link has no other fault.
 double evidence_of(const LinkJudge& judge, LinkFault fault) {
     const WayVector unit = vector_of(unit_of(fault));
     double known = 0;
@@ -117,7 +117,8 @@ LinkFault fault_of(const TestedFault& fault) {
         return LinkFault::compliance;
     if (fault.called != AlarmKind::leak)
         return LinkFault::offset;
-    return fault.fault.parameters.size() > 1 ? LinkFault::new_leak : LinkFault::leak; // the second is its starting time
+    return fault.fault.parameters.size() > 1 ? LinkFault::new_leak
+                                             : LinkFault::leak; // the second parameter is the leak's start
 }
 
 /// Returns one machine's figures: the movements until a false alarm (0: none), and the evidence of all_faults. For each

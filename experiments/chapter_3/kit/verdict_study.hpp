@@ -28,20 +28,20 @@ struct TestedFault {
     /// Required percentages: of machines whose fault is found, unless the theoretical limit may be lower by its 95 %
     /// interval, and of those found whose fault is named correctly. A share misses if its whole 95 % interval does.
     double least_found = 90, least_called = 95;
-    /// The allowed percentage of undecided ones among those found; nullopt if the records do not allow a limit.
+    /// The allowed percentage of found faults that are left undecided; nullopt if the records do not allow a limit.
     std::optional<double> most_undecided = 10;
 };
 
-/// Returns the faults to test. Leaks are there at all times, or begin when the valve opens, as those of leak_of(). A
-/// drift of 10.5 mV moves the spool by .005 in. Machines whose areas are measured have no offset. A leak that begins
-/// and an offset need not be distinguished where no rest follows a movement.
+/// Returns the faults to test. Leaks are present at all times, or begin when the valve opens, as the leaks of leak_of()
+/// do. A drift of 10.5 mV moves the spool by .005 in. Machines whose areas are measured have no offset. A leak that
+/// begins and an offset need not be distinguished where no rest follows a movement.
 std::vector<TestedFault> tested_faults(const RecordSource& source, hydraulics::AreasFrom from);
 
 /// The verdicts during some movements.
 struct Outcome {
     std::size_t found_after = 0; ///< number of movements; 0: nothing was found
     bool called = false;         ///< whether the fault was named correctly when found
-    bool undecided = false;      ///< whether the verdict was "leak or offset" for one of the two
+    bool undecided = false;      ///< whether the fault was a leak or an offset, and the verdict "leak or offset"
 };
 
 /// Lets a sound machine move until its state of health is known, which takes three informative movements. Returns the
@@ -54,7 +54,7 @@ Outcome watch(TestedMachine machine, const TestedFault& fault, std::size_t movem
 
 /// Compares the verdicts of the on-line diagnosis on machines (tested_machine.hpp), one for each seed of the replay, at
 /// each of the three noise levels. There are sound machines, machines that become faulty after three sound movements,
-/// and machines that are faulty from the first. `from` is what the diagnosis reads of the valve.
+/// and machines that are faulty from the first movement. `from` says which readings of the valve the diagnosis gets.
 Comparison verdict_comparison(const ReplayContext& context, const char* machine, const RecordSource& source,
                               hydraulics::AreasFrom from);
 

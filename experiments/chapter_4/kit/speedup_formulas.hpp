@@ -9,7 +9,7 @@ namespace placedpar {
 /// The times of a generation on one processor, in any unit, and the additional communication on several.
 struct GenerationTimes {
     double evaluating, breeding; ///< t_p, t_s
-    double communication = 0;    ///< t_c; in 4.9 n t_c2
+    double communication = 0;    ///< t_c; in equation 4.9 it is n t_c2
 };
 
 /// Returns equation C.1, which is 4.9 with communication.

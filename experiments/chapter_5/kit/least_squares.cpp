@@ -9,7 +9,7 @@ namespace placedpar {
 
 namespace {
 
-// The initial variance, which is large because nothing is known.
+// The initial variance, which is large because nothing is known about the weights.
 constexpr double unknown = 1e6;
 
 LinearPlant least_squares_of_delay(std::span<const Sample> window, std::size_t delay) {

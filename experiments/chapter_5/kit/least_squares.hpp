@@ -20,7 +20,7 @@ struct LinearPlant {
 
     std::size_t delay = 1;
     Coefficients weights = Coefficients::Zero(); ///< a1, a2, b0, b1, b2
-    double squared_error = 0;                    ///< the criterion by which it was chosen
+    double squared_error = 0;                    ///< the criterion by which the plant was chosen
 
     /// Returns the values of a plant_record sample by which the weights are multiplied.
     static Coefficients inputs(const Sample& sample, std::size_t delay);
@@ -43,7 +43,7 @@ public:
     RecursiveLeastSquares(std::size_t delay, double forgetting, NoiseTerms noise_terms = NoiseTerms::none);
 
     void push(const Sample& sample);
-    /// Returns the plant with its sum of squared prediction errors, weighted likewise.
+    /// Returns the plant with its sum of squared prediction errors, which have the same weights as the samples.
     const LinearPlant& plant() const { return plant_; }
 
 private:
@@ -55,7 +55,7 @@ private:
     std::array<double, 2> unexplained_{};
 };
 
-/// Runs one recursion per delay; the plant is the one with the least error.
+/// Runs one recursion per delay. Its plant is that of the recursion with the least error.
 class RecursiveIdentification {
 public:
     explicit RecursiveIdentification(

@@ -23,7 +23,7 @@ const SearchProblem& static_problem(const std::string& name) {
         ProblemRegistry problems;
         add_benchmark_problems(problems);
         for (const StaticTask& task : static_tasks())
-            problems.find(task.problem); // made before threads use it
+            problems.find(task.problem); // made here, before threads use the problem
         return problems;
     }();
     return *registry.find(name).problem();
@@ -85,7 +85,7 @@ const std::vector<StaticTask>& static_tasks() {
     static const std::vector<StaticTask> tasks{
         {"one-max(bits = 60)", 60},                   // every bit is 1
         {"foxholes", 1},                              // the deepest of the holes, .998
-        {"schwefel(dimensions = 5, bits = 10)", 100}, // the best valley; the next one is 118 above it
+        {"schwefel(dimensions = 5, bits = 10)", 100}, // in the best valley; the next valley is 118 higher
         {"trap(blocks = 6, size = 4)", 24}};          // outside every trap
     return tasks;
 }

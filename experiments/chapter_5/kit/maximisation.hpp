@@ -18,14 +18,14 @@ struct StaticTask {
 };
 const std::vector<StaticTask>& static_tasks();
 
-/// Returns the number of generations, from 1, until an island reaches the target, or `limit` if none does. Operators
-/// are those of 5.4, but with ranking, since these fitnesses may be negative. There are `islands` islands of
-/// `population` individuals each. Neighbours in a hypercube send their best individuals in turn every three generations
-/// (5.2.1).
+/// Returns the number of generations, from 1, until an island reaches the target, or `limit` if no island does. The
+/// operators are those of thesis 5.4, but with ranking, since these fitnesses may be negative. There are `islands`
+/// islands of `population` individuals each. Neighbours in a hypercube send their best individuals in turn every three
+/// generations (5.2.1).
 std::size_t generations_to_target(const StaticTask& task, std::size_t islands, std::size_t population,
                                   std::size_t limit, std::uint64_t seed);
 
-/// The time that a task takes for several sizes of something, over the seeds of a replay.
+/// The time that a task takes, for several sizes of the search and all seeds of a replay.
 struct TaskStudy {
     StaticTask task;
     std::vector<std::size_t> sizes;

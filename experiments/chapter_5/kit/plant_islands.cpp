@@ -11,10 +11,10 @@ namespace placedpar {
 
 namespace {
 
-// The thesis does not state these: they are readings that follow its text.
+// The thesis does not state these values; they follow from a reading of its text.
 constexpr std::size_t plant_elite = 1;
 const char* const plant_acceptance = "offspring";
-// The first generation at which diversity is measured, and the interval.
+// The first generation at which diversity is measured, and the number of generations between measurements.
 constexpr std::size_t diversity_from = 400, diversity_every = 10;
 
 IslandsSettings settings_of(const PlantIslands& plant) {

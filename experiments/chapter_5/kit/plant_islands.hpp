@@ -16,10 +16,11 @@ struct PlantIslands {
     std::string name;
     std::vector<std::size_t> populations{100}, windows{30}; ///< one per island; windows in samples
     std::string topology = "none", schedule = "broadcast(every = 12)";
-    std::string reproduction = "universal"; ///< on max(0, sum of B - e^2)
+    std::string reproduction = "universal"; ///< its fitness is max(0, sum of B - e^2)
     Coding coding = Coding::natural;
-    double bias = 10;       ///< B of one sample
-    bool simulated = false; ///< whether y-hat inside the window is simulated from the two outputs measured before it
+    double bias = 10; ///< B of one sample
+    bool simulated =
+        false; ///< whether y-hat inside the window is simulated from the two outputs measured before the window
     PlantExperiment plant = {};
     /// The rules, by the names of IslandChoice, that choose the island whose best is the answer of all. They are
     /// applied at each broadcast.
@@ -33,11 +34,13 @@ inline const std::vector<std::size_t> distributed_windows{30, 24, 16, 10}, distr
 /// The results, generation by generation.
 struct PlantSearchRun {
     std::vector<std::vector<Pole>> islands; ///< each island's best
-    std::vector<std::vector<Pole>> answers; ///< best of each choice's island; before the first broadcast island 0's
-    std::vector<std::vector<std::size_t>> chosen; ///< island of each choice at each broadcast
+    std::vector<std::vector<Pole>>
+        answers; ///< the best of the island that each choice names; before the first broadcast, the best of island 0
+    std::vector<std::vector<std::size_t>> chosen; ///< the island that each choice names at each broadcast
     double diversity = 0; ///< mean number of bits in which two individuals of an island differ, over islands and
                           ///< generations 400 to 600
-    double identical = 0; ///< share of generations 400 to 600 in which the bests of first and last island are equal
+    double identical =
+        0; ///< share of generations 400 to 600 in which the best individuals of the first and the last island are equal
 };
 
 /// Returns the measurements of the plant, which are the same for all methods with a seed.

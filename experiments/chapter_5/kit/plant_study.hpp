@@ -14,8 +14,8 @@
 
 namespace placedpar {
 
-/// The default number of seeds of an experiment. Experiments #1 to #5 take more: with 60 the intervals of some of their
-/// claims include the bound.
+/// The default number of seeds of an experiment. Experiments #1 to #5 take more: with 60 seeds the intervals of some of
+/// their claims include the bound.
 inline constexpr std::size_t plant_seeds = 60, plant_seeds_of_claims = 240;
 
 /// The best of an island over time, or the answer of a choice.
@@ -49,7 +49,8 @@ PlantStudy study_plant(const ReplayContext& context, const PlantIslands& islands
 PlantStudy study_pole(const ReplayContext& context, std::string name, const PlantExperiment& plant,
                       const std::function<std::vector<Pole>(std::uint64_t seed)>& follow);
 
-/// Return, for each seed, the difference or the quotient of the two. Both have the same record for a seed.
+/// Return, for each seed, the difference or the quotient of the two values. For a given seed, the two values come from
+/// the same record.
 std::vector<double> less(const std::vector<double>& one, const std::vector<double>& other);
 std::vector<double> ratio(const std::vector<double>& one, const std::vector<double>& other);
 
@@ -85,7 +86,7 @@ std::string median_of_seeds(const ReplayContext& context);
 /// Plots real part (a line) and imaginary part (dashes) of the pole over generations, as medians over the seeds, with
 /// the true pole. With at least two seeds, a band shows the quartiles of the real part.
 Panel pole_panel(std::string title, const std::vector<TrackRow>& rows);
-/// Plots the same, except that lines and dashes show only the first run.
+/// Plots what pole_panel() plots, except that lines and dashes show only the first run.
 Panel single_run_panel(std::string title, const std::vector<TrackRow>& rows);
 
 /// Returns "sigma = 0.3" or "noiseless".
@@ -97,10 +98,11 @@ PlantIslands sized(PlantIslands islands, std::string name, std::vector<std::size
 /// Return the configurations of Table 5.3 and those compared with them.
 PlantIslands traditional_pga(std::string schedule, double noise);
 PlantIslands distributed_pga(std::string schedule, double noise);
-/// Returns the configuration with the other reading of y-hat, for which five generations a sample and B = 100 are best.
+/// Returns the configuration with y-hat simulated inside the window, for which five generations a sample and B = 100
+/// are best.
 PlantIslands simulated_in_window(PlantIslands islands);
-/// Return a search with 100 individuals and window 30 (experiment #5), and one with the cost of the distributed islands
-/// and a window between theirs.
+/// Return a search with 100 individuals and window 30 (experiment #5), and a search that costs as much as the
+/// distributed islands and has a window between theirs.
 PlantIslands single_ga(double noise);
 PlantIslands equal_cost_ga(double noise);
 

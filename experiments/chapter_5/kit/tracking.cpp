@@ -12,7 +12,7 @@ namespace placedpar {
 namespace {
 
 constexpr std::size_t change_generation = 200, longest_delay = 400, longest_lag = 250;
-// The first generation in which the found alpha is compared with the shifted true one.
+// The first generation in which the found alpha is compared with the shifted true alpha.
 constexpr std::size_t lag_from = 150;
 
 Pole true_pole(const PlantChange& change, std::size_t generation) {
@@ -27,7 +27,7 @@ double running_median(std::span<const Pole> found, std::size_t generation) {
     return median(near);
 }
 
-/// Returns alpha when it has covered this share of its change.
+/// Returns the value of alpha after this share of its change.
 double alpha_on_the_way(const PlantChange& change, double share) {
     double before = true_pole(change, 0).alpha, after = true_pole(change, 600).alpha;
     return before + share * (after - before);

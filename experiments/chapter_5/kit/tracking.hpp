@@ -8,17 +8,18 @@
 
 namespace placedpar {
 
-/// The measures of how well a pole was followed. Times are in generations; an event that never happens has the greatest
-/// possible time.
+/// The measures of how well a search followed the pole. Times are in generations; an event that never happens has the
+/// greatest possible time.
 enum class Tracking : unsigned char {
-    delay_20,         ///< from generation 200 until alpha, as a running median over 11, has covered 20 % of its change
-    delay_63,         ///< until 63 %; the true alpha gets there after 40 and 126 generations of the ramp
-    lag,              ///< shift in time for which the true alpha is nearest to the one found
-    error_before,     ///< rms distance of the poles in generations 100 to 199,
-    error_during,     ///< 200 to 399,
-    error_after,      ///< and 500 to 599
-    deviation_before, ///< standard deviation of alpha over time in generations 100 to 199,
-    deviation_after,  ///< and 500 to 599
+    delay_20, ///< delay after generation 200 until the running median of alpha over 11 generations has covered 20 % of
+              ///< the change; 40 for the true alpha
+    delay_63, ///< the same delay for 63 % of the change; 126 for the true alpha
+    lag,      ///< shift in time for which the true alpha is nearest to the found alpha
+    error_before,     ///< rms distance between found and true pole in generations 100 to 199
+    error_during,     ///< rms distance in generations 200 to 399
+    error_after,      ///< rms distance in generations 500 to 599
+    deviation_before, ///< standard deviation of alpha over time in generations 100 to 199
+    deviation_after,  ///< standard deviation in generations 500 to 599
 };
 inline constexpr std::size_t tracking_figures = 8;
 using TrackingFigures = std::array<double, tracking_figures>;

@@ -32,8 +32,8 @@ struct Tally {
 Tally tally_runs(const ReplayContext&, const std::string& name, const std::function<PlantOutcome(std::uint64_t)>& run);
 Tally tally_search(const ReplayContext&, const std::string& name, const PlantSearch&);
 
-/// Adds a row with both shares and their 95 % intervals, and the median generation of convergence with its own. Shares
-/// with an expected value are judged at four standard deviations of two samples (share_tolerance).
+/// Adds a row with both shares and their 95 % intervals, and the median generation of convergence with its 95 %
+/// interval. Shares with an expected value are judged at four standard deviations of two samples (share_tolerance).
 void add_tally(Comparison&, const Tally&, const Expected& = {});
 /// Adds a row with the 95 % interval of the increase, in percentage points, of runs that converged and followed
 /// compared with the control.

@@ -22,7 +22,7 @@ Genome string_numbered(std::size_t number, std::size_t bits) {
     return genome;
 }
 
-/// Steepest descent from all strings at once; stores where each descent ends.
+/// Computes the steepest descent from every string, and stores the string at which each descent ends.
 class Descents {
 public:
     Descents(const Errors& errors, std::size_t bits) : end_(errors.size()) {
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    /// Returns the best of the strings that differ in one bit, or the string itself.
+    /// Returns the best of the string `from` and the strings that differ from it in one bit.
     static std::uint32_t better_neighbour(const Errors& errors, std::size_t bits, std::size_t from) {
         std::size_t best = from;
         for (std::size_t bit = 0; bit < bits; ++bit)
@@ -50,7 +50,7 @@ private:
         return static_cast<std::uint32_t>(best);
     }
 
-    /// Follows the descent from a string. It ends because errors fall along it.
+    /// Follows the descent from a string. The descent ends, since each step lowers the error.
     void follow(std::size_t from) {
         std::size_t end = from;
         while (end_[end] != end)

@@ -24,7 +24,8 @@ public:
 private:
     PlantProblem problem_;
     std::size_t channels_;
-    std::vector<double> products_; ///< channels x channels: the sum of the products of each two channels
+    std::vector<double>
+        products_; ///< channels x channels: for each pair of channels, the sum of products over the window
 };
 
 /// Properties of the fitness landscape over all strings of a reading, for a search that looks one bit ahead.

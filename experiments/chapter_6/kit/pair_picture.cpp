@@ -42,8 +42,8 @@ void bit_cells(SvgPen& pen, double left, std::size_t first, std::size_t count, d
                  {{"class", "bit " + look}});
 }
 
-/// A field in the strings of both searches, above and below the problem's. The coarse search has its first bits, and
-/// the fine search counts in its last.
+/// A field of the problem's string, drawn between its parts in the strings of the two searches. The coarse search has
+/// the field's first bits, and the fine search counts in its last bits.
 struct PairField {
     std::string name;
     double left;

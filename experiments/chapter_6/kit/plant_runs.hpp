@@ -17,7 +17,7 @@ namespace placedpar {
 const SearchProblem& plant_search_problem();
 std::vector<std::size_t> plant_field_bits();
 /// Returns the coarse reading of Table 6.3: two bits for the delay, `bits` for each of the five other parameters. With
-/// 7 it is the whole string.
+/// 7 bits the reading is the whole string.
 Recoding plant_reading(std::size_t bits, Coding coding = Coding::natural);
 
 /// Returns the settings that all searches of this chapter share with chapter 5: a window of 30 samples, B = 10 per

@@ -87,7 +87,7 @@ TEST_CASE("the order goes front by front") {
 }
 
 TEST_CASE("within a front the ends come first, then who stands most apart") {
-    // distances: (10 - 0) / 100 twice for the second, (100 - 1) / 100 twice for the third
+    // The second merit's distance is (10 - 0) / 100 in each of its two costs, the third merit's (100 - 1) / 100.
     std::vector<Merit> merits{costs({0, 100}), costs({1, 99}), costs({10, 90}), costs({100, 0})};
     CHECK(order_of(merits) == std::vector<std::size_t>{0, 3, 2, 1});
     CHECK(order_of(std::vector<Merit>{costs({2}), costs({1}), Merit{}, costs({1})}) ==

@@ -35,7 +35,8 @@ std::string written(const Tracks& tracks, const std::function<void(TraceWriter&)
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// Returns how Perfetto shows one slice of the process `p`, which is track 1, after its processor.
+/// Returns the line that the Perfetto trace has for one slice of process `p`. Track 0 is the processor, track 1 the
+/// process.
 std::string shown(const Slice& slice) {
     Tracks tracks(on_one_node({"p"}));
     std::string text = written<PerfettoTrace>(tracks, [&](TraceWriter& writer) { writer.write(slice); });
@@ -47,7 +48,7 @@ Slice waiting(Activity activity, std::vector<Awaited> awaited = {}, bool timer =
     return {1, activity, Time{1000}, Time{3000}, false, "", 0, std::move(awaited), timer};
 }
 
-/// Returns only its value "name".
+/// Returns only the slice's value "name".
 std::string name_shown(const Slice& slice) {
     std::string text = shown(slice);
     std::size_t begin = text.find("\"name\":\"") + 8;

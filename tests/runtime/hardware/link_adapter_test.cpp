@@ -49,7 +49,7 @@ Time time_of_writing(int bytes) {
     return t;
 }
 
-/// Returns when `bytes` have been read that a link engine has been sending from the beginning.
+/// Returns the time at which `bytes` bytes have been read, if a link engine sends from the beginning.
 Time time_of_reading(int bytes) {
     Time t{}, here = duration_of(19, 20'000'000) + adapter_timing.acknowledge_latency(); // after the instruction
     for (int i = 0; i < bytes; ++i) {
@@ -237,7 +237,8 @@ TEST_CASE("a broadcast writes each byte once for all adapters") {
     };
     Time one_by_one = time_of(false), at_once = time_of(true);
     CHECK(at_once < one_by_one);
-    // For each of 152 bytes: four times status and data, or four times the status and once the data.
+    // Each of the 152 bytes takes four accesses to the status and four to the data. With a broadcast it takes four
+    // accesses to the status and one to the data.
     CHECK(one_by_one >= 2 * nodes * 152 * register_access);
     CHECK(at_once >= (nodes + 1) * 152 * register_access);
     CHECK(at_once < (nodes + 2) * 152 * register_access);

@@ -7,8 +7,8 @@
 
 namespace placedpar::test {
 
-/// One process: alternate rests and computations, in cycles. A rest may be 0. A computation has descheduling points at
-/// a fixed distance and at its end.
+/// One process, which alternates between rests and computations. Their lengths are in processor cycles. A rest may be
+/// 0. A computation has descheduling points at a fixed distance and at its end.
 struct Load {
     bool high = false;
     struct Step {
