@@ -21,7 +21,7 @@ struct RecordNeeds; // hydraulics/data/record_table.hpp
 // Functions that read the user's files. A file with errors is refused: RefusedInput shows each error with file, line,
 // column and a caret. "-" is standard input.
 
-/// Limits the number of errors shown, and the number of warnings.
+/// The largest number of errors shown, and the largest number of warnings shown.
 inline constexpr std::size_t most_faults_shown = 20;
 
 /// A function that receives a file's warnings as text in whole lines.

@@ -16,9 +16,9 @@ struct FrozenRun {
     double jump;             ///< step at the end of the run
 };
 
-/// These limits are all ours. A run has equal readings for 0.1 s, at least five: a pressure or a joint that moves
-/// passes a converter's code in less time. The jump is at least 40 psi, or half a degree, and greater than the step
-/// after it, because a body at rest starts slowly and gathers speed.
+/// These limits are all ours. A run has at least five equal readings and lasts at least 0.1 s: a pressure or a joint
+/// that moves passes a converter's code in less time. The jump is at least 40 psi, or half a degree, and greater than
+/// the step after it, because a body at rest starts slowly and gathers speed.
 std::size_t fewest_frozen(double period_s);
 inline constexpr double least_jump_psi = 40, least_jump_deg = 0.5;
 

@@ -17,12 +17,12 @@ AirOilMixture air_oil_mixture(double air_fraction, double polytropic_exponent = 
                               const Parameters& parameters = Parameters::excavator());
 
 /// Returns beta = -V dP/dV of the mixture, from V = V_oil + V_air (P_0 / P)^(1/N). The shrinking of the oil in V itself
-/// is neglected. beta grows with pressure, falls with the air fraction, and tends to the oil's. REQUIRES: psia > 0, an
-/// absolute pressure; 0 <= air_fraction < 1.
+/// is neglected. beta grows with pressure, falls with the air fraction, and tends to the oil's bulk modulus. REQUIRES:
+/// psia > 0, an absolute pressure; 0 <= air_fraction < 1.
 double bulk_modulus_psi(const AirOilMixture& mixture, double psia);
 
-/// Returns the absolute pressure at which beta is `share` of the oil's; below it the mixture is softer. REQUIRES: 0 <
-/// air_fraction < 1, 0 < share < 1.
+/// Returns the absolute pressure at which beta is `share` times the oil's bulk modulus; at lower pressures the mixture
+/// is softer. REQUIRES: 0 < air_fraction < 1, 0 < share < 1.
 double psia_at_modulus(const AirOilMixture& mixture, double share);
 
 /// Equation 2.2: C_fluid = V / beta.

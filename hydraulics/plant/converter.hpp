@@ -13,9 +13,10 @@ struct Converter {
 
     /// Returns the resolution; 0 without bits.
     double step() const;
-    /// Returns the value of the nearest code, half to even. The error is at most half a step.
+    /// Returns the value of the nearest code; a value half-way between two codes goes to the even code. The error is at
+    /// most half a step.
     double operator()(double value) const;
-    /// Returns the same, limited to [least, least + range - step].
+    /// Returns the value of the nearest code, limited to [least, least + range - step].
     double limited(double value, double least) const;
 };
 

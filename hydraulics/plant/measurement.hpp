@@ -43,8 +43,8 @@ inline constexpr double angle_resolution_deg = 0x1p-30;
 inline constexpr double spool_resolution_in = 0x1p-30;
 inline constexpr double area_resolution_in2 = 0x1p-30;
 
-/// Rounds a value to the resolution. REQUIRES: the resolution is a power of two, so that dividing and multiplying are
-/// exact.
+/// Rounds a value to the resolution. REQUIRES: the resolution is a power of two, so that division and multiplication by
+/// it are exact.
 double reading(double value, double resolution);
 
 /// Returns the step of a motion whose states are equally spaced. Throws UnfitScenario for fewer than two states.
@@ -55,7 +55,7 @@ double step_of(std::span<const State> motion) {
     return motion[1].time_s - motion[0].time_s;
 }
 
-/// Returns the number of steps of a motion per sample. Throws UnfitScenario unless it is a whole number.
+/// Returns the number of steps of a motion per sample. Throws UnfitScenario unless this number is whole.
 std::size_t steps_in(double period_s, double step_s);
 
 } // namespace placedpar::hydraulics
