@@ -21,8 +21,8 @@ struct Command {
     int place;         ///< order in --help; multiples of ten leave room between commands
     /// Declares the options of the subcommand and returns its action. `typed` is the whole command line, for manifests.
     Action (*declare)(Options& command, const std::string& typed);
-    /// Returns the names that its argument can have, for completion by a shell; null if the argument is a file or
-    /// absent.
+    /// Returns the names that the command's argument can have, for completion by a shell; null if the argument is a
+    /// file or the command has no argument.
     std::vector<std::string> (*values)() = nullptr;
 };
 
@@ -44,7 +44,7 @@ void read_command_line(const std::vector<Command>& commands, int argc, char** ar
 
 /// Carries out the command line of the program, whose name is program_name() from then on. Commands are ordered by
 /// their places. Reports errors on standard error and returns the exit code of main(). Ignores SIGPIPE: see
-/// print_out(). `begin` is called first; its exceptions are reported too.
+/// print_out(). `begin` is called first, and its exceptions are reported, too.
 int carry_out(
     Program program, int argc, char** argv, const std::function<void()>& begin = [] {});
 

@@ -26,7 +26,7 @@ public:
     Option required();
     Option show_default();                    ///< help shows its present value
     Option group(const std::string& heading); ///< a group of options in help
-    Option needs(Option other);               ///< refused without the other
+    Option needs(Option other);               ///< the option is refused unless the other is typed, too
 
 private:
     CLI::Option* option_;

@@ -31,11 +31,11 @@ public:
     RunReport run(Time limit = Time::max());
     Simulation& simulation() { return simulation_; }
     /// Notes what the processes do, so that the run can be repeated with other seeds. REQUIRES: before run(); the
-    /// record outlives it, is empty, and is not moved meanwhile.
+    /// record outlives this object, is empty, and is not moved meanwhile.
     void record(RecordedRun&);
     /// REQUIRES: before run(). See Kernel::shuffle.
     void shuffle(std::uint64_t seed) { simulation_.shuffle(seed); }
-    /// REQUIRES: before run(); the sink outlives it.
+    /// REQUIRES: before run(); the sink outlives this object.
     void trace_to(TraceSink& sink) { simulation_.trace_to(sink); }
 
 private:

@@ -33,7 +33,7 @@ struct DrawnNode {
     Box box;
     std::string name, facts; ///< facts: type, memory, clock
     std::vector<ProcessLine> processes;
-    std::string inside; ///< text on the number of channels within the node; "": no channels
+    std::string inside; ///< text with the number of channels within the node; "" if there are none
 };
 
 /// Draws the nodes as boxes that have room for their texts, at the given places in cells. Boxes do not overlap, and

@@ -27,8 +27,8 @@ public:
     void block(const Box&);
     /// Adds a wire, which paths may cross but not run along.
     void add(const Path&);
-    /// Finds a path from one of the ports `from` to one of the ports `to`; nothing if there is no path, or after a very
-    /// long search.
+    /// Finds a path from one of the ports `from` to one of the ports `to`; returns nothing if there is no path, or if
+    /// the search takes too long.
     std::optional<Path> find(const std::vector<Port>& from, const std::vector<Port>& to);
 
 private:

@@ -16,8 +16,9 @@ namespace placedpar {
 struct WalkSettings {
     std::size_t population = 6;
     double crossover_probability = 0.8;
-    double mutation_probability = 0.05; ///< ours: at the thesis's .01 hardly any of so few bits is flipped
-    std::string function = "square";    ///< one of walk_functions()
+    double mutation_probability =
+        0.05; ///< ours: with the thesis's value, 0.01, hardly any of the few bits would be flipped
+    std::string function = "square"; ///< one of walk_functions()
     std::uint64_t seed = 1;
 };
 
@@ -39,7 +40,7 @@ struct WalkedGeneration {
     std::size_t number; ///< counted from 1
     std::vector<Genome> population = {};
     std::vector<double> fitness = {};
-    std::vector<double> spins = {};        ///< of the roulette, 0 to 1; empty if no fitness is positive
+    std::vector<double> spins = {};        ///< positions of the roulette, 0 to 1; empty if no fitness is positive
     std::vector<std::size_t> parents = {}; ///< indices in the population; empty if no fitness is positive
     std::vector<Genome> reproduced = {};
     std::vector<Mating> matings = {}; ///< of strings 0 and 1, 2 and 3, ...

@@ -22,7 +22,7 @@ inline constexpr std::size_t most_interface_entries = 1000;
 class Elaborator {
 public:
     /// Takes overrides, which are set statements. Overrides of vals are applied where the vals are declared. For all
-    /// other overrides, call run() with them after use(). REQUIRES: catalogue and overrides outlive it.
+    /// other overrides, call run() with them after use(). REQUIRES: catalogue and overrides outlive this object.
     Elaborator(const Catalogue& catalogue, const Statements& overrides, Reporter& reporter);
 
     void run(const Statements& statements);

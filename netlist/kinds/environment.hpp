@@ -37,7 +37,7 @@ public:
         AnyChannel* channel;
     };
 
-    /// REQUIRES: network and measurements outlive it; index < network.processes.size().
+    /// REQUIRES: network and measurements outlive this object; index < network.processes.size().
     ProcessEnvironment(const Network& network, std::size_t index, std::vector<Port> ports, std::uint64_t seed,
                        std::vector<Measurement>& measurements);
 

@@ -47,7 +47,7 @@ using FaultEffects = std::function<void(FaultUse&)>;
 /// functions that it needs. A device adds to the simulation what takes time, and outlives the simulation.
 class MachineNode {
 public:
-    /// REQUIRES: the parts outlive it.
+    /// REQUIRES: the parts outlive this object.
     MachineNode(MachineParts& parts, std::size_t node) : parts_(parts), node_(node) {}
     MachineNode(const MachineNode&) = delete;
     MachineNode& operator=(const MachineNode&) = delete;

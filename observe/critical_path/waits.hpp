@@ -9,14 +9,14 @@
 namespace placedpar {
 
 /// The time of a process, including the components of its PARs, by activity. The process counts as computing while any
-/// of them computes. Otherwise it communicates while one of them moves words over a bus or waits for the bus; otherwise
-/// it is ready while one of them is ready; otherwise it waits. The times add up to its lifetime.
+/// of these computes. Otherwise it communicates while any of these moves words over a bus or waits for the bus;
+/// otherwise it is ready while any of these is ready; otherwise it waits. The times add up to its lifetime.
 struct Account {
     Time computing{}, ready{}, communicating{}, delayed{}, waiting{};
-    std::map<std::string, Time> waiting_for; ///< parts of `waiting` by partner, without a last wait that never ended
+    std::map<std::string, Time> waiting_for; ///< parts of `waiting` by partner, a wait that never ended is not included
 
     Time life() const { return computing + ready + communicating + delayed + waiting; }
-    /// Returns the partner for which it waited longest; "" if it waited for none.
+    /// Returns the partner for which the process waited longest; "" if it waited for no partner.
     std::string most_waited_for() const;
 };
 
