@@ -14,7 +14,8 @@ std::string state_of(const GenerationLog&);
 
 /// Draws best and mean fitness over the generations so far with letters, and diversity below. Lines have at most
 /// `columns` characters; the curve takes `rows` lines. The worst tenth of the values, often from the first generations,
-/// is drawn on the curve's outermost row. The number of lines is constant. REQUIRES: columns >= 24, rows >= 2.
+/// is drawn on the curve's row for the worst values. The number of lines is constant. REQUIRES: columns >= 24, rows >=
+/// 2.
 std::vector<std::string> live_curve(const GenerationLog&, std::size_t columns, std::size_t rows);
 
 } // namespace placedpar

@@ -43,8 +43,8 @@ struct UnwrittenState {
     std::shared_ptr<const identification::DiagnosisState> state;
 };
 
-/// Deletes the state and the history of a machine. Its messages remain, so a message with the text `forget_text` must
-/// follow them.
+/// Deletes the state and the history of a machine. The machine's messages remain in the file, so a message with the
+/// text `forget_text` must follow them.
 struct ForgottenMachine {
     std::string machine;
 };
