@@ -8,8 +8,8 @@
 
 namespace placedpar {
 
-/// Returns the state of a run in one line: "generation 80: best 3996.92, mean 3412.1, diversity 0.0312". It covers all
-/// searches, or only the first if their objectives differ. Returns "" before the first generation.
+/// Returns the state of a run in one line: "generation 80: best 3996.92, mean 3412.1, diversity 0.0312". The line
+/// covers all searches, or only the first search if their objectives differ. Returns "" before the first generation.
 std::string state_of(const GenerationLog&);
 
 /// Draws best and mean fitness over the generations so far with letters, and diversity below. Lines have at most

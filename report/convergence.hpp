@@ -18,8 +18,9 @@ struct ConvergenceCurve {
 };
 
 /// Draws the median of the runs of each curve, over the generations that all runs made. With two or more runs, the
-/// quartiles surround it. Values that are not finite are left out. Long runs are thinned to a few hundred points; the
-/// last generation is always kept. Throws std::invalid_argument for a curve without runs or a run without generations.
+/// quartiles surround the median. Values that are not finite are left out. Long runs are thinned to a few hundred
+/// points; the last generation is always kept. Throws std::invalid_argument for a curve without runs or a run without
+/// generations.
 Panel convergence_panel(std::string title, std::string label, std::span<const ConvergenceCurve>);
 
 /// Draws the best and mean fitness of all searches together (or the best objective so far and the mean objective), with

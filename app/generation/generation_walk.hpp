@@ -24,8 +24,8 @@ struct WalkSettings {
 
 inline constexpr std::size_t walk_bits = 4;
 
-/// Returns the names: "square" is x^2, "ones" the number of bits that are 1, "impulse" 1 at 1011 and 0 elsewhere
-/// (Figure 6.5).
+/// Returns the names of the fitness functions: "square" is x^2, "ones" is the number of bits that are 1, and "impulse"
+/// is 1 for the string 1011 and 0 for all others (Figure 6.5).
 std::vector<std::string> walk_functions();
 
 /// The random numbers of a pair of mates and their effect.

@@ -23,8 +23,8 @@ namespace placedpar {
 /// UserError with the refusal of the first.
 Network readable_network(const Study&);
 
-/// Throws UserError if no run can have one of the measures. All combinations are checked, or, if there are very many,
-/// some that are spread over them. `network` is one of the study's.
+/// Throws UserError if no run can have one of the measures. All combinations are checked; if there are very many, only
+/// some combinations spread over the study. `network` is a network of the study.
 void require_possible(const std::vector<std::string>& measures, const Study&, const Network&);
 
 /// Makes runs of a study, one after the other. Data that runs share are made once: the kinds; the parsed netlist; for

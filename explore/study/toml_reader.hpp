@@ -32,8 +32,8 @@
 
 namespace placedpar {
 
-/// Reads a file of TOML. Reports all errors, not only the first. A value read in place of a wrong one is meaningless:
-/// call refuse_if_failed() before using any value.
+/// Reads a file of TOML. Reports all errors, not only the first. If the file has an error in a value, the value that is
+/// read is meaningless: call refuse_if_failed() before using any value.
 class TomlReader {
 protected:
     /// Throws RefusedInput if the text cannot be read.

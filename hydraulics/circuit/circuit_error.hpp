@@ -17,7 +17,7 @@ namespace placedpar::hydraulics {
 /// in equation 3.11. The absolute value gives windows of falling pressure a second optimum, at C + 2 Q_i / |dP/dt|.
 enum class InletFlow : unsigned char { absolute, as_signed };
 
-/// Returns the form that the thesis prints: absolute for one link (3.8), signed for more (3.11).
+/// Returns the form that the thesis prints: absolute for one link (3.8), signed for several links (3.11).
 inline InletFlow printed_inlet_flow(std::size_t links) {
     return links == 1 ? InletFlow::absolute : InletFlow::as_signed;
 }

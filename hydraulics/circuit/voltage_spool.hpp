@@ -35,7 +35,7 @@ struct DriftedVoltageSpool {
 
 /// The dynamics of the spool, A.2: a first-order lag, exact for a command that is held over each sampling period.
 /// Spool(k) = Desired(k-1) (1 - e) + e Spool(k-1) with e = exp(-a_0 T). The thesis prints k in place of both k-1. With
-/// Desired(k) the spool would be a period early, and a compliance found with it would be 17 % off.
+/// Desired(k) the spool would move one period early, and an identified compliance would be wrong by 17 %.
 class SpoolLag {
 public:
     /// Throws std::invalid_argument unless lag and period are above 0.

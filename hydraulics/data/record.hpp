@@ -49,8 +49,8 @@ struct Stretch {
     std::size_t first, last;
 };
 
-/// Measurements of an excavator's motion. All channels are read at the same instants, a fixed period apart except at
-/// gaps.
+/// Measurements of an excavator's motion. All channels are read at the same instants, which are a fixed period apart
+/// except at gaps.
 class Record {
 public:
     std::string description;

@@ -24,8 +24,7 @@ concept ModalSystem = requires(S system, const std::vector<double>& state, std::
 /// 1. Try the step to the end.
 /// 2. If it is unclean, bisect to the longest clean step, take it, and continue from there.
 /// 3. If a step of the resolution is unclean, the event is less than the resolution away: take this step across it.
-/// Such hops
-///    double until a step is clean again, so that time advances even with endless events.
+///    Such hops double until a step is clean again, so that time advances even with endless events.
 /// 4. After the limit of pieces, as when a valve chatters, step to the end regardless of events.
 ///
 /// Events that cancel each other between the stages of one step are not seen, so choose the step accordingly.

@@ -44,7 +44,7 @@ struct ExcavatorMotion {
 /// passes the tank's. Throws UnfitScenario (requirement.hpp) if the scenario is not valid.
 ExcavatorMotion simulate_excavator(const ExcavatorScenario&);
 
-/// Simulates the scenario likewise, but gives each state to `show` instead of keeping it.
+/// Simulates the scenario in the same way, but passes each state to `show` instead of returning all states.
 std::vector<CheckEvent> simulate_excavator(const ExcavatorScenario&, const std::function<void(ExcavatorState&&)>& show);
 
 } // namespace placedpar::hydraulics

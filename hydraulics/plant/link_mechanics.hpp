@@ -29,8 +29,8 @@ struct LinkMechanics {
 /// Returns the boom of the single-link experiments, with its drain side, from the rows boom.*.
 LinkMechanics single_boom_mechanics(const Parameters& parameters = Parameters::excavator());
 
-/// Returns a link of the experiments with several moving links (Figures 3.9 to 3.11). As in appendix B, it has no drain
-/// side, and damping in place of friction.
+/// Returns a link of the experiments with several moving links (Figures 3.9 to 3.11). As in appendix B, the link has no
+/// drain side, and damping in place of friction.
 LinkMechanics coupled_mechanics(Link link, const Parameters& parameters = Parameters::excavator());
 
 } // namespace placedpar::hydraulics

@@ -30,7 +30,8 @@ inline constexpr MeasurementNoise high_noise{10, 0.01, 0.001, 0.004};
 /// A source of numbers uniform in [0, 1), given by the caller, so that the record is a function of the caller's seed.
 using UniformSource = std::function<double()>;
 
-/// Returns one number from the standard normal distribution, by Box and Muller's cosine, from two uniform numbers.
+/// Returns one number from the standard normal distribution, computed from two uniform numbers by the cosine formula of
+/// Box and Muller.
 double standard_normal(const UniformSource& uniform);
 
 /// The thesis samples every 20 ms.

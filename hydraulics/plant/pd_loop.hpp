@@ -56,9 +56,9 @@ struct Oscillation {
 /// Returns nullopt if all poles are real.
 std::optional<Oscillation> oscillation(const PdLoop& loop);
 
-/// Returns the ratio of Routh's criterion, a_2 (a_1 + a_0 K_v) / (K_p a_0). The loop is stable if this ratio is above
-/// 1. The ratio is proportional to 1 / C, so it is also the factor by which C may grow. REQUIRES: all coefficients and
-/// gains > 0.
+/// Returns the ratio of Routh's criterion, a_2 (a_1 + a_0 K_v) / (K_p a_0). If this ratio exceeds 1, the loop is
+/// stable. The ratio is proportional to 1 / C, so it is also the factor by which C may grow. REQUIRES: all coefficients
+/// and gains > 0.
 double stability_margin(const PdLoop& loop);
 
 /// Returns theta for theta_d = 1 from rest, at 0, step_s, 2 step_s and so on. The values are exact at these times

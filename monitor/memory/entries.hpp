@@ -67,7 +67,7 @@ struct KeptEstimate {
 };
 BOOST_DESCRIBE_STRUCT(KeptEstimate, (), (machine, at, time_s, set, link, compliance_in3_per_psi, error_in3_per_psi))
 
-/// An alarm and its times. Alarms of one machine with equal kind and links are the same alarm, which is not raised
+/// An alarm and its times. Alarms of one machine with equal kind and links count as one alarm, which is not raised
 /// again while it is active.
 struct KeptAlarm {
     std::string machine;

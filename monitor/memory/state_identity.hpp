@@ -51,7 +51,7 @@ std::string told_aside(const std::filesystem::path& path);
 inline constexpr std::uint64_t sum_mask = (std::uint64_t{1} << 62) - 1;
 std::int64_t ledger_checksum(const std::string& settings, std::uint64_t trimmed, std::uint64_t last, std::uint64_t sum);
 
-/// Throws std::runtime_error if SQLite finds damage or the tables are not those of a state file.
+/// Throws std::runtime_error if SQLite finds damage, or if the database does not have the tables of a state file.
 void require_integrity(store::Database& database);
 
 } // namespace placedpar::monitor

@@ -62,10 +62,10 @@ public:
     std::uint64_t forget(const std::string& machine);
     /// Stores a change of the history alone.
     std::uint64_t change_history(Entry entry);
-    /// Stores the states of a few machines, those with the oldest messages, while the backlog is too long.
+    /// While the backlog is too long, stores the states of the few machines that have the oldest messages.
     void relieve();
 
-    /// Returns whether everything is on the disk or on its way there, so that a restart would restore it.
+    /// Returns whether all accepted data is on the disk or being written, so that a restart would restore it.
     bool complete() const { return complete_; }
     /// Stores all states, which empties the backlog and makes up for any loss. `open_alarms` are the active alarms.
     void write_anew(std::vector<KeptAlarm> open_alarms, double at);

@@ -23,7 +23,7 @@ struct WriteProgress {
 ///
 /// 1. Transactions are committed in the order of put().
 /// 2. When a commit fails, its transactions are lost. All later transactions are lost, too, up to the next transaction
-/// with `all_anew_at`.
+///    with `all_anew_at`.
 /// 3. put(), look() and wait() are called from one thread other than the writer's.
 class Writer {
 public:

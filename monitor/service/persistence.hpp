@@ -28,7 +28,7 @@ public:
     void forget(const std::string& machine);
     void change_history(Entry entry);
 
-    /// Returns whether everything accepted is on the disk or on its way there; if it returns false, trouble() gives the
+    /// Returns whether all accepted data is on the disk or being written; if it returns false, trouble() gives the
     /// reason.
     bool well() const { return trouble_.empty(); }
     const std::string& trouble() const { return trouble_; }

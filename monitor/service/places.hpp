@@ -71,8 +71,8 @@ private:
     };
 
     void keep(Machine& machine, bool kept);
-    /// Finds a place that one more machine may keep. If there is none, the known machine with the fewest samples, if
-    /// fewer than known_samples, gives up its place. Returns false if no place was found.
+    /// Finds a place that one more machine may keep. If there is no such place, the known machine with the fewest
+    /// samples gives up its place, provided that it has fewer than known_samples. Returns false if no place was found.
     bool find_kept_place();
 
     const ServiceLimits& limits_;

@@ -55,14 +55,15 @@ private:
         std::size_t node;
     };
 
-    /// Sets distances_ of the nodes that a best route may lead through. Looks at all nodes but those in `around`.
+    /// Sets distances_ of the nodes through which a best route may lead. Searches all nodes except the nodes in
+    /// `around`.
     void search_around(const Ends&, const std::set<std::size_t>& around);
     /// Searches only among the nodes on routes of least cost, without loads, if one of the two ends is a hub. Returns
     /// false if neither end is a hub.
     bool search_between(const Ends&);
     void search_among(const std::vector<std::size_t>& nodes, const Ends&);
-    /// Lowers the distance of each predecessor of a node whose route over this node costs less, and calls reach(cost,
-    /// predecessor) for it.
+    /// Lowers the distance of each predecessor of a node whose route over this node costs less, and then calls
+    /// reach(cost, predecessor).
     template <class MayPass, class Reach>
     void reach_before(std::size_t node, const Ends&, MayPass may_pass, Reach reach);
     void forget_distances();

@@ -105,7 +105,7 @@ struct Drawing {
 };
 
 /// A kind of device that nodes can be declared with. It holds all facts needed to read, check and print a netlist with
-/// the device, and makes the device of a run. Switches are devices, too; so is an edge, although no hardware
+/// the device, and makes the device of a run. Switches are devices, too. An edge is also a device, although no hardware
 /// corresponds to it.
 struct DeviceKind {
     std::string name;  ///< its name in JSON, such as "processor"
@@ -128,13 +128,13 @@ struct DeviceKind {
     BusRole bus = BusRole::none;
     std::optional<Medium> medium = {};  ///< set for a device with slots
     std::vector<FaultKind> faults = {}; ///< faults that its nodes can have, besides the faults of their links
-    /// Returns the names of the device's tracks in a trace besides those of processes and links, as TraceSink::takes
-    /// gets them. If empty, it has no such tracks.
+    /// Returns the names of the device's tracks in a trace besides those of processes and links, with the same text as
+    /// PlaceTaken::place. If the function is empty, the device has no such tracks.
     std::function<std::vector<std::string>(const Network&, std::size_t node)> tracks = {};
     /// Makes the device of a run. If empty, the device has no behaviour of its own in a run.
     std::function<std::unique_ptr<MachineNode>(MachineParts&, std::size_t node)> make = {};
     Drawing drawing = {};
-    /// Says that a program built on PlacedPar adds this kind: an exception from it is then that program's error.
+    /// Says that a program built on PlacedPar adds this kind: an exception from the kind is then that program's error.
     bool is_own = false;
 
     /// Returns the attribute of this name; null if there is none.

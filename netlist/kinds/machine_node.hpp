@@ -58,7 +58,7 @@ public:
     virtual Executive* executive() { return nullptr; }
     /// Tells the device that the link ends at the node. Called before the run.
     virtual void has_link(hardware::Link&) {}
-    /// Returns the delay of a bit that crosses the device, in hundredths of a bit time; 0 if no wires cross it.
+    /// Returns the delay of a bit that crosses the device, in hundredths of a bit time; 0 if no wires cross the device.
     virtual std::int64_t crossing_delay() const { return 0; }
     /// Tells the device that a link leads through it whenever the device connects this crossing during the run.
     /// REQUIRES: the device's kind is set by a link.

@@ -160,8 +160,8 @@ struct ChannelPlacement {
     std::vector<RouteHop> route = {}; ///< empty for a soft channel; several hops lead over the processors in between
     bool in_packets =
         false; ///< the route has several hops, or one of its links carries another channel in the same direction
-    /// Index of the bus on which one write reaches the adapters of this channel and of others; nowhere: the channel is
-    /// not broadcast.
+    /// Index of the bus on which one write reaches the adapters of this channel and of the other channels of the
+    /// broadcast; nowhere: the channel is not broadcast.
     std::size_t broadcast_on = nowhere;
 
     bool operator==(const ChannelPlacement&) const = default;

@@ -7,13 +7,13 @@
 namespace placedpar {
 
 /// Calls the reader's function for each kind of notice about a process. A Reader has a map lanes_ with the lane of each
-/// living process, by the process's ordinal, and has these functions:
-/// begin(process, now)           the process begins to exist; the process is ignored if no lane is added here;
+/// living process, by the process's ordinal, and these functions:
+///   begin(process, now)           the process begins to exist; the process is ignored if no lane is added here;
 ///   wait(lane, activity, now)     a wait begins;
 ///   become_ready(lane, now)       a wait or a computation is over, but the program does not run yet;
 ///   go_on(lane, now)              the program runs again after a wait;
-/// compute(lane, activity, now)  the process computes, or moves words;
-/// end(lane, now)                the process ends; the lane is removed afterwards.
+///   compute(lane, activity, now)  the process computes, or moves words;
+///   end(lane, now)                the process ends; the lane is removed afterwards.
 template <class Reader>
 class ActivityLog : public TraceSink {
 protected:
