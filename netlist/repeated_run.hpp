@@ -16,7 +16,7 @@ namespace placedpar {
 
 /// Holds a run of a network on its machine, and the histories of its processes (Machine::record).
 struct RecordedRun {
-    std::optional<RunReport> report; ///< empty if the run did not end because it was refused
+    std::optional<RunReport> report; ///< empty if the run was refused
     std::uint64_t events = 0;        ///< fingerprint of the events
     ReplaySession course;
     std::list<ReplayLog> histories; ///< by process of the network

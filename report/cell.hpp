@@ -12,7 +12,7 @@ enum class Origin {
     outcome,    ///< result of the simulation; nothing was fitted to it
     calibrated, ///< one constant was fitted to this cell
     workload,   ///< a constant of the program's own cost was read off this cell
-    fitted,     ///< constants were fitted to several cells, this one among them
+    fitted,     ///< constants were fitted to several cells, including this cell
     constant    ///< the cell repeats a constant of the model; any difference is an error of the program
 };
 
@@ -25,7 +25,7 @@ const char* name_of(Origin);
 struct Cell {
     std::string row, column, unit = {};
     std::optional<double> reference = {}; ///< the known figure: Comparison::against names its source
-    double simulated = 0;                 ///< NaN: there is no figure, which meets no tolerance
+    double simulated = 0;                 ///< NaN if there is no figure; NaN meets no tolerance
     std::optional<double> tolerance_percent =
         {}; ///< in percent of the reference; empty: the cell is printed, but not judged by it
     Origin origin = Origin::outcome;

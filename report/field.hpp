@@ -17,7 +17,8 @@ namespace placedpar {
 /// document for programs. A field may lack its text or its value.
 struct Field {
     std::string heading, text;
-    std::size_t width = 0; ///< least width of its column; 0 in all rows: width of the widest text or the heading
+    std::size_t width = 0; ///< least width of the column; if it is 0 in all rows, the column is as wide as its widest
+                           ///< text or its heading
     enum class Column { none, left, right } column = Column::none;
     std::string key = ""; ///< "": not in documents
     boost::json::value value = nullptr;

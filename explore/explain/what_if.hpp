@@ -21,7 +21,7 @@ struct Answer {
     Ending ending = Ending::interrupted;
     Time time{};
     std::string refused = ""; ///< first line of the refusal; "" if the netlist was accepted
-    std::string why = "";     ///< if the run takes longer: what takes more time on its critical path
+    std::string why = "";     ///< the activities that take more time on the critical path, if the run takes longer
 
     bool completed() const { return refused.empty() && ending == Ending::completed; }
 };

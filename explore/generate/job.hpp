@@ -8,9 +8,9 @@ namespace placedpar::generate {
 
 /// The processes of a netlist and their placement on the processors t of a topology.
 struct Job {
-    bool has_host = false;  ///< a process `host`, which the netlist has to place
-    std::string about;      ///< "islands of algorithm B, each with its neighbours' as its neighbours"
-    std::string vals;       ///< lines, each with its end
+    bool has_host = false; ///< a process `host`, which the netlist has to place
+    std::string about; ///< a description, such as "islands of algorithm B, each with its neighbours' as its neighbours"
+    std::string vals;  ///< lines, each with its end
     std::string statements; ///< lines, each with its end
 };
 

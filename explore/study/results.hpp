@@ -22,17 +22,16 @@ struct StudyOutcome {
     Time time{};
     std::uint64_t fingerprint = 0;
     std::uint64_t netlist_hash = 0;
-    std::string refused = ""; ///< printed reason why the machine is refused; "" if it is not
+    std::string refused = ""; ///< printed reason why the machine is refused; "" if it is accepted
     StudyFigures figures = {};
 };
 
 /// The source that all runs of a file of results share. A file with another source is refused. The source of a function
 /// has no texts.
 struct StudySource {
-    std::string netlist;                                    ///< path as it was given; not compared
+    std::string netlist;                                    ///< path as typed by the user; it is not compared
     std::vector<std::pair<std::string, std::string>> texts; ///< path and text of the netlist and its included files
-    std::string
-        options; ///< JSON: all else that determines a run: programs, faults, time limit; for a function, its owner
+    std::string options; ///< JSON of everything else that determines a run, such as faults; for a function, its owner
     std::string named_by = " with --results"; ///< how to name another file, for the text of a refusal
 
     /// Compares all but the paths of the files.

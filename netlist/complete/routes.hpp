@@ -90,7 +90,7 @@ private:
     std::vector<std::optional<RouteCost>> distances_; ///< by node: cost up to the end of the route that is searched
     std::vector<std::size_t> reached_;                ///< nodes that have a distance
     std::map<std::size_t, Least> hubs_;
-    std::vector<std::size_t> spent_;    ///< by node: number of nodes that its searches looked at before it became a hub
+    std::vector<std::size_t> spent_;    ///< by node: number of nodes visited by its searches before it became a hub
     std::vector<std::uint64_t> within_; ///< by node: number of the last search that was allowed to look at the node
     std::uint64_t searches_ = 0;        ///< number of searches that were restricted to some nodes
 };

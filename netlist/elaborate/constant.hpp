@@ -17,7 +17,7 @@ using ConstantArray = std::shared_ptr<const std::vector<Constant>>;
 /// Holds the value of an expression. Characters and TRUE, FALSE, HIGH, LOW are integers.
 struct Constant {
     std::variant<Integer, double, std::string, ConstantArray> value;
-    int depth = 0; ///< for an array: the depth to which its elements nest
+    int depth = 0; ///< for an array: the number of nested levels of its elements
 
     const Integer* integer() const { return std::get_if<Integer>(&value); }
     const double* real() const { return std::get_if<double>(&value); }

@@ -187,7 +187,7 @@ private:
     // vals in blocks.
     std::vector<std::pair<std::string, Constant>> vals_;
     std::set<std::string> vals_in_blocks_;
-    std::size_t host_ = nowhere; ///< the predefined edge, once it is used
+    std::size_t host_ = nowhere; ///< the predefined edge, if the netlist has used it so far
 };
 
 } // namespace placedpar

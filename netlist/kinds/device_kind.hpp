@@ -21,7 +21,7 @@ class Reporter;      // text/reporter.hpp
 
 /// Says how wires end at a device.
 enum class LinkRole {
-    ends,    ///< numbered links: a wire to one of them ends there
+    ends,    ///< numbered links, at which wires end
     crosses, ///< numbered links: crosspoints lead a wire from one link on to another, and out again
     edge     ///< no links: the node is an end of the network
 };
@@ -37,16 +37,16 @@ enum class BusRole {
 
 /// Says when processes on a device take time.
 enum class Execution {
-    none, ///< no processes can be placed on it
+    none, ///< no processes can be placed on the device
     in_time,
     in_time_on_a_bus ///< as in_time if the node is on a bus, otherwise processes take no time
 };
 
 /// One attribute in the parentheses of a declaration.
 struct AttributeDescription {
-    ParameterDescription value;                          ///< its name, type, unit, range and default
-    bool decimal_suffixes = false;                       ///< 20M is 20 000 000, as for a frequency; else 20 971 520
-    std::string json_name = "";                          ///< its key in the JSON document
+    ParameterDescription value;    ///< name, type, unit, range and default of the attribute
+    bool decimal_suffixes = false; ///< 20M means 20 000 000, as for a frequency; if false, 20M means 20 971 520
+    std::string json_name = "";    ///< its key in the JSON document
     std::function<std::string(const Value&)> drawn = {}; ///< for the drawing, "2 MB"; empty: not drawn
 };
 
@@ -67,10 +67,10 @@ struct FaultKind {
 /// A name by which nodes can be declared, and the properties of such nodes.
 struct DeviceModel {
     std::string name;      ///< its name in a netlist, such as "B404"
-    std::string type = ""; ///< type of its nodes: "T800" for a B404, which carries one; "": its name
+    std::string type = ""; ///< type of its nodes, such as "T800" for a B404; "": `name` is the type
     int links = 0;         ///< link[0] to link[links - 1]
     std::map<std::string, Value, std::less<>> attributes = {}; ///< attributes that differ from the kind's defaults
-    bool overlapped_acknowledge = true;                        ///< its links acknowledge a byte while it comes in
+    bool overlapped_acknowledge = true;                        ///< its links acknowledge a byte while the byte comes in
     bool floating_point_unit = true;                           ///< see Node
     bool needs_type = false; ///< stands for the other models of the kind: the attribute `type` says which
 };
@@ -87,7 +87,7 @@ struct Attached {
 /// Describes a device with slots, such as a bus or a ring. It carries channels between the devices in its slots.
 struct Medium {
     int slots = 1;           ///< slot[1] to slot[slots]
-    bool broadcasts = false; ///< channels placed on it reach link adapters as broadcasts
+    bool broadcasts = false; ///< channels placed on the device reach link adapters as broadcasts
     /// Returns whether the device can be attached beside the devices that are attached already; reports the reason if
     /// it returns false. If the function is empty, every device can.
     std::function<bool(const Attached&, const BusAttachment&)> takes = {};

@@ -93,7 +93,7 @@ private:
     MachineParts& parts_;
     std::size_t node_;
     hardware::Router* router_ = nullptr;
-    std::map<std::pair<int, bool>, hardware::SharedEngine> engines_; ///< by link and whether it outputs
+    std::map<std::pair<int, bool>, hardware::SharedEngine> engines_; ///< by link number and whether the engine outputs
 };
 
 /// Makes a device of this class, for DeviceKind::make.

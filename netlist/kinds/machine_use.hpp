@@ -64,8 +64,8 @@ struct FaultUse {
     };
     std::optional<Hit> first, last;            ///< first and last hit
     std::vector<std::string> stopped_channels; ///< channels in packets that wait for ever because of the fault
-    std::vector<std::string> stopped;          ///< processes that were not at their end when their processor halted
-    std::optional<Time> held_since;            ///< when a bus was granted to the master that hogs it
+    std::vector<std::string> stopped;          ///< processes that had not ended when their processor halted
+    std::optional<Time> held_since;            ///< when a bus was granted to the master that hogs the bus
     std::uint64_t bus_errors = 0;              ///< accesses that the absent device did not answer
 
     bool had_effect() const {

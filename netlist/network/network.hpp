@@ -26,14 +26,14 @@ inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
 /// A device of some kind, or an edge. Wires connect nodes.
 struct Node {
-    std::string name;                       ///< such as "t[0][1]"
-    std::string type;                       ///< such as "T800", also for a B404, which carries one; "edge", "C004"
-    std::shared_ptr<const DeviceKind> kind; ///< never null in a Network
+    std::string name; ///< such as "t[0][1]"
+    std::string type; ///< such as "T800", "C004" or "edge"; "T800" also for a B404, a module with a T800
+    std::shared_ptr<const DeviceKind> kind;               ///< never null in a Network
     std::map<std::string, Value, std::less<>> attributes; ///< every attribute of the kind
-    bool overlapped_acknowledge = true;                   ///< its links acknowledge a byte while it comes in
-    bool floating_point_unit = true;                      ///< it computes with real numbers as a T800 does
-    std::set<std::string, std::less<>> given = {};        ///< names of the attributes that the netlist gives
-    std::map<std::string, Value> other;                   ///< attributes of the real tool, not used by a simulation
+    bool overlapped_acknowledge = true;                   ///< its links acknowledge a byte while the byte comes in
+    bool floating_point_unit = true;               ///< the processor computes with real numbers as fast as a T800
+    std::set<std::string, std::less<>> given = {}; ///< names of the attributes that the netlist gives
+    std::map<std::string, Value> other;            ///< attributes of the real tool, not used by a simulation
     Location declared;
 
     /// REQUIRES: the kind has an integer attribute of this name; throws std::logic_error otherwise.
@@ -64,7 +64,7 @@ struct BusAttachment {
     std::size_t node = nowhere, bus = nowhere;
     int slot = 1;
     int level = 3;           ///< level of a master's requests, BR0 to BR3
-    bool on_request = false; ///< a master gives up the bus when another master requests it; false: when it is done
+    bool on_request = false; ///< a master gives up the bus when another requests it; false: after each block of words
     std::string name;        ///< name of the `connection` by which it was attached; "" if none
     Location connected;
 };
@@ -84,7 +84,7 @@ struct LinkConnection {
     std::string name;                      ///< name of the `connection` by which it was wired; "" if none
     Location connected;
     std::optional<BusWay> over_bus =
-        {}; ///< set: the connection is not a wire; a is a master, b the device that it reaches over the bus
+        {}; ///< if set, the connection is not a wire: a is a master, b the device that the master reaches over the bus
     bool at_run_time =
         false; ///< a switch on its way connects it during the run; other connections may have the same links
 
@@ -113,7 +113,7 @@ struct DeclaredEntry {
 
 /// A connected port of a process. Optional ports that are not connected are not listed.
 struct PortBinding {
-    std::string port; ///< such as "to_slaves" or "out[2]"; the kind knows it by its base name, "out"
+    std::string port; ///< such as "to_slaves" or "out[2]"; in the kind the port has the base name, "out"
     Direction direction;
     std::size_t channel = nowhere;
 };
@@ -140,7 +140,7 @@ struct ProcessInstance {
 struct ChannelEnd {
     std::size_t process = nowhere;
     std::string port;
-    std::size_t node = nowhere; ///< node that holds the process, or the edge
+    std::size_t node = nowhere; ///< node on which the process is placed, or the edge
 
     bool at_edge() const { return process == nowhere; }
 };
@@ -169,7 +169,7 @@ struct ChannelPlacement {
 
 struct NetworkChannel {
     std::string name;    ///< name of the `connection` by which it was connected, or "a.out -> b.in"
-    ChannelEnd from, to; ///< at most one of them is at an edge
+    ChannelEnd from, to; ///< at most one end is at an edge
     ChannelPlacement placement;
     Location connected;
 };
