@@ -17,7 +17,7 @@ using Action = std::function<ExitCode()>;
 /// The description of a command in its file: see app/README.md.
 struct Command {
     const char* name;
-    const char* about; ///< its line in --help
+    const char* about; ///< the command's line in --help
     int place;         ///< order in --help; multiples of ten leave room between commands
     /// Declares the options of the subcommand and returns its action. `typed` is the whole command line, for manifests.
     Action (*declare)(Options& command, const std::string& typed);

@@ -24,7 +24,7 @@ double width_of(const std::string& text, double size, bool bold = false);
 
 struct ProcessLine {
     std::size_t process = 0;
-    std::string name, kind; ///< cut short where they are very long
+    std::string name, kind; ///< shortened if very long
     Point at;               ///< begin of the name, on the base line of the letters
     double kind_at = 0;     ///< x at which the kind ends
 };

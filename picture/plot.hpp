@@ -24,8 +24,8 @@ struct Series {
     std::string name; ///< name in the legend; empty: not in the legend
     std::vector<Point> points = {};
     Stroke stroke = Stroke::line;
-    std::optional<int> colour =
-        std::nullopt; ///< one of the eight colours; empty: the colour of its place among the panel's series
+    std::optional<int> colour = std::nullopt; ///< one of the eight colours; empty: the default colour for the position
+                                              ///< of the series in the panel
     /// Intervals of y, and of x, at each point, drawn as bars with caps. Empty: no intervals; NaN: no interval at this
     /// point. If several series have intervals of y at the same x, they are shifted slightly apart.
     std::vector<Interval> intervals = {}, x_intervals = {};

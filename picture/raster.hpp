@@ -48,7 +48,7 @@ private:
 
     Point origin_;
     std::ptrdiff_t columns_, lines_;
-    std::vector<Cell> marks_; ///< empty if there are too many points
+    std::vector<Cell> marks_; ///< empty if the raster has too many points
     std::size_t steps_left_;
     std::vector<unsigned> costs_;       ///< cost of each state of a search; reset between searches
     std::vector<unsigned char> before_; ///< for each state: direction in which the preceding point was reached

@@ -18,7 +18,7 @@ struct WalkSettings {
     double crossover_probability = 0.8;
     double mutation_probability =
         0.05; ///< ours: with the thesis's value, 0.01, hardly any of the few bits would be flipped
-    std::string function = "square"; ///< one of walk_functions()
+    std::string function = "square"; ///< fitness function, one of walk_functions()
     std::uint64_t seed = 1;
 };
 

@@ -31,7 +31,7 @@ public:
     /// Returns the next piece, or nullopt when the record is over. Throws RefusedInput.
     std::optional<hydraulics::Record> next();
 
-    std::uint64_t bytes() const { return bytes_; } ///< read so far
+    std::uint64_t bytes() const { return bytes_; } ///< number of bytes read so far
     bool stopped() const { return stopped_; }
     /// Returns the warnings that were shown.
     const std::vector<Diagnostic>& warnings() const { return warnings_; }

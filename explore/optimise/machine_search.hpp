@@ -22,7 +22,7 @@ struct Infeasible {
 /// The machines that one method of search has tried, in order.
 struct SearchCourse {
     std::string way;                            ///< "genetic", "random", "exhaustive"
-    std::vector<std::uint64_t> machines = {};   ///< simulated, each once, in the order in which they were tried
+    std::vector<std::uint64_t> machines = {};   ///< machines that were simulated, each once, in the order of the trials
     std::vector<Merit> merits = {};             ///< merits of `machines`, in the same order
     std::set<std::uint64_t> tried = {};         ///< `machines`, and the machines that cannot be built
     std::map<std::string, Infeasible> why = {}; ///< infeasible machines by the first line of the refusal

@@ -53,7 +53,7 @@ using StudyFunction = std::function<StudyFigures(const StudyRun&)>;
 
 /// The runs to be made of a netlist or of a function, and the measures to be reported.
 struct Study {
-    std::string netlist;         ///< its path
+    std::string netlist;         ///< path of the netlist
     StudyFunction function = {}; ///< none: the netlist is run
     ReadOptions read = {};
     std::vector<StudyProduct> products;
@@ -64,7 +64,7 @@ struct Study {
         {}; ///< each figure is divided by the figure of the run with these settings; none: figures are absolute
     std::optional<StudySearch> search = {}; ///< none: the study is only swept
     std::vector<StudyTable> tables = {};    ///< tables of figures beside known figures
-    std::vector<std::string> figures = {};  ///< measures that the tables are made of
+    std::vector<std::string> figures = {};  ///< measures that occur in the tables
     std::string notes = "";                 ///< for people, below the tables
 
     /// Returns the number of runs, including those for which the condition does not hold. Throws UserError if this

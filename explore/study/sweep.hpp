@@ -110,7 +110,7 @@ private:
     std::atomic<bool> stop_ = false;
     std::optional<StudyWorker> trier_; ///< makes single runs, before the sweep, to measure them
     std::optional<StudyRun> tried_;    ///< last run of trier_
-    std::optional<double> seconds_;    ///< duration of that run
+    std::optional<double> seconds_;    ///< wall-clock duration of that run, in seconds
 };
 
 } // namespace placedpar

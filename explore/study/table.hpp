@@ -23,7 +23,8 @@ struct StudyTolerance {
 /// A row of a table. Each list is empty or has a member for each column.
 struct StudyRow {
     StudyVariant runs;
-    std::string measure = ""; ///< the measure that is the figure, as the study names it; "": `figure` gives it
+    std::string measure =
+        ""; ///< measure whose value is the row's figure, as the study names it; "": `figure` gives the figure
     StudyExpression figure{
         ""}; ///< expression of the settings, the measures by their last names, and the rows above by their names
     std::string unit = "";

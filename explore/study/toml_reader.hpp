@@ -195,7 +195,7 @@ private:
     std::shared_ptr<const SourceFile> source_;
     Reporter reporter_;
     std::set<std::tuple<toml::source_index, toml::source_index, std::string>>
-        reported_; ///< reports made so far; each is made once
+        reported_; ///< reports made so far, so that each report is made only once
 };
 
 } // namespace placedpar

@@ -24,7 +24,7 @@ std::optional<Configuration> configuration_named(std::string_view);
 enum class Through : unsigned char {
     tank,
     junction, ///< the junction Junction::next
-    nowhere   ///< a check valve blocks it
+    nowhere   ///< a check valve blocks the flow
 };
 
 /// A junction of the main valve, from which the inlet orifice of one link and the bypass around it branch off. Flow
@@ -33,7 +33,8 @@ struct Junction {
     Link link;
     int pumps; ///< number of pumps, each of constant flow: 0 to 2
     Through through;
-    std::size_t next = 0; ///< index in the circuit if the bypass leads to a junction; INVARIANT: a later one
+    std::size_t next =
+        0; ///< index of the junction to which the bypass leads, if any; INVARIANT: higher than this junction's index
 };
 
 /// Junctions that share flow, upstream before downstream.

@@ -10,7 +10,7 @@ class Parameters; // hydraulics/data/parameters.hpp
 /// k, Q and P_e belong together (excavator.csv): use a complete set, not values from several sets.
 struct FlowConstants {
     double orifice_in3_per_s_in2_sqrt_psi; ///< k = Cd sqrt(2 / density)
-    double pump_in3_per_s;                 ///< Q, one pump
+    double pump_in3_per_s;                 ///< Q, the flow of one pump
     double tank_psi;                       ///< P_e; any value from 0 to 40 is possible
     double relief_psi;                     ///< pressure at which a pump's relief valve opens
 

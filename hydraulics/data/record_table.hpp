@@ -63,7 +63,7 @@ private:
     /// A column of the text.
     struct Column {
         std::size_t index;
-        std::size_t at; ///< position of its name in the header's line
+        std::size_t at; ///< position of the column's name in the header's line
         std::string name;
         const Unit* unit;
         Link link{};

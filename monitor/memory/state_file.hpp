@@ -21,7 +21,7 @@ struct StateContent {
     std::vector<KeptMessage> messages; ///< messages that came after the states, by number
     std::uint64_t last_message = 0;    ///< the number of the last message ever stored
     std::string said;                  ///< a message for the operator about opening the file; may be ""
-    std::string trouble; ///< why the file can be read but not written, as on a full disk; "" if it can be written
+    std::string trouble; ///< why the file can be read but not written, such as a full disk; "" if it can be written
 };
 
 /// The state file: an SQLite database that holds the machines' states, the messages after those states, and the

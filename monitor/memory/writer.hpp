@@ -15,7 +15,7 @@ namespace placedpar::monitor {
 /// Reports the progress of the writer.
 struct WriteProgress {
     std::uint64_t transactions = 0; ///< number of transactions committed or lost so far
-    std::string trouble;            ///< why some of them were lost; "" if none were
+    std::string trouble;            ///< why some transactions were lost; "" if none were lost
 };
 
 /// Writes transactions to a state file in its own thread. Transactions that arrive during one commit are committed

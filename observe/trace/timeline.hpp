@@ -110,8 +110,8 @@ private:
     TraceWindow window_;
     TraceWriter& writer_;
     std::map<std::uint32_t, Lane> lanes_;       ///< processes that exist, by ordinal
-    std::map<std::size_t, Use> uses_;           ///< by track: the present use, or else the last
-    std::map<std::uint64_t, Message> messages_; ///< messages with an end that is not known yet
+    std::map<std::size_t, Use> uses_;           ///< by track: the present use, or the last use if the track is idle
+    std::map<std::uint64_t, Message> messages_; ///< messages of which an end is not known yet
     std::uint64_t message_count_ = 0;
     std::size_t entries_ = 0;
     std::optional<Time> full_at_;

@@ -24,7 +24,7 @@ struct Slice {
     std::size_t track;
     Activity activity;
     Time begin, end;                   ///< begin < end, unless the slice is open
-    bool open;                         ///< its activity continues at the end of the trace
+    bool open;                         ///< the activity still continues at the end of the trace
     std::string subject = {};          ///< process that is executed, or channel that is carried
     std::uint64_t bytes = 0;           ///< number of bytes carried; unknown for an open slice
     std::vector<Awaited> awaited = {}; ///< channels of a wait
