@@ -17,16 +17,16 @@ using Action = std::function<ExitCode()>;
 /// The description of a command in its file: see app/README.md.
 struct Command {
     const char* name;
-    const char* about; ///< its line in --help
+    const char* about; ///< the command's line in --help
     int place;         ///< order in --help; multiples of ten leave room between commands
     /// Declares the options of the subcommand and returns its action. `typed` is the whole command line, for manifests.
     Action (*declare)(Options& command, const std::string& typed);
-    /// Returns the names that its argument can have, for completion by a shell; null if the argument is a file or
-    /// absent.
+    /// Returns the names that the command's argument can have, for completion by a shell; null if the argument is a
+    /// file or the command has no argument.
     std::vector<std::string> (*values)() = nullptr;
 };
 
-/// Returns the commands of every program: one for each file in the folder commands, without further_commands().
+/// Returns the commands of every program: one command for each file in the folder commands, without further_commands().
 std::vector<Command> program_commands();
 /// Returns the additional commands of placedpar, which need rooms that other programs do not link.
 std::vector<Command> further_commands();
@@ -44,7 +44,7 @@ void read_command_line(const std::vector<Command>& commands, int argc, char** ar
 
 /// Carries out the command line of the program, whose name is program_name() from then on. Commands are ordered by
 /// their places. Reports errors on standard error and returns the exit code of main(). Ignores SIGPIPE: see
-/// print_out(). `begin` is called first; its exceptions are reported too.
+/// print_out(). `begin` is called first, and its exceptions are reported, too.
 int carry_out(
     Program program, int argc, char** argv, const std::function<void()>& begin = [] {});
 

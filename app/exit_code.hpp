@@ -8,11 +8,11 @@ namespace placedpar {
 enum class ExitCode {
     success = 0,
     bad_input = 1,        ///< wrong use, or refused input
-    deadlock = 2,         ///< processes were left that nothing could wake
+    deadlock = 2,         ///< at the end, processes waited that nothing could wake
     missed_tolerance = 3, ///< a cell of a comparison differs from the thesis by more than its tolerance; with --strict,
                           ///< an answer is flagged
     defect = 70,          ///< a defect of PlacedPar; EX_SOFTWARE of sysexits.h
-    interrupted = 130     ///< by a signal; the number that shells use; what was measured so far is printed
+    interrupted = 130     ///< a signal interrupted the run; the results so far are printed; shells use the same number
 };
 
 /// Returns the exit code of a run with this ending. A run that reached its time limit is a success: the user set the

@@ -8,13 +8,14 @@
 
 namespace placedpar {
 
-/// Returns the state of a run in one line: "generation 80: best 3996.92, mean 3412.1, diversity 0.0312". It covers all
-/// searches, or only the first if their objectives differ. Returns "" before the first generation.
+/// Returns the state of a run in one line: "generation 80: best 3996.92, mean 3412.1, diversity 0.0312". The line
+/// covers all searches, or only the first search if their objectives differ. Returns "" before the first generation.
 std::string state_of(const GenerationLog&);
 
 /// Draws best and mean fitness over the generations so far with letters, and diversity below. Lines have at most
-/// `columns` columns; `rows` of them are the curve. The worst tenth of the values, often from the first generations, is
-/// drawn on the last row at that end. The number of lines is constant. REQUIRES: columns >= 24, rows >= 2.
+/// `columns` characters; the curve takes `rows` lines. The worst tenth of the values, often from the first generations,
+/// is drawn on the curve's row for the worst values. The number of lines is constant. REQUIRES: columns >= 24, rows >=
+/// 2.
 std::vector<std::string> live_curve(const GenerationLog&, std::size_t columns, std::size_t rows);
 
 } // namespace placedpar

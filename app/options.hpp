@@ -19,14 +19,14 @@ class Option {
 public:
     explicit Option(CLI::Option& option) : option_(&option) {}
 
-    Option type(const std::string& name); ///< the name of its value in help: "FILE"
+    Option type(const std::string& name); ///< `name` names the option's value in help: "FILE"
     /// `wrong` returns what is wrong with a value, or "".
     Option check(const std::function<std::string(const std::string&)>& wrong);
     Option one_of(const std::vector<std::string>& words); ///< accepts these words only, which help lists
     Option required();
-    Option show_default();                    ///< help shows its present value
+    Option show_default();                    ///< help shows the option's present value
     Option group(const std::string& heading); ///< a group of options in help
-    Option needs(Option other);               ///< refused without the other
+    Option needs(Option other);               ///< the option is refused unless the other is typed, too
 
 private:
     CLI::Option* option_;

@@ -17,12 +17,12 @@
 
 namespace placedpar {
 
-/// Adds a policy to those of its step, as the function Reproduction::add<Truncation> of OneOf<...> does.
+/// A function that adds a policy to the policies of its step, such as Reproduction::add<Truncation> (OneOf<...>).
 using AddPolicy = void (*)();
 
-/// The main() of a program with the commands of placedpar, except those of the thesis's experiments and of the monitor.
-/// The program adds its own kinds, search problems, policies and devices to PlacedPar's. Messages and help use the name
-/// of its file. Returns the exit code. A name that is already taken is reported as a user's error.
+/// The main() of a program with the commands of placedpar, except the commands for the thesis's experiments and for the
+/// monitor. The program adds its own kinds, search problems, policies and devices to PlacedPar's. Messages and help use
+/// the name of the program's file. Returns the exit code. A name that is already taken is reported as a user's error.
 int run_program(int argc, char** argv, std::vector<ProcessKind> own_kinds, std::vector<ProblemFamily> own_problems = {},
                 std::vector<AddPolicy> own_policies = {}, std::vector<DeviceKind> own_devices = {});
 

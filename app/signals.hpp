@@ -4,8 +4,8 @@
 
 namespace placedpar {
 
-/// While an object exists, SIGINT and SIGTERM request the interruption instead of ending the program. There can be one
-/// object at a time.
+/// While an object exists, SIGINT and SIGTERM request the interruption instead of ending the program. Only one object
+/// may exist at a time.
 class InterruptedBySignals : public Interruption {
 public:
     InterruptedBySignals();

@@ -8,7 +8,7 @@
 
 namespace placedpar {
 
-/// Shows a log on standard error while it is written. On a terminal it draws the curve of the searches, at the
+/// Shows a GenerationLog on standard error during the run. On a terminal it draws the curve of the searches, at the
 /// terminal's present width, and redraws it at most ten times a second. Elsewhere it prints a line for generations 1,
 /// 2, 5, 10, 20 and so on. It changes no terminal mode, so the terminal is intact however the program ends.
 class Watch final : public SearchObserver {
@@ -23,7 +23,8 @@ public:
     void finish();
 
 private:
-    using Clock = std::chrono::steady_clock; // wall-clock time; it decides when to draw, and nothing of the run
+    using Clock =
+        std::chrono::steady_clock; // wall-clock time; it decides only when to draw, and does not affect the run
 
     void show();
     void draw();

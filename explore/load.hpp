@@ -21,7 +21,7 @@ struct RecordNeeds; // hydraulics/data/record_table.hpp
 // Functions that read the user's files. A file with errors is refused: RefusedInput shows each error with file, line,
 // column and a caret. "-" is standard input.
 
-/// Limits the number of errors shown, and the number of warnings.
+/// The largest number of errors shown, and the largest number of warnings shown.
 inline constexpr std::size_t most_faults_shown = 20;
 
 /// A function that receives a file's warnings as text in whole lines.
@@ -41,8 +41,8 @@ struct LoadedRecord {
 /// Reads a record of measurement. Throws RefusedInput.
 LoadedRecord load_record(const std::filesystem::path&, const hydraulics::RecordNeeds&, const WarningSink&);
 
-/// Returns the excavator's constants; constants in the file replace those of the same name. No file is read if the path
-/// is empty. Throws RefusedInput.
+/// Returns the excavator's constants; constants in the file replace the program's constants of the same name. No file
+/// is read if the path is empty. Throws RefusedInput.
 hydraulics::Parameters load_machine(const std::filesystem::path&, const WarningSink&);
 
 } // namespace placedpar

@@ -15,7 +15,7 @@ class SearchObserver;  // gaprocs/search_observer.hpp
 /// Asks runs to end early.
 class Interruption {
 public:
-    /// Ends the run that is going on, and at once every run that begins later. May be called from a signal handler.
+    /// Ends the current run, and every later run as soon as it begins. May be called from a signal handler.
     void request() noexcept;
     bool requested() const noexcept { return requested_; }
 
@@ -33,9 +33,10 @@ struct RunSettings {
     std::optional<std::uint64_t> shuffle =
         {};                     ///< runs ready processes in an order drawn from this seed; none: in the usual order
     TraceSink* trace = nullptr; ///< none: no trace
-    SearchObserver* observer = nullptr;   ///< none: the searches are not observed
-    Interruption* interruption = nullptr; ///< none: nothing ends the run early. Serves one run at a time
-    RecordedRun* record = nullptr;        ///< none: the run is not recorded. REQUIRES: empty
+    SearchObserver* observer = nullptr; ///< none: the searches are not observed
+    Interruption* interruption =
+        nullptr;                   ///< none: nothing ends the run early. An interruption serves one run at a time
+    RecordedRun* record = nullptr; ///< none: the run is not recorded. REQUIRES: empty
 };
 
 /// Runs the network. Throws what the processes throw.
@@ -43,9 +44,9 @@ RunReport run_netlist(const Network&, const ProblemRegistry&, const RunSettings&
 /// As above, with the kinds of a catalogue, which already know their observer: the settings' observer is ignored.
 RunReport run_netlist(const Network&, const Catalogue&, const RunSettings&);
 /// Repeats a recorded run without the machine, several times as fast, if the processes communicate as in the record.
-/// Returns nothing if they do not, or if the run cannot be repeated. If the run is interrupted, the report says only
-/// that. REQUIRES: the record was made of this network, which is determinate; the settings have no trace, shuffle or
-/// record.
+/// Returns nothing if they communicate otherwise, or if the run cannot be repeated. If the run is interrupted, the
+/// report contains only this ending. REQUIRES: the record was made of this network, which is determinate; the settings
+/// have no trace, shuffle or record.
 std::optional<RunReport> repeat_netlist(const Network&, const Catalogue&, const RecordedRun&, const RunSettings&);
 
 } // namespace placedpar

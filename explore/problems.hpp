@@ -10,9 +10,9 @@
 
 namespace placedpar {
 
-/// The search problems that this program knows, with the records they are searched over; the noise in the
-/// measurements depends on the seed. A record is simulated when a process first reads it. `around` may
-/// wrap each family that a program built on PlacedPar adds.
+/// The search problems that this program knows, with the records over which they are searched; the noise in the
+/// measurements depends on the seed. A record is simulated when a process first reads it. `around` may wrap each family
+/// that a program built on PlacedPar adds.
 ProblemRegistry known_problems(std::uint64_t seed,
                                const std::function<ProblemFamily(const ProblemFamily&)>& around = std::identity{});
 
@@ -20,11 +20,11 @@ ProblemRegistry known_problems(std::uint64_t seed,
 /// arguments must outlive every run.
 Catalogue known_kinds(const ProblemRegistry& problems, SearchObserver* observer = nullptr);
 
-/// Adds the kinds of a program that is built on PlacedPar to the known kinds. REQUIRES: called before
-/// anything else here, by one thread.
+/// Adds the kinds of a program that is built on PlacedPar to the known kinds. REQUIRES: called by one thread before any
+/// other function of this file.
 void add_own_kinds(std::vector<ProcessKind>);
 void add_own_devices(std::vector<DeviceKind>);
-/// Adds search problems, with the same requirement.
+/// Adds search problems. REQUIRES: as add_own_kinds().
 void add_own_problems(std::vector<ProblemFamily>);
 
 } // namespace placedpar

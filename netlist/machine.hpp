@@ -26,22 +26,22 @@ public:
     /// channels.
     Machine(const Network&, const Catalogue&, std::uint64_t seed);
 
-    /// Throws UserError when a process refuses its parameters or channels (the text says where the process stands in
-    /// the netlist), and when the run would pass the end of virtual time.
+    /// Throws UserError if a process refuses its parameters or channels (the text names the process's place in the
+    /// netlist), or if the run would pass the end of virtual time.
     RunReport run(Time limit = Time::max());
     Simulation& simulation() { return simulation_; }
-    /// Notes what the processes do, so that the run can be repeated with other seeds. REQUIRES: before run(); the
-    /// record outlives it, is empty, and is not moved meanwhile.
+    /// Records the actions of the processes, so that the run can be repeated with other seeds. REQUIRES: run() has not
+    /// been called; the record is empty, is not moved, and outlives this object.
     void record(RecordedRun&);
-    /// REQUIRES: before run(). See Kernel::shuffle.
+    /// REQUIRES: run() has not been called. See Kernel::shuffle.
     void shuffle(std::uint64_t seed) { simulation_.shuffle(seed); }
-    /// REQUIRES: before run(); the sink outlives it.
+    /// REQUIRES: run() has not been called; the sink outlives this object.
     void trace_to(TraceSink& sink) { simulation_.trace_to(sink); }
 
 private:
     struct Connection {
         CarrierPair carriers = {};
-        hardware::RouterLink* router_link = nullptr; ///< null where no channel travels in packets
+        hardware::RouterLink* router_link = nullptr; ///< null if no channel over the connection travels in packets
     };
     /// Holds the effects of one fault in the run.
     struct Effects {

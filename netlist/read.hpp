@@ -21,18 +21,18 @@ struct Declared {
 struct ReadResult {
     std::optional<Network> network;      ///< set if and only if no diagnostic is an error
     std::vector<Diagnostic> diagnostics; ///< in the order of the text; at most 20 errors
-    std::string not_shown = "";          ///< a line that says how many more errors there are; "" if none
+    std::string not_shown = "";          ///< a line that says how many errors are not in `diagnostics`; "" if none
     Declared declared = {};
 };
 
-/// Returns the diagnostics as text, and how many more there were.
+/// Returns the diagnostics and `not_shown` as text.
 std::string render(const ReadResult& result);
 
-/// Holds what a netlist is read with besides its own text.
+/// Holds the options with which a netlist is read.
 struct ReadOptions {
     std::vector<std::filesystem::path> include_folders =
         {};                               ///< folders searched for files that are not beside the including file
-    std::vector<std::string> faults = {}; ///< stated by options: `t[0].link[1] silent (from = 20ms)`
+    std::vector<std::string> faults = {}; ///< faults stated by options: `t[0].link[1] silent (from = 20ms)`
     ProgramKinds programs = {};           ///< a program that the netlist does not use is an error
 };
 

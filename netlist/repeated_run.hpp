@@ -16,7 +16,7 @@ namespace placedpar {
 
 /// Holds a run of a network on its machine, and the histories of its processes (Machine::record).
 struct RecordedRun {
-    std::optional<RunReport> report; ///< empty if the run did not end because it was refused
+    std::optional<RunReport> report; ///< empty if the run was refused
     std::uint64_t events = 0;        ///< fingerprint of the events
     ReplaySession course;
     std::list<ReplayLog> histories; ///< by process of the network
@@ -25,21 +25,21 @@ struct RecordedRun {
     bool can_be_repeated() const;
 };
 
-/// Returns whether all that happens in the network follows from what histories record. This requires that all processes
-/// are determinate (ProcessKind::is_determinate), that no channel is broadcast on a bus (the bus compares the messages
-/// of a broadcast), and that the machine has no faults (programs may see faults as exceptions).
+/// Returns whether all events in the network follow from the contents of the histories. This requires that all
+/// processes are determinate (ProcessKind::is_determinate), that no channel is broadcast on a bus (the bus compares the
+/// messages of a broadcast), and that the machine has no faults (programs may see faults as exceptions).
 bool is_determinate(const Network&, const Catalogue&);
 
 /// Repeats a recorded run with another seed without simulating the machine. The processes compute with the numbers of
-/// the new seed, and all times are taken from the recorded run. If a process does anything else than in the recorded
-/// run, such as computing longer, there is no repeated run.  REQUIRES: the network is that of the recorded run, and
+/// the new seed, and all times are taken from the recorded run. If a process behaves differently from the recorded run,
+/// for example computes longer, the run is not repeated.  REQUIRES: the network is that of the recorded run, and
 /// determinate. All three arguments outlive this object.
 class RepeatedRun {
 public:
     RepeatedRun(const Network&, const Catalogue&, std::uint64_t seed, const RecordedRun&);
 
     /// Returns the report that a run on the machine would give, equal to the last bit; the report of an interrupted run
-    /// says only that it was interrupted. Returns nothing if the run would take another course or would not complete.
+    /// contains only this ending. Returns nothing if the run would take another course or would not complete.
     std::optional<RunReport> run();
     Simulation& simulation() { return simulation_; }
 

@@ -16,8 +16,9 @@ namespace placedpar {
 struct ProcessUse {
     std::string name;
     std::string processor;
-    Time waiting;                    ///< time in which the process and all its components waited
-    std::optional<Time> waits_since; ///< if it still waits at the end and never continues: start of this wait
+    Time waiting; ///< time in which the process and all its components waited
+    std::optional<Time>
+        waits_since; ///< start of the last wait, if the process still waits at the end and never continues
 };
 
 /// Reports a run: how it ended, what the processes measured, and how its work used the machine.
@@ -27,10 +28,11 @@ struct RunReport : MachineUse {
     std::vector<ProcessUse> processes;
     std::vector<FaultUse> faults;
 
-    /// Returns this time as a fraction of the run's length. Nothing in a deadlock, which lasts for ever.
+    /// Returns this time as a fraction of the run's length. Returns nothing if the run ended in a deadlock, since a
+    /// deadlock lasts for ever.
     std::optional<double> share(Time) const;
 
-    /// The measurement of that name by that process; throws UserError if there is none.
+    /// Returns the measurement of this name by this process. Throws UserError if there is none.
     double measured(std::string_view process, std::string_view name) const;
     const std::string& measured_text(std::string_view process, std::string_view name) const;
 };

@@ -13,7 +13,7 @@
 
 namespace placedpar {
 
-/// Holds the processes of a network and their channels, whatever the processes run on.
+/// Holds the processes of a network and their channels, independently of the machine on which the processes run.
 class Software {
 public:
     /// Makes all channels as soft channels. Throws RefusedInput as require_runnable() does. REQUIRES: network and

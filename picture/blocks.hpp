@@ -11,7 +11,7 @@ namespace placedpar::picture {
 /// Nodes that are drawn as one figure: an array, or single nodes that are wired into a line or a ring.
 struct Block {
     std::vector<std::size_t> nodes;
-    std::vector<Shape> shapes; ///< at least one, the best first
+    std::vector<Shape> shapes; ///< possible shapes, at least one; the best shape first
 };
 
 /// Divides the nodes into blocks; every node is in one block. The shapes of a block follow from subscripts and wires.

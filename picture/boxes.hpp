@@ -24,7 +24,7 @@ double width_of(const std::string& text, double size, bool bold = false);
 
 struct ProcessLine {
     std::size_t process = 0;
-    std::string name, kind; ///< cut short where they are very long
+    std::string name, kind; ///< shortened if very long
     Point at;               ///< begin of the name, on the base line of the letters
     double kind_at = 0;     ///< x at which the kind ends
 };
@@ -33,7 +33,7 @@ struct DrawnNode {
     Box box;
     std::string name, facts; ///< facts: type, memory, clock
     std::vector<ProcessLine> processes;
-    std::string inside; ///< text on the number of channels within the node; "": no channels
+    std::string inside; ///< text with the number of channels within the node; "" if there are none
 };
 
 /// Draws the nodes as boxes that have room for their texts, at the given places in cells. Boxes do not overlap, and

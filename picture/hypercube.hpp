@@ -15,7 +15,7 @@ enum class VertexLook : unsigned char { empty, member, parent, offspring };
 struct DrawnVertex {
     std::uint32_t number;
     VertexLook look = VertexLook::member;
-    std::string note = {}; ///< beside it, such as "2 copies"
+    std::string note = {}; ///< text beside the vertex, such as "2 copies"
 };
 
 /// Holds two vertices: the ends of an arrow, or opposite corners of a smaller hypercube.
@@ -25,7 +25,7 @@ using VertexPair = std::pair<std::uint32_t, std::uint32_t>;
 struct DrawnHypercube {
     std::string title;
     std::size_t dimensions = 4;             ///< 1 to 4
-    std::vector<DrawnVertex> vertices = {}; ///< all others are empty
+    std::vector<DrawnVertex> vertices = {}; ///< all other vertices are drawn as `empty`
     std::vector<VertexPair> spanned = {};   ///< smaller hypercubes spanned by two parents; their links are thick
     std::vector<VertexPair> moves = {};     ///< arrows
     std::vector<std::string> lines = {};    ///< lines of text below the drawing

@@ -12,10 +12,10 @@ namespace placedpar::picture {
 /// Number of nodes from which a network is drawn by draw_large().
 inline constexpr std::size_t large_network = 200;
 
-/// Draws a large network, in a time of O(n log n). Every array has the shape of its block (blocks.hpp). Single nodes
-/// are at the left, and a node that most nodes of a ring are wired to is in the centre of the ring. Wires between
-/// neighbours are straight; others lead between rows and columns or inside a ring, through no box. Wires have no
-/// labels.
+/// Draws a large network of n nodes in O(n log n) time. Every array has the shape of its block (blocks.hpp). Single
+/// nodes are at the left, and a node that most nodes of a ring are wired to is in the centre of the ring. Wires between
+/// neighbours are straight; other wires lead between rows and columns or inside a ring, and through no box. Wires have
+/// no labels.
 std::pair<std::vector<DrawnNode>, std::vector<DrawnWire>> draw_large(const Network&, const std::vector<Span>&);
 
 } // namespace placedpar::picture

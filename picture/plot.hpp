@@ -24,10 +24,10 @@ struct Series {
     std::string name; ///< name in the legend; empty: not in the legend
     std::vector<Point> points = {};
     Stroke stroke = Stroke::line;
-    std::optional<int> colour =
-        std::nullopt; ///< one of the eight colours; empty: the colour of its place among the panel's series
+    std::optional<int> colour = std::nullopt; ///< one of the eight colours; empty: the default colour for the position
+                                              ///< of the series in the panel
     /// Intervals of y, and of x, at each point, drawn as bars with caps. Empty: no intervals; NaN: no interval at this
-    /// point. Series with intervals of y at the same x are drawn slightly beside each other.
+    /// point. If several series have intervals of y at the same x, they are shifted slightly apart.
     std::vector<Interval> intervals = {}, x_intervals = {};
 };
 
@@ -64,8 +64,8 @@ struct Axis {
 };
 
 /// Describes one diagram with its legend to the right. An axis is extended beyond its given end if a series would touch
-/// the frame there. A series that an axis cuts off has an arrow at the frame; how far it goes is in the legend, or, if
-/// the series has no name, beside the arrow.
+/// the frame there. A series that an axis cuts off has an arrow at the frame; the farthest value is in the legend, or,
+/// if the series has no name, beside the arrow.
 struct Panel {
     std::string title = {};
     Axis x = {}, y = {};
@@ -87,12 +87,12 @@ struct NamedPlot {
 };
 
 /// Draws the plot by gnuplot; the same plot gives the same bytes. Throws std::invalid_argument for a panel without
-/// series, a series or a band without points and a series with intervals at some points only, UserError when gnuplot is
-/// not there, std::runtime_error when it refuses the plot.
+/// series, for a series or a band without points, and for a series with intervals at some points only. Throws UserError
+/// if gnuplot is not installed, and std::runtime_error if gnuplot refuses the plot.
 std::string draw_svg(const Plot&);
 
 /// Prints the points of the plot's curves, intervals and bands as comma-separated values: a row for each point, with
-/// the labels of the axes, which have the units. Points beyond the ends of the axes are included, and points are at
+/// the labels of the axes, which contain the units. Points beyond the ends of the axes are included, and points are at
 /// their exact x, without the shift that separates intervals.
 std::string curves_csv(const Plot&);
 

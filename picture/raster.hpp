@@ -27,8 +27,8 @@ public:
     void block(const Box&);
     /// Adds a wire, which paths may cross but not run along.
     void add(const Path&);
-    /// Finds a path from one of the ports `from` to one of the ports `to`; nothing if there is no path, or after a very
-    /// long search.
+    /// Finds a path from one of the ports `from` to one of the ports `to`; returns nothing if there is no path, or if
+    /// the search takes too long.
     std::optional<Path> find(const std::vector<Port>& from, const std::vector<Port>& to);
 
 private:
@@ -48,7 +48,7 @@ private:
 
     Point origin_;
     std::ptrdiff_t columns_, lines_;
-    std::vector<Cell> marks_; ///< empty if there are too many points
+    std::vector<Cell> marks_; ///< empty if the raster has too many points
     std::size_t steps_left_;
     std::vector<unsigned> costs_;       ///< cost of each state of a search; reset between searches
     std::vector<unsigned char> before_; ///< for each state: direction in which the preceding point was reached

@@ -36,8 +36,8 @@ struct DrawnWire {
     std::optional<ChannelCount> channels;
 };
 
-/// Draws the wires of the network between the boxes of its nodes: straight if nothing is in between, otherwise around
-/// the boxes. A wire that closes a row or column leaves it at its ends.
+/// Draws the wires of the network between the boxes of its nodes: straight if no box is in between, otherwise around
+/// the boxes. A wire that joins the two ends of a row or column leaves the row or column at its ends.
 std::vector<DrawnWire> draw_wires(const Network&, const std::vector<Span>&, const std::vector<DrawnNode>&);
 
 } // namespace placedpar::picture

@@ -12,7 +12,7 @@ namespace placedpar::picture {
 /// edge with channels. One wire between two nodes stands for all channels between them, in both directions.
 struct Software {
     Network network;
-    std::vector<Span> spans;   ///< labelled at each end with the ports that send from there
+    std::vector<Span> spans;   ///< labelled at each end with the ports that output there
     std::vector<Point> places; ///< places of the nodes, in cells, if they form a tree with branches; else empty
 };
 

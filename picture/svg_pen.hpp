@@ -25,7 +25,7 @@ struct SvgAttribute {
 using SvgAttributes = std::vector<SvgAttribute>;
 
 /// Writes SVG elements in the order of painting. Each element has a line of its own; the elements of a group share a
-/// line. It escapes texts and values.
+/// line. The pen escapes texts and values.
 class SvgPen {
 public:
     SvgPen& rect(const Box& b, const SvgAttributes& more = {}) {

@@ -10,7 +10,7 @@
 
 namespace placedpar::picture {
 
-/// Describes a part of a wire between two devices that it leads to or through. A wire through one switch has two spans.
+/// Describes a part of a wire, between two successive devices on the wire. A wire through one switch has two spans.
 struct Span {
     std::size_t connection = 0;
     LinkEnd from, to;

@@ -14,8 +14,8 @@ enum class Origin {
     outcome,    ///< result of the simulation; nothing was fitted to it
     calibrated, ///< one constant was fitted to this cell
     workload,   ///< a constant of the program's own cost was read off this cell
-    fitted,     ///< constants were fitted to several cells, this one among them
-    constant    ///< the cell shows a constant of the model again, and differs only by an error of the program
+    fitted,     ///< constants were fitted to several cells, including this cell
+    constant    ///< the cell repeats a constant of the model; any difference is an error of the program
 };
 
 inline constexpr std::array every_origin{Origin::outcome, Origin::calibrated, Origin::workload, Origin::fitted,
@@ -34,13 +34,13 @@ inline constexpr std::array every_judge{Judge::thesis, Judge::published, Judge::
 
 const char* name_of(Judge);
 
-/// A simulated figure beside a known one, and how far apart the two may be.
+/// A simulated figure beside a known figure, and how far apart the two may be.
 struct Cell {
     std::string row, column, unit = {};
     std::optional<double> reference = {}; ///< the known figure: Comparison::against names its source
-    double simulated = 0;                 ///< NaN: there is no figure, which meets no tolerance
+    double simulated = 0;                 ///< NaN if there is no figure; NaN meets no tolerance
     std::optional<double> tolerance_percent =
-        {}; ///< in percent of the reference; empty: the cell is printed, not judged
+        {}; ///< in percent of the reference; empty: the cell is printed, but not judged by it
     Origin origin = Origin::outcome;
     std::optional<double> tolerance = {}; ///< in the cell's unit; replaces tolerance_percent
     int decimals = 2;                     ///< number of decimals that are printed
@@ -69,7 +69,7 @@ Cell plain_cell(std::string row, std::string column, std::string unit, double va
 /// Makes a cell that is judged if both a known figure and a tolerance are given, and only printed otherwise.
 Cell cell_of(std::string row, std::string column, std::string unit, std::optional<double> known, double value,
              std::optional<double> tolerance, int decimals);
-/// Makes a cell that is judged by a lower bound. It may have a known figure, which it need not meet.
+/// Makes a cell that is judged by a lower bound. The cell may have a known figure, which it need not meet.
 Cell at_least(double bound, Cell cell);
 Cell at_most(double bound, Cell cell);
 /// Makes a cell that shows a share in percent. It misses a bound only if its whole 95 % interval does, so that the
@@ -83,13 +83,13 @@ Cell judged_by(Judge, Cell);
 /// the remaining two, a replay fails for less than one seed in a hundred (docs/reference/hydraulics.md has the counts).
 inline constexpr double deviations_allowed = 4;
 
-/// Returns the tolerance of the difference of two shares, in percent, of n records each. The standard deviation is
-/// sqrt(2 p (1 - p) / n). Two successes and two failures are added for p (Agresti and Coull), so that a share of 0 or
-/// 100 % scatters, too. A known share from 50 to 300 seeds counts as n records.
+/// Returns the tolerance, in percentage points, for the difference between two shares, each of n records. The standard
+/// deviation is sqrt(2 p (1 - p) / n). To estimate p, two successes and two failures are added (Agresti and Coull), so
+/// that a share of 0 or 100 % scatters, too. A known share from 50 to 300 seeds counts as n records.
 double share_tolerance(double known_percent, std::size_t records);
 /// Returns how far the standard deviation of n Gaussian values may be from a known standard deviation:
-/// deviations_allowed times the scatter of the former, plus `rounding`, the error by which the known figure was rounded
-/// at most.
+/// deviations_allowed times the scatter of the values' standard deviation, plus `rounding`, the largest rounding error
+/// of the known figure.
 double deviation_tolerance(double known, std::size_t records, double rounding);
 /// Returns how far the mean of n values with this standard deviation may be from the true mean, including a systematic
 /// error of up to `bias`.

@@ -15,7 +15,8 @@ struct Comparison {
     std::string notes = {};         ///< for people, below the table
     std::string against = "thesis"; ///< the source of the cells' references; 7 letters at most
     bool judged = false;            ///< the table is judged even if it is not the first of an experiment
-    bool names_origins = false;     ///< each row says the origin of its first cell, instead of each cell by a letter
+    bool names_origins =
+        false; ///< each row names the origin of its first cell; otherwise each cell shows its origin by a letter
 
     void add(Cell cell);
     bool within_tolerance() const;
@@ -33,9 +34,9 @@ struct JudgedCells {
     std::size_t not_judged = 0; ///< cells without a tolerance or bound, and those of tables that do not decide
 };
 
-/// Prints a table for people. Each cell has a simulated figure, a known figure and an error. The error is in percent,
-/// or in the cell's unit if the tolerance is in this unit or the unit is percent. A cell judged from one side shows its
-/// bound instead of an error; a cell beside a claim, which is a bound in words, shows no error. The tolerances of a
+/// Prints a table for people. Each cell has a simulated figure, a known figure and an error. The error is in percent;
+/// it is in the cell's unit if the tolerance is in this unit or the unit is percent. A cell judged from one side shows
+/// its bound instead of an error; a cell beside a claim, which is a bound in words, shows no error. The tolerances of a
 /// row's cells follow the row. Parts that no cell of a column has are left out. Rows and columns keep the order of the
 /// cells. A row with a column that the rows above do not have begins a new table.
 std::string print_comparison(const Comparison&);

@@ -18,15 +18,16 @@ struct ConvergenceCurve {
 };
 
 /// Draws the median of the runs of each curve, over the generations that all runs made. With two or more runs, the
-/// quartiles surround it. Values that are not finite are left out. Long runs are thinned to a few hundred points; the
-/// last generation is always kept. Throws std::invalid_argument for a curve without runs or a run without generations.
+/// quartiles surround the median. Values that are not finite are left out. Long runs are thinned to a few hundred
+/// points; the last generation is always kept. Throws std::invalid_argument for a curve without runs or a run without
+/// generations.
 Panel convergence_panel(std::string title, std::string label, std::span<const ConvergenceCurve>);
 
-/// Draws the best and mean fitness of all searches together (or the best objective so far and the mean objective), and
-/// their diversity below, over the seeds of the logs. Searches with different problems are drawn separately. The axis
-/// of a positive objective that is minimised is logarithmic. The axis of a fitness leaves out the far lower values of
-/// the first generations. Throws UserError where a run made no generation, or none with a finite objective. REQUIRES:
-/// at least one log; all logs are of one network.
+/// Draws the best and mean fitness of all searches together (or the best objective so far and the mean objective), with
+/// medians and quartiles over the seeds of the logs. The diversity of the searches is drawn below. Searches with
+/// different problems are drawn separately. The axis of a positive objective that is minimised is logarithmic. The axis
+/// of a fitness leaves out the far lower values of the first generations. Throws UserError where a run made no
+/// generation, or none with a finite objective. REQUIRES: at least one log; all logs are of one network.
 Plot convergence_plot(std::string title, std::span<const SeededLog>);
 
 } // namespace placedpar

@@ -14,10 +14,11 @@
 namespace placedpar {
 
 /// Describes one fact of a report's row: its text below a heading in a table for people, and its value under a key in a
-/// document for programs. Either may be missing.
+/// document for programs. A field may lack its text or its value.
 struct Field {
     std::string heading, text;
-    std::size_t width = 0; ///< least width of its column; 0 in all rows: width of the widest text or the heading
+    std::size_t width = 0; ///< least width of the column; if it is 0 in all rows, the column is as wide as its widest
+                           ///< text or its heading
     enum class Column { none, left, right } column = Column::none;
     std::string key = ""; ///< "": not in documents
     boost::json::value value = nullptr;
@@ -59,7 +60,7 @@ boost::json::array json_of(const std::vector<Row>&);
 
 /// Holds rows of the same fields.
 struct Table {
-    Row head; ///< only headings, widths and keys mean something: there may be no rows
+    Row head; ///< only its headings, widths and keys are used; it is set even if there are no rows
     std::vector<Row> rows;
 
     /// Returns a painted line of headings, after `before`, and a line for each row, without trailing blanks.

@@ -20,11 +20,11 @@ std::vector<const ProcessKind*> group_of(const Catalogue&, std::string_view grou
 std::vector<std::string> known_names(const Catalogue&);
 
 /// Returns the known name that equals this name in upper or lower case, as in DOS and the toolset; the name itself if
-/// there is none.
+/// there is no such known name.
 std::string known_name(const Catalogue&, const std::string& name);
 
-/// Throws UserError for an unknown name; the text suggests a kind, device or group with a similar name, or one of the
-/// others.
+/// Throws UserError for an unknown name; the text suggests a kind, device or group with a similar name, or a similar
+/// name among `others`.
 [[noreturn]] void refuse_kind(const Catalogue&, const std::string& name, const std::vector<std::string>& others = {});
 
 /// Returns the type as a netlist writes it: "int", "double" or "string".

@@ -28,8 +28,8 @@ bool is_policy(const Catalogue&, const std::string& name);
 std::string print_policies();
 /// Prints everything about what the name stands for: the decision, the parameters and processes that make it, the
 /// policies with their numbers, their spelling in a netlist and their sources, and the forms. A name may stand for
-/// several of these. Throws UserError, saying what would be right, for a policy with numbers that it does not take.
-/// REQUIRES: is_policy().
+/// several of these. Throws UserError for a policy with numbers that it does not take; the message says which numbers
+/// are allowed. REQUIRES: is_policy().
 std::string print_policy(const Catalogue&, const std::string& name);
 /// Returns all that print_policy() prints. Throws as print_policy(). REQUIRES: is_policy().
 boost::json::array policies_json(const Catalogue&, const std::string& name);

@@ -12,7 +12,7 @@ namespace placedpar {
 /// The name that stands for all problems in place of a kind's name.
 inline constexpr std::string_view problems_group = "problems";
 
-/// Prints the search problems, a line for each; families of problems with their numbers and defaults.
+/// Prints the search problems, a line for each. Families of problems are printed with their numbers and defaults.
 std::string print_problems(const ProblemRegistry&);
 /// Prints everything about the problem of this name: its numbers, its objective, and the parameters that are searched.
 /// Throws UserError as ProblemRegistry::find().

@@ -26,7 +26,8 @@ struct SeededLog {
 };
 
 /// Prints the rows of the logs as comma-separated values, in long form:
-/// seed,generation,time_ms,process,from,quantity,value. Numbers in the fewest digits that read back as the same.
+/// seed,generation,time_ms,process,from,quantity,value. Numbers have the fewest digits from which the same number is
+/// read back.
 std::string log_csv(std::span<const SeededLog>);
 
 } // namespace placedpar

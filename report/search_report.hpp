@@ -15,8 +15,8 @@ namespace placedpar {
 /// Prints the searches of one run for people: first and last generation, diversity at the end, and the fate of
 /// immigrants.
 std::string print_searches(const GenerationLog&);
-/// Prints the searches of runs with several seeds: medians, and quartiles in brackets. REQUIRES: logs of one network,
-/// one at least.
+/// Prints the searches of runs with several seeds: medians, and quartiles in brackets. REQUIRES: at least one log; all
+/// logs are of one network.
 std::string print_searches(std::span<const SeededLog>);
 
 /// Returns the searches for programs: an array, with `all` at the end.

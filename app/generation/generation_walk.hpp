@@ -16,15 +16,16 @@ namespace placedpar {
 struct WalkSettings {
     std::size_t population = 6;
     double crossover_probability = 0.8;
-    double mutation_probability = 0.05; ///< ours: at the thesis's .01 hardly any of so few bits is flipped
-    std::string function = "square";    ///< one of walk_functions()
+    double mutation_probability =
+        0.05; ///< ours: with the thesis's value, 0.01, hardly any of the few bits would be flipped
+    std::string function = "square"; ///< fitness function, one of walk_functions()
     std::uint64_t seed = 1;
 };
 
 inline constexpr std::size_t walk_bits = 4;
 
-/// Returns the names: "square" is x^2, "ones" the number of bits that are 1, "impulse" 1 at 1011 and 0 elsewhere
-/// (Figure 6.5).
+/// Returns the names of the fitness functions: "square" is x^2, "ones" is the number of bits that are 1, and "impulse"
+/// is 1 for the string 1011 and 0 for all others (Figure 6.5).
 std::vector<std::string> walk_functions();
 
 /// The random numbers of a pair of mates and their effect.
@@ -39,7 +40,7 @@ struct WalkedGeneration {
     std::size_t number; ///< counted from 1
     std::vector<Genome> population = {};
     std::vector<double> fitness = {};
-    std::vector<double> spins = {};        ///< of the roulette, 0 to 1; empty if no fitness is positive
+    std::vector<double> spins = {};        ///< positions of the roulette, 0 to 1; empty if no fitness is positive
     std::vector<std::size_t> parents = {}; ///< indices in the population; empty if no fitness is positive
     std::vector<Genome> reproduced = {};
     std::vector<Mating> matings = {}; ///< of strings 0 and 1, 2 and 3, ...

@@ -15,7 +15,7 @@
 namespace placedpar {
 
 /// Reads a record of any length piece by piece from a file, a pipe or standard input ("-"). At most two pieces of the
-/// text are in memory. Errors are reported as by load_record, and the first 20 warnings of all pieces.
+/// text are in memory. Errors are reported as by load_record. Of the warnings of all pieces, the first 20 are shown.
 class RecordPieces {
 public:
     static constexpr std::size_t piece_bytes = 1 << 20; ///< length of a piece, extended to the end of its line
@@ -31,7 +31,7 @@ public:
     /// Returns the next piece, or nullopt when the record is over. Throws RefusedInput.
     std::optional<hydraulics::Record> next();
 
-    std::uint64_t bytes() const { return bytes_; } ///< read so far
+    std::uint64_t bytes() const { return bytes_; } ///< number of bytes read so far
     bool stopped() const { return stopped_; }
     /// Returns the warnings that were shown.
     const std::vector<Diagnostic>& warnings() const { return warnings_; }

@@ -10,7 +10,8 @@ namespace placedpar {
 // These are the two ways in which `placedpar identify` evaluates a record. Each prints its results, adds them to
 // `json`, and throws RefusedInput, UserError or UnfitRecord.
 
-/// Runs one search over the first transient, as in chapter 3, and if asked also as the processes of a netlist.
+/// Runs one search over the first transient, as in chapter 3 of the thesis. If a netlist is given, runs the same search
+/// as the netlist's processes, too.
 ExitCode identify_by_thesis(const IdentifyOptions& options, boost::json::object& json);
 /// Evaluates all movements, as the monitor identifies and judges them.
 ExitCode identify_as_service(const IdentifyOptions& options, boost::json::object& json);

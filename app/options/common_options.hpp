@@ -38,7 +38,8 @@ Option add_number(Options& command, const std::string& option, Number& value, st
     return command.add(option, value, about).check(check).type(std::to_string(least) + ".." + std::to_string(most));
 }
 
-/// Declares an option that takes the name of a file, or of what `type` says; it cannot be "".
+/// Declares an option that takes the name of a file, or another name that `type` describes in help. The name cannot be
+/// "".
 Option add_file(Options& command, const std::string& option, std::string& path, const std::string& about,
                 const std::string& type = "FILE");
 

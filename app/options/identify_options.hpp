@@ -10,7 +10,7 @@
 
 namespace placedpar {
 
-/// The options of `placedpar identify`. An option of one way only is empty if it was not typed.
+/// The options of `placedpar identify`. An option that only one --way uses is empty if it was not typed.
 struct IdentifyOptions {
     std::string record, links, configuration = "a", way = "service", offset, areas, missing = "refuse", machine, json;
     std::uint64_t seed = 1;

@@ -21,9 +21,9 @@ struct RunsAhead {
     std::optional<double> seconds_a_run; ///< time per run, if known
 };
 
-/// States the number of runs and their total time, and asks whether to begin. Returns false without an answer or if an
-/// interruption is requested meanwhile. Throws UserError if standard input or standard error is not a terminal, so that
-/// the question cannot be asked.
+/// States the number of runs and their total time, and asks whether to begin. Returns false if the user does not
+/// confirm, or if an interruption is requested meanwhile. Throws UserError if standard input or standard error is not a
+/// terminal, so that the question cannot be asked.
 bool are_meant(const RunsAhead&, const Interruption&);
 
 /// Returns "3 days" or "4 min", for example.

@@ -12,8 +12,8 @@ namespace placedpar {
 /// Declares --set NAME=VALUE, which may be repeated.
 Option add_set(Options&, std::vector<std::string>& settings, const std::string& about);
 
-/// Parses the values of --set, or of another option like it. Throws UserError if one does not have the form NAME=VALUE
-/// or a name is set twice.
+/// Parses the values of --set, or of another option of the form NAME=VALUE. Throws UserError if a value does not have
+/// the form NAME=VALUE, or if a name is set twice.
 Overrides overrides_of(std::span<const std::string> settings, const std::string& option = "--set");
 
 /// The options about the netlist's surroundings, as typed.
@@ -22,7 +22,8 @@ struct ReadOptionsTyped {
 };
 /// Declares -I FOLDER, --use PROGRAM=KIND and --fault FAULT, which may be repeated.
 std::vector<Option> add_read_options(Options&, ReadOptionsTyped&);
-/// Throws UserError if a folder does not exist, a --use does not have its form, or a program is given two kinds.
+/// Throws UserError if a folder does not exist, a --use does not have the form PROGRAM=KIND, or a program is given two
+/// kinds.
 ReadOptions read_options_of(const ReadOptionsTyped&);
 
 /// The options of every command that reads a netlist.

@@ -17,9 +17,10 @@ const hydraulics::RecordScenario& scenario_called(std::string_view name);
 
 std::vector<std::string> names_of_scenarios();
 
-/// Returns the scenario's parameters on a machine, after applying --noise and --set. A value is a number in the room's
-/// unit, or one with a unit: "4.1e-11 m^3/Pa". Throws UserError for an unknown noise level or name, for a value that is
-/// not a number or has a unit of another quantity, and for a value outside the parameter's range.
+/// Returns the scenario's parameters on a machine, after applying --noise and --set. A value is a number in the unit
+/// that the hydraulics room uses, or a number with a unit: "4.1e-11 m^3/Pa". Throws UserError for an unknown noise
+/// level or name, for a value that is not a number or has a unit of another quantity, and for a value outside the
+/// parameter's range.
 hydraulics::Parameters scenario_parameters(const hydraulics::RecordScenario& scenario,
                                            const hydraulics::Parameters& machine, const std::string& noise,
                                            const Overrides& overrides);
@@ -30,9 +31,9 @@ std::string list_parameters(const hydraulics::RecordScenario& scenario, const hy
 /// Returns one line per scenario.
 std::string list_record_scenarios();
 
-/// Returns the record. Its description contains the command that makes it again, with every parameter that differs from
-/// the program's own, and the true compliance. Throws UserError, naming the first instant and channel, if unrealistic
-/// parameters give values that no sensor could read.
+/// Returns the record. Its description contains the true compliance and the command that makes the same record again,
+/// with every parameter that differs from the program's default. Throws UserError, naming the first instant and
+/// channel, if unrealistic parameters give values that no sensor could read.
 hydraulics::Record scenario_record(const hydraulics::RecordScenario& scenario, const hydraulics::LinksInMotion& moving,
                                    const hydraulics::Parameters& parameters, std::uint64_t seed);
 

@@ -20,14 +20,14 @@ struct Change {
     Overrides set;
 };
 
-/// Returns what the netlist declares with these settings, even if it is refused with them.
+/// Returns what the netlist declares with these settings, even if the netlist is refused with them.
 using DeclaredWith = std::function<Declared(const Overrides&)>;
 
 /// Returns the changes worth trying. All processors, the processors of an array's processes, all links and all buses
-/// are made 10 % faster, twice as fast, and as fast as a netlist allows (1 GHz, 1 Gbit/s, 1 ns a word); likewise, one
-/// at a time, the ten processors, links, buses and processes that were the busiest in the run. Memory becomes as fast
-/// as that on the chip. Constants of processes or processors in cycles or bytes are reduced by 10 %, halved, and set to
-/// 0. Vals that determine the number of processes or processors are raised by one.
+/// are made 10 % faster, twice as fast, and as fast as a netlist allows (1 GHz, 1 Gbit/s, 1 ns per word). The ten
+/// processors, links, buses and processes that were the busiest in the run are changed likewise, one at a time. Memory
+/// becomes as fast as on-chip memory. Constants of processes or processors in cycles or bytes are reduced by 10 %,
+/// halved, and set to 0. Vals that determine the number of processes or processors are raised by one.
 std::vector<Change> changes_of(const Network&, const RunReport&, const DeclaredWith&);
 
 } // namespace placedpar

@@ -14,7 +14,8 @@ namespace placedpar {
 struct Explanation {
     RunReport report;
     std::map<std::string, Account> accounts; ///< by process
-    /// How long outputting processes waited for inputting ones, by the direction of a link, "a.link[0] -> b.link[1]".
+    /// How long outputting processes waited for inputting processes, by the direction of a link, "a.link[0] ->
+    /// b.link[1]".
     std::map<std::string, Time> waits_at_links;
     std::vector<PathPart> path;
     bool path_too_long = false;  ///< the path was not kept because it is too long

@@ -11,17 +11,17 @@
 
 namespace placedpar {
 
-/// Reads the netlist with these settings. Throws UserError when it is refused. May be called by several threads at
-/// once.
+/// Reads the netlist with these settings. Throws UserError if the netlist is refused. May be called by several threads
+/// at once.
 using ChangedNetlist = std::function<Network(const Overrides&)>;
 
-/// The run with a change, beside the unchanged one.
+/// The result of the run with a change.
 struct Answer {
     Change change;
     Ending ending = Ending::interrupted;
     Time time{};
     std::string refused = ""; ///< first line of the refusal; "" if the netlist was accepted
-    std::string why = "";     ///< if the run takes longer: what takes more time on its critical path
+    std::string why = "";     ///< the activities that take more time on the critical path, if the run takes longer
 
     bool completed() const { return refused.empty() && ending == Ending::completed; }
 };
@@ -31,12 +31,13 @@ struct WhatIfs {
     ChangedNetlist read;
     std::uint64_t seed;
     Time until;
-    const Interruption& interruption;                       ///< changes not tried when it comes are left out
-    std::function<void(std::size_t, std::size_t)> progress; ///< changes done, all changes
+    const Interruption& interruption; ///< changes not yet tried at the interruption are left out
+    std::function<void(std::size_t, std::size_t)>
+        progress; ///< called with the number of changes tried, and of all changes
 };
 
-/// Makes the changed runs in parallel on all cores. Returns the shortest first, then those that do not complete, then
-/// those with which the netlist is refused. `path`: the critical path of the unchanged run.
+/// Makes the changed runs in parallel on all cores. Returns the shortest completed runs first, then runs that did not
+/// complete, then changes with which the netlist is refused. `path` is the critical path of the unchanged run.
 std::vector<Answer> try_out(const std::vector<Change>&, const std::vector<PathPart>& path, const WhatIfs&);
 
 } // namespace placedpar

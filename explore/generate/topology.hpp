@@ -33,13 +33,13 @@ struct HostWires {
 /// processors. The fragments depend on the vals, so that `--set` can change the size.
 struct Topology {
     std::string about;             ///< "A ring of 8 processors"
-    std::vector<std::string> vals; ///< "val rows 4;", among them one called nodes: the number of processors
+    std::vector<std::string> vals; ///< "val rows 4;", among them `nodes`, the number of processors
     std::string array;             ///< the subscripts with which t is declared, "[rows][columns]"
     std::string first;             ///< subscripts of processor number 0, "[0][0]"
     std::string at;                ///< subscripts of processor number i, "[i / columns][i % columns]"
     std::vector<Wires> wires;
     HostWires host;
-    std::string no_host = ""; ///< why no link is left for a wire to the host; "" if one is
+    std::string no_host = ""; ///< why no link is left for a wire to the host; "" if a link is left
 };
 
 std::vector<std::string> names_of_topologies();

@@ -22,9 +22,9 @@ struct Infeasible {
 /// The machines that one method of search has tried, in order.
 struct SearchCourse {
     std::string way;                            ///< "genetic", "random", "exhaustive"
-    std::vector<std::uint64_t> machines = {};   ///< simulated, each once, in the order in which they were tried
+    std::vector<std::uint64_t> machines = {};   ///< machines that were simulated, each once, in the order of the trials
     std::vector<Merit> merits = {};             ///< merits of `machines`, in the same order
-    std::set<std::uint64_t> tried = {};         ///< `machines`, and those that cannot be built
+    std::set<std::uint64_t> tried = {};         ///< `machines`, and the machines that cannot be built
     std::map<std::string, Infeasible> why = {}; ///< infeasible machines by the first line of the refusal
 
     /// Returns the indices of the machines that no other dominates; with one cost, all machines of least cost.
@@ -44,7 +44,7 @@ class MachineSearch {
 public:
     using Listener = std::function<void(const CourseProgress&)>;
 
-    /// REQUIRES: the arguments outlive it; the study has a search.
+    /// REQUIRES: the arguments outlive this object; the study has a search.
     MachineSearch(const Study&, const MachineSpace&, MachineTrials&, Listener);
 
     /// Searches by the genetic algorithm of this project, with NSGA-II's scheme. Each generation is sorted by
@@ -53,8 +53,8 @@ public:
     /// infeasible, so that each machine is in the elite once. Throws UserError if the condition holds for none of the
     /// machines drawn.
     std::optional<SearchCourse> genetic();
-    /// Draws machines for which the condition holds, none twice, until `simulated` of them have been simulated, or
-    /// nearly all.
+    /// Draws different machines for which the condition holds, until `simulated` of them have been simulated, or nearly
+    /// all such machines have been drawn.
     std::optional<SearchCourse> random(std::size_t simulated);
     /// Simulates every machine for which the condition holds.
     std::optional<SearchCourse> exhaustive();

@@ -11,12 +11,13 @@
 
 namespace placedpar {
 
-/// The machines that a search chooses from: a study's combinations, each by its number in the study's product. A genome
-/// has a field of bits for each setting that has several values; its codes are spread over them.
+/// The machines that a search chooses from: a study's combinations, each identified by its number in the study's
+/// product. A genome has a field of bits for each setting that has several values; the field's codes are spread evenly
+/// over these values.
 class MachineSpace {
 public:
     /// Throws UserError if the study has several products, which a genome cannot code; only one machine; or more
-    /// machines than 64 bits can count. REQUIRES: the study outlives it, and has a product.
+    /// machines than 64 bits can count. REQUIRES: the study outlives this object, and has a product.
     explicit MachineSpace(const Study&);
 
     /// Counts all machines, including those for which the study's condition does not hold.

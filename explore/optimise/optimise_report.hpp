@@ -19,14 +19,14 @@ struct Optimum {
     std::vector<std::string> measures; ///< the one or two measures that were minimised, with their units
     Trial start;                       ///< the unchanged netlist, with the settings that all machines share
     std::vector<SearchCourse>
-        courses; ///< the genetic course first, which has feasible machines; the others may have none
+        courses; ///< the genetic course comes first and has feasible machines; the other courses may have none
 
     /// Returns the machines of all courses, each once, in the order of the courses.
     SearchCourse together() const;
 };
 
-/// Returns the indices in the course of the machines to be shown: the best few for one cost, the front for two; only
-/// one machine for each value of the costs.
+/// Returns the indices, in the course, of the machines to be shown: the best few machines for one cost, the front for
+/// two costs. Of machines with equal costs, only one is shown.
 std::vector<std::size_t> best_of(const SearchCourse&);
 
 /// Returns the minimised measures, followed by the study's other measures. REQUIRES: the study has a search.
@@ -48,7 +48,7 @@ Plot optimum_plot(const Optimum&, const std::string& title);
 /// Returns the `placedpar run` command that repeats the run.
 std::string command_of(const Study&, const Overrides& settings);
 
-/// Says what made all machines infeasible, the most frequent first.
+/// Lists the reasons why all machines are infeasible, the most frequent reason first.
 std::string print_why_none(const SearchCourse&);
 
 } // namespace placedpar

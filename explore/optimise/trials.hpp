@@ -31,19 +31,19 @@ Study study_of(const Study&, const std::vector<Overrides>& all);
 /// twice. The result of a machine does not depend on when it is tried, or on other machines.
 class MachineTrials {
 public:
-    /// REQUIRES: the arguments outlive it; the study has a search.
+    /// REQUIRES: the arguments outlive this object; the study has a search.
     MachineTrials(const Study&, const MachineSpace&, StudyResults&, std::size_t workers, Interruption&);
 
-    /// Makes the missing runs, and tells `show` from time to time how many have been made. Returns false if
+    /// Makes the missing runs, and calls `show` from time to time with the number of runs made. Returns false if
     /// interrupted.
     bool try_out(std::span<const std::uint64_t> machines, const std::function<void(std::uint64_t runs)>& show);
     /// REQUIRES: the machine has been tried out.
     const Trial& of(std::uint64_t machine);
-    /// Returns the trial of any settings, and makes its runs if they are missing; none when interrupted.
+    /// Returns the trial of any settings, and makes its runs if they are missing; returns nothing if interrupted.
     std::optional<Trial> of(const Overrides& settings);
 
-    /// Throws UserError if runs have completed but none had a measure that is to be minimised. The message lists the
-    /// measures that the runs had.
+    /// Throws UserError if runs have completed but no run had one of the measures to be minimised. The message lists
+    /// the measures that the runs had.
     void require_measures() const;
 
 private:

@@ -14,8 +14,8 @@ namespace placedpar {
 class StudyValues {
 public:
     /// Reads the values of the setting `name`: "5M", "0..7", "0..100..10" in steps of 10, "1..64..x2" doubling at each
-    /// step. A range is ascending and includes its last value if a step meets it. Throws UserError if it is empty or
-    /// its ends are not numbers.
+    /// step. A range is ascending and includes its last value if a step meets this value. Throws UserError if the range
+    /// is empty or its ends are not numbers.
     StudyValues(const std::string& name, std::string_view text);
 
     std::uint64_t count() const { return count_; }
@@ -42,7 +42,7 @@ struct StudyAxis {
     std::string name;
     std::vector<StudyValues> parts;
 
-    /// Returns the number of values. Throws UserError if 64 bits do not hold it.
+    /// Returns the number of values. Throws UserError if this number exceeds 64 bits.
     std::uint64_t count() const;
     /// REQUIRES: index < count().
     std::string at(std::uint64_t index) const;

@@ -8,17 +8,17 @@
 
 namespace placedpar {
 
-/// Chooses one spelling for all values that mean the same: that of the study, if it has the value, or that of the first
-/// run.
+/// Chooses one spelling for all values with the same meaning: the study's spelling if the study has the value,
+/// otherwise the spelling of the first run.
 class CanonicalSettings {
 public:
-    /// REQUIRES: both outlive it.
+    /// REQUIRES: both arguments outlive this object.
     CanonicalSettings(StudyResults&, const Study*);
 
     /// Returns the same settings in the chosen spelling.
     Overrides of(Overrides set);
-    /// Calls the function for each run, with its settings in the chosen spelling. Of several runs that are then the
-    /// same, only the one that was made with this spelling is passed.
+    /// Calls the function for each run, with its settings in the chosen spelling. Of several runs that differ only in
+    /// spelling, only the run that was made with the chosen spelling is passed.
     void for_each(const std::function<void(const StudyRun&, const StudyOutcome&)>&);
 
 private:

@@ -12,13 +12,13 @@ namespace placedpar {
 /// The meanings of the names in a table's expressions.
 class FigureNames {
 public:
-    /// `meaning` describes the name for messages: "the row above".
+    /// `meaning` describes in messages what the name stands for: "the row above".
     void add(const std::string& name, const std::string& meaning) { meanings_[name].insert(meaning); }
     /// Adds the settings. "master.trials" is also called "trials", unless another setting has that name.
     void add_settings(const Overrides&);
     void add_measures(const std::vector<std::string>&);
 
-    /// Throws UserError for a name in the expression that has no meaning or several. `other`: further names.
+    /// Throws UserError for a name in the expression that has no meaning or several. `other` has further names.
     void require(const StudyExpression&, const FigureNames& other) const;
 
 private:

@@ -35,8 +35,8 @@ std::string figures_text(const StudyFigures&);
 /// Reads the figures back without any loss. Throws std::exception if the text was not made by figures_text().
 StudyFigures figures_from(const std::string&);
 
-/// One figure of a run, as a study names it: "time", "master[0].T_exe"; "master.T_exe" is the mean of all processes of
-/// the array master, and min(...), max(...) and sum(...) are what they say.
+/// One figure of a run, as a study names it: "time", "master[0].T_exe"; "master.T_exe" is the mean over all processes
+/// of the array master; min(...), max(...) and sum(...) are the minimum, maximum and sum over them.
 class StudyMeasure {
 public:
     /// Throws UserError for a text that cannot name a measure.
@@ -59,11 +59,11 @@ private:
     Aggregate way_ = Aggregate::mean;
 };
 
-/// Returns a sentence about a measure that a run does not have: if the run did not reach it, what the measure is;
-/// otherwise a similar name, and all measures that the run has.
+/// Returns a sentence about a measure that a run does not have. If the run ended before the measurement, the sentence
+/// says what the measure is; otherwise it suggests a similar name and lists all measures of the run.
 std::string there_is_no_measure(const StudyMeasure&, const StudyFigures&);
 
-/// The measures that runs may have, as far as their netlists say before a run. Measures that only some runs have are
+/// The measures that runs may have, as far as their netlists show before a run. Measures that only some runs have are
 /// included.
 class PossibleMeasures {
 public:

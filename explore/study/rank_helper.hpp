@@ -15,11 +15,11 @@
 
 namespace placedpar {
 
-/// Makes runs of a sweep in a rank other than 0: runs that rank 0 hands out (rank_zero.hpp), `jobs` of them at once. It
-/// requests one run more than it can make at once, so that its threads do not wait for rank 0.
+/// Makes runs of a sweep in a rank other than 0: runs that rank 0 hands out (rank_zero.hpp), `jobs` of them at once.
+/// The helper requests one run more than it can make at once, so that its threads do not wait for rank 0.
 class RankHelper {
 public:
-    /// REQUIRES: ranks outlives it.
+    /// REQUIRES: `ranks` outlives this object.
     RankHelper(Ranks& ranks, std::size_t jobs) : ranks_(ranks), jobs_(jobs), interruptions_(jobs) {}
 
     /// Makes runs until none is left, or until the interruption. Reports errors to rank 0. Calls `study` only once rank
@@ -39,12 +39,12 @@ private:
     Ranks& ranks_;
     std::size_t jobs_;
     std::string digest_;         ///< digest of rank 0's source
-    std::size_t unanswered_ = 0; ///< requests that rank 0 has not answered; after stop it answers none
+    std::size_t unanswered_ = 0; ///< requests that rank 0 has not answered; after stop, rank 0 answers no requests
     std::mutex mutex_;           ///< guards the members below
     std::condition_variable changed_;
     std::deque<StudyRun> runs_;      ///< runs to be made
     std::vector<RankMessage> ended_; ///< messages about ended runs, to be sent
-    bool no_more_ = false;           ///< rank 0 has none left
+    bool no_more_ = false;           ///< rank 0 has no runs left to hand out
     bool stopped_ = false;
     std::vector<Interruption> interruptions_; ///< one for each worker, used by one run at a time
 };

@@ -27,8 +27,8 @@ std::string text_of(const RankMessage&);
 /// Reads the message back without any loss. REQUIRES: the text was made by text_of() of the same version.
 RankMessage rank_message_from(const std::string&);
 
-/// Returns a digest that is the same only if the netlist, its included files, the options and the version of PlacedPar
-/// are the same.
+/// Returns a digest of the netlist, its included files, the options and the version of PlacedPar. Two digests are equal
+/// only if all these are equal.
 std::string digest_of(const StudySource&);
 
 } // namespace placedpar

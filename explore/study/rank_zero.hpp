@@ -14,13 +14,13 @@ namespace placedpar {
 /// destructor waits until all other ranks have ended their help, also after an exception.
 class RankZero {
 public:
-    /// REQUIRES: ranks outlives it.
+    /// REQUIRES: the ranks outlive this object.
     explicit RankZero(Ranks&);
     ~RankZero();
     RankZero(const RankZero&) = delete;
     RankZero& operator=(const RankZero&) = delete;
 
-    /// Tells the other ranks to begin. REQUIRES: the sweep is one of the source, and outlives this.
+    /// Tells the other ranks to begin. REQUIRES: the sweep makes runs of this source, and outlives this object.
     void begin(StudySweep& sweep, const StudySource&);
     /// Answers the requests of the other ranks and keeps the outcomes of their runs; `stopped` ends these runs early.
     /// Returns false when all ranks have ended. Throws UserError if a rank cannot go on, or an outcome cannot be kept.

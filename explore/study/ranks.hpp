@@ -8,7 +8,8 @@
 namespace placedpar {
 
 /// The ranks of an MPI program: mpirun starts copies of this program, on one machine or many, and each has a number,
-/// its rank. Ranks send each other texts; those from one rank to another arrive in the order in which they were sent.
+/// its rank. Ranks send each other texts. The texts from one rank to another arrive in the order in which they were
+/// sent.
 ///
 /// REQUIRES: used only by the thread that called ranks_of_mpirun(), and not destroyed while another rank may still send
 /// a message to this one.
@@ -36,8 +37,8 @@ inline constexpr std::chrono::milliseconds rank_patience{4};
 /// MPI is loaded by this call, as a separate module (app/mpi), so that a program without ranks does not need MPI.
 std::unique_ptr<Ranks> ranks_of_mpirun();
 
-/// Prevents several ranks from all doing work that they cannot share: throws UserError in rank 0 of several, and
-/// returns true in the others, which must then end silently.
+/// Prevents several ranks from each doing work that they cannot share. If there are several ranks, throws UserError in
+/// rank 0 and returns true in the other ranks, which must then end silently.
 bool left_to_rank_zero(const std::string& command);
 
 } // namespace placedpar

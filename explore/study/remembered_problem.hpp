@@ -14,7 +14,7 @@
 namespace placedpar {
 
 /// An objective problem that computes the fitness of each string once and remembers it for other processes, generations
-/// and runs, with the same bits. Not thread-safe, as ProblemRegistry is not.
+/// and runs, with the same bits. It is not thread-safe, just as ProblemRegistry is not.
 class RememberedProblem final : public SearchProblem {
 public:
     /// The number of bytes left for remembered strings. Several problems may share it.
@@ -61,8 +61,8 @@ private:
 /// The RememberedProblems that several registries share, such as those of different seeds; by name and numbers.
 class RememberedProblems {
 public:
-    /// Returns a family that makes each problem once and remembers the strings of those with an objective. REQUIRES:
-    /// this outlives the result, and families of the same name are the same.
+    /// Returns a family that makes each problem once, and remembers the strings of the problems that have an objective.
+    /// REQUIRES: this object outlives the result, and families with the same name are equal.
     ProblemFamily around(const ProblemFamily& family);
 
 private:

@@ -22,17 +22,16 @@ struct StudyOutcome {
     Time time{};
     std::uint64_t fingerprint = 0;
     std::uint64_t netlist_hash = 0;
-    std::string refused = ""; ///< printed reason why the machine is refused; "" if it is not
+    std::string refused = ""; ///< printed reason why the machine is refused; "" if it is accepted
     StudyFigures figures = {};
 };
 
 /// The source that all runs of a file of results share. A file with another source is refused. The source of a function
 /// has no texts.
 struct StudySource {
-    std::string netlist;                                    ///< path as it was given; not compared
+    std::string netlist;                                    ///< path as typed by the user; it is not compared
     std::vector<std::pair<std::string, std::string>> texts; ///< path and text of the netlist and its included files
-    std::string
-        options; ///< JSON: all else that determines a run: programs, faults, time limit; for a function, its owner
+    std::string options; ///< JSON of everything else that determines a run, such as faults; for a function, its owner
     std::string named_by = " with --results"; ///< how to name another file, for the text of a refusal
 
     /// Compares all but the paths of the files.
@@ -42,14 +41,14 @@ struct StudySource {
 StudySource source_of(const Study&, const Network& network);
 
 /// The runs of studies of one netlist in a file of SQLite: one row for each run, with everything needed to repeat the
-/// run. A run that has been kept is safe however the program ends. Each row has a checksum, and the file holds the
-/// number of rows and the sum of the checksums, so that a damaged file is refused. Functions throw UserError with the
-/// file's name.
+/// run. Once keep() has returned, the run stays in the file even if the program crashes. Each row has a checksum, and
+/// the file holds the number of rows and the sum of the checksums, so that a damaged file is refused. Functions throw
+/// UserError with the file's name.
 class StudyResults {
 public:
-    /// Opens a file to add runs, or creates it. Refuses a file of another netlist, of other options, of a later format,
-    /// or, unless `of_any_version`, of another version of PlacedPar; also a file to which another program is adding
-    /// runs.
+    /// Opens a file to add runs, or creates it. Refuses a file of another netlist, of other options or of a later
+    /// format. Unless `of_any_version`, refuses a file of another version of PlacedPar. Also refuses a file to which
+    /// another program is adding runs.
     StudyResults(const std::filesystem::path&, const StudySource&, bool of_any_version = false);
     /// Opens a file to read it, also while another program adds runs. Runs that are added later are not seen.
     explicit StudyResults(const std::filesystem::path&);
@@ -68,7 +67,7 @@ public:
     /// Calls the function once for each combination of settings that has runs.
     void for_each_setting(const std::function<void(const Overrides&)>&);
 
-    /// Sets the measures asked for when runs were last added.
+    /// Stores the measures that were requested when runs were last added.
     void set_measures(const std::vector<std::string>&);
     std::vector<std::string> measures();
     /// Returns the source that all runs share.

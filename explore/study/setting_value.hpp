@@ -19,14 +19,15 @@ std::optional<double> number_of_setting(const std::string& text);
 bool is_frequency(const std::string& name);
 
 /// A value of --set, compared by its meaning: 8 equals 8.0, a text equals the same text in quotes, and for a clock or
-/// the speed of a link 20M equals 20000000. For other settings 20M may be a size, 20971520, and the two are different.
+/// the speed of a link 20M equals 20000000. For other settings 20M may be a size, 20971520, so that the two values are
+/// different.
 class SettingValue {
 public:
     /// `name` as --set takes it: "t.clock".
     SettingValue(const std::string& name, std::string spelling);
 
     const std::string& spelling() const { return spelling_; }
-    /// Returns a text that is the same for equal values, and only for them.
+    /// Returns a text that two values share exactly if they are equal.
     const std::string& meaning() const { return meaning_; }
     std::optional<double> number() const { return number_of_setting(spelling_); }
     /// Returns whether the number has a point or a power of ten: some settings accept 8 but not 8.0.
@@ -39,8 +40,8 @@ private:
     bool is_real_;
 };
 
-/// Returns the spelling to use for both: the first, unless only the other is accepted by every setting. REQUIRES: the
-/// values are equal.
+/// Returns the spelling to use for both values: the first, unless only the other spelling is accepted by every setting.
+/// REQUIRES: the values are equal.
 const SettingValue& better_spelt(const SettingValue& first, const SettingValue& other);
 
 } // namespace placedpar

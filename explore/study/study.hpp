@@ -21,7 +21,7 @@ struct StudyProduct {
     StudyExpression where{""};
 
     /// Returns the number of combinations, including those for which the condition does not hold. Throws UserError if
-    /// 64 bits do not hold it; the message names the cause.
+    /// this number exceeds 64 bits; the message names the cause.
     std::uint64_t count() const;
     /// REQUIRES: index < count().
     Overrides at(std::uint64_t index) const;
@@ -42,7 +42,7 @@ struct StudySearch {
     static constexpr std::uint64_t most_population = 10'000, most_generations = 1'000'000;
 
     std::vector<std::string> minimise; ///< one measure, or two for a Pareto front
-    std::uint64_t population = 40;     ///< 4 or more; the better half stays and breeds the other
+    std::uint64_t population = 40;     ///< 4 or more; the better half survives and breeds the other half
     std::uint64_t generations = 20;    ///< 1 or more
     std::uint64_t seed = 1;            ///< seed of the search's random numbers
 };
@@ -53,21 +53,22 @@ using StudyFunction = std::function<StudyFigures(const StudyRun&)>;
 
 /// The runs to be made of a netlist or of a function, and the measures to be reported.
 struct Study {
-    std::string netlist;         ///< its path
+    std::string netlist;         ///< path of the netlist
     StudyFunction function = {}; ///< none: the netlist is run
     ReadOptions read = {};
     std::vector<StudyProduct> products;
     std::uint64_t first_seed = 1, seeds = 1; ///< each combination is run with `seeds` seeds
     Time until = Time::max();                ///< virtual time at which unfinished runs are stopped
     std::vector<std::string> measures;
-    Overrides relative_to = {}; ///< figures are shown relative to those with these settings; none: as they are
+    Overrides relative_to =
+        {}; ///< each figure is divided by the figure of the run with these settings; none: figures are absolute
     std::optional<StudySearch> search = {}; ///< none: the study is only swept
-    std::vector<StudyTable> tables = {};    ///< tables of figures beside known ones
-    std::vector<std::string> figures = {};  ///< measures that the tables are made of
+    std::vector<StudyTable> tables = {};    ///< tables of figures beside known figures
+    std::vector<std::string> figures = {};  ///< measures that occur in the tables
     std::string notes = "";                 ///< for people, below the tables
 
-    /// Returns the number of runs, including those for which the condition does not hold. Throws UserError if 64 bits
-    /// do not hold it, or the last seed; the message names the cause.
+    /// Returns the number of runs, including those for which the condition does not hold. Throws UserError if this
+    /// number or the last seed exceeds 64 bits; the message names the cause.
     std::uint64_t count() const;
     /// Returns a run; nothing if the condition does not hold for it. The seed varies fastest. REQUIRES: index <
     /// count().
@@ -80,9 +81,9 @@ struct Study {
     std::optional<SettingValue> find(const std::string& name, const SettingValue&) const;
 };
 
-/// Finds the runs of a study by their numbers, for loops over them: each is found by a binary search among the
-/// products, which are as many as the cells of the study's tables. REQUIRES: the study outlives it and keeps its
-/// products and seeds.
+/// Finds the runs of a study by their numbers, for loops over the runs. Each run is found by a binary search among the
+/// products, because the study's tables give one product for each cell. REQUIRES: the study outlives this object, and
+/// its products and seeds do not change.
 class StudyRuns {
 public:
     /// Throws as Study::count().

@@ -38,8 +38,9 @@ struct StudySummary {
     std::string netlist, version;
     std::vector<std::string> axes = {}; ///< axes that have several values
     Overrides fixed = {};               ///< settings that all combinations share
-    Overrides relative_to = {};         ///< figures are relative to those with these settings; none: as they are
-    std::uint64_t unrelated = 0;        ///< number of runs with figures but without such a reference run
+    Overrides relative_to =
+        {}; ///< each figure is divided by the figure of the run with these settings; none: figures are absolute
+    std::uint64_t unrelated = 0; ///< number of runs with figures but without such a reference run
     std::vector<std::string> measures = {}, units = {};
     std::vector<StudyLine> lines = {}; ///< in the order of the values, numbers as numbers
 
@@ -50,10 +51,11 @@ struct StudySummary {
     bool has_some(const Overrides&) const;
 };
 
-/// Summarises the runs that are kept; with a study, those of its combinations, with any seed. If `measures` is empty,
-/// those asked for last are used. With `relative_to`, each figure is divided by that of the reference run: the run that
-/// has these settings, is otherwise the same, including the seed, and ended in the same way. A run without a reference
-/// run has no figure. Equal settings are combined and spelt as in the study (SettingValue).
+/// Summarises the runs in the results; with a study, only the runs of its combinations, with any seed. If `measures` is
+/// empty, the measures requested last are used. With `relative_to`, each figure is divided by the figure of the
+/// reference run: the run that has these settings, is otherwise the same, including the seed, and ended in the same
+/// way. A run without a reference run has no figure. Equal settings are combined and spelt as in the study
+/// (SettingValue).
 StudySummary summary_of(StudyResults&, std::vector<std::string> measures = {}, const Study* study = nullptr,
                         const Overrides& relative_to = {});
 

@@ -18,13 +18,13 @@
 
 namespace placedpar {
 
-/// Returns a network of the study: the first that can be read of some combinations spread over the study, or of all
-/// combinations if the condition holds for none of those. If none can be read, throws UserError with the refusal of the
-/// first.
+/// Returns a network of the study. It tries some combinations spread over the study, or all combinations if the
+/// condition holds for none of these, and returns the first network that can be read. If none can be read, throws
+/// UserError with the refusal of the first.
 Network readable_network(const Study&);
 
-/// Throws UserError if no run can have one of the measures. All combinations are checked, or, if there are very many,
-/// some that are spread over them. `network` is one of the study's.
+/// Throws UserError if no run can have one of the measures. All combinations are checked; if there are very many, only
+/// some combinations spread over the study. `network` is a network of the study.
 void require_possible(const std::vector<std::string>& measures, const Study&, const Network&);
 
 /// Makes runs of a study, one after the other. Data that runs share are made once: the kinds; the parsed netlist; for
@@ -33,7 +33,7 @@ void require_possible(const std::vector<std::string>& measures, const Study&, co
 /// problems.
 class StudyWorker {
 public:
-    /// REQUIRES: the study outlives it.
+    /// REQUIRES: the study outlives this object.
     explicit StudyWorker(const Study& study) : study_(study), netlist_(study.netlist, study.read) {}
     StudyWorker(const StudyWorker&) = delete; // the kinds know the problems
     StudyWorker& operator=(const StudyWorker&) = delete;
@@ -69,11 +69,11 @@ private:
 /// or on other runs, so the results do not depend on the order.
 class StudySweep {
 public:
-    /// REQUIRES: both outlive it. Throws as Study::count().
+    /// REQUIRES: both arguments outlive this object. Throws as Study::count().
     StudySweep(const Study& study, StudyResults& results) : study_(study), runs_(study), results_(results) {}
 
-    /// Makes and keeps one or two runs, unless the results have them, and throws UserError for a measure that they do
-    /// not have, before the other runs are made.
+    /// Makes and keeps one or two runs, unless the results have them already. Throws UserError for a measure that these
+    /// runs do not have, so that the error comes before the other runs are made.
     void try_measures(Interruption&);
 
     /// The number of missing runs; an upper bound if there are very many.
@@ -82,8 +82,8 @@ public:
         bool exact = true;
     };
     Missing missing();
-    /// Returns the mean wall-clock time of a run, in seconds. Makes a run if none has been made, and one with another
-    /// seed. Returns nothing if interrupted. REQUIRES: called once.
+    /// Returns the mean wall-clock time of a run, in seconds. Makes a run if none has been made, and another run with
+    /// another seed. Returns nothing if interrupted. REQUIRES: called once.
     std::optional<double> seconds_a_run(Interruption&);
 
     /// Makes all missing runs, `workers` at once. `show` is called from time to time with the number of runs that have
@@ -110,7 +110,7 @@ private:
     std::atomic<bool> stop_ = false;
     std::optional<StudyWorker> trier_; ///< makes single runs, before the sweep, to measure them
     std::optional<StudyRun> tried_;    ///< last run of trier_
-    std::optional<double> seconds_;    ///< duration of that run
+    std::optional<double> seconds_;    ///< wall-clock duration of that run, in seconds
 };
 
 } // namespace placedpar

@@ -15,7 +15,7 @@ struct StudyVariant {
     Overrides set = {};
 };
 
-/// The allowed distance of a figure from the known one.
+/// The allowed distance of a figure from the known figure.
 struct StudyTolerance {
     StudyExpression amount{""}; ///< expression of the settings and `known`; none: no tolerance
     bool in_percent = false;    ///< percent of the known figure; otherwise in the unit of the figure
@@ -24,7 +24,8 @@ struct StudyTolerance {
 /// A row of a table. Each list is empty or has a member for each column.
 struct StudyRow {
     StudyVariant runs;
-    std::string measure = ""; ///< the measure that is the figure, as the study names it; "": `figure` gives it
+    std::string measure =
+        ""; ///< measure whose value is the row's figure, as the study names it; "": `figure` gives the figure
     StudyExpression figure{
         ""}; ///< expression of the settings, the measures by their last names, and the rows above by their names
     std::string unit = "";
@@ -36,11 +37,11 @@ struct StudyRow {
     Overrides relative_to = {};      ///< measures are divided by those of the otherwise same run with these settings
 };
 
-/// A table of figures of a study beside known ones, with a cell for each row and column.
+/// A table of a study's figures beside known figures, with a cell for each row and column.
 struct StudyTable {
     std::string name, against = "known", notes = "";
     bool judged = false;   ///< judged even if it is not the first table
-    bool fit = false;      ///< whether a line below the table gives the deviation of its figures from the known ones
+    bool fit = false;      ///< whether a line below the table gives the deviation of its figures from the known figures
     Overrides shared = {}; ///< settings of all its runs, unless a row or column sets them
     std::vector<StudyVariant> columns = {};
     std::vector<StudyRow> rows = {};

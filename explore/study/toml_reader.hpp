@@ -2,8 +2,8 @@
 
 // Without this macro, Debian's package needs a library to be linked.
 #define TOML_HEADER_ONLY 1
-// With assertions off, the parser tells the compiler to assume what it would assert, and "[(set]" breaks the
-// assumption. With neither assertion nor assumption, the parser reports the error in such a text.
+// With assertions off, the parser tells the compiler to assume the asserted conditions, and the text "[(set]" violates
+// such a condition. If the parser neither asserts nor assumes, it reports the error in such a text.
 #define TOML_ASSERT(condition) static_cast<void>(0)
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
@@ -32,8 +32,8 @@
 
 namespace placedpar {
 
-/// Reads a file of TOML. Reports all errors, not only the first. A value read in place of a wrong one is meaningless:
-/// call refuse_if_failed() before using any value.
+/// Reads a file of TOML. Reports all errors, not only the first. If the file has an error in a value, the value that is
+/// read is meaningless: call refuse_if_failed() before using any value.
 class TomlReader {
 protected:
     /// Throws RefusedInput if the text cannot be read.
@@ -195,7 +195,7 @@ private:
     std::shared_ptr<const SourceFile> source_;
     Reporter reporter_;
     std::set<std::tuple<toml::source_index, toml::source_index, std::string>>
-        reported_; ///< reports made so far; each is made once
+        reported_; ///< reports made so far, so that each report is made only once
 };
 
 } // namespace placedpar

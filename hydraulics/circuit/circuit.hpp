@@ -10,8 +10,8 @@
 
 namespace placedpar::hydraulics {
 
-/// The five configurations of the main valve. They differ in what the check valves of the cross-over network let
-/// through. We have the text of Figure 2.11 without its drawing, so this is our interpretation.
+/// The five configurations of the main valve. They differ in the flows that the check valves of the cross-over network
+/// let through. We have the text of Figure 2.11 without its drawing, so this is our interpretation.
 enum class Configuration : unsigned char { a, b, c, d, e };
 
 inline constexpr std::array<Configuration, 5> all_configurations{Configuration::a, Configuration::b, Configuration::c,
@@ -24,23 +24,24 @@ std::optional<Configuration> configuration_named(std::string_view);
 enum class Through : unsigned char {
     tank,
     junction, ///< the junction Junction::next
-    nowhere   ///< a check valve blocks it
+    nowhere   ///< a check valve blocks the flow
 };
 
 /// A junction of the main valve, from which the inlet orifice of one link and the bypass around it branch off. Flow
-/// arrives from a pump, from the bypasses that lead here, or from both.
+/// arrives from pumps and from the bypasses that lead to this junction.
 struct Junction {
     Link link;
     int pumps; ///< number of pumps, each of constant flow: 0 to 2
     Through through;
-    std::size_t next = 0; ///< index in the circuit if the bypass leads to a junction; INVARIANT: a later one
+    std::size_t next =
+        0; ///< index of the junction to which the bypass leads, if any; INVARIANT: higher than this junction's index
 };
 
 /// Junctions that share flow, upstream before downstream.
 using Circuit = std::vector<Junction>;
 
 /// Returns the links of a configuration in groups that are hydraulically coupled, ordered by their first link. A search
-/// for one compliance must find the compliances of its whole group at once.
+/// for the compliance of one link must find the compliances of the link's whole group at once.
 std::vector<LinkSet> coupled_groups(Configuration);
 
 /// Returns the circuit of the active links of one group. An inactive link is left out: its spool rests, its inlet is

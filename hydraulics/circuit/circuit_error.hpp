@@ -17,12 +17,12 @@ namespace placedpar::hydraulics {
 /// in equation 3.11. The absolute value gives windows of falling pressure a second optimum, at C + 2 Q_i / |dP/dt|.
 enum class InletFlow : unsigned char { absolute, as_signed };
 
-/// Returns the form that the thesis prints: absolute for one link (3.8), signed for more (3.11).
+/// Returns the form that the thesis prints: absolute for one link (3.8), signed for several links (3.11).
 inline InletFlow printed_inlet_flow(std::size_t links) {
     return links == 1 ? InletFlow::absolute : InletFlow::as_signed;
 }
 
-/// The terms of a LinkSample in the equations below. What does not depend on a compliance is computed in advance.
+/// The terms of a LinkSample in the equations below. Values that do not depend on a compliance are computed in advance.
 struct LinkTerms {
     double inlet_psi;
     double inlet_slope_psi_per_s;
@@ -36,7 +36,7 @@ inline LinkTerms terms_of(const LinkSample& sample, const FlowConstants& flow) {
             1 / flow.conductance(sample.inlet_in2), flow.conductance(sample.bypass_in2)};
 }
 
-/// The terms of each junction of a circuit, in its order.
+/// The terms of each junction of a circuit, in the circuit's order.
 using CircuitTerms = boost::container::static_vector<LinkTerms, all_links.size()>;
 
 /// REQUIRES: at most 4 samples.
@@ -47,7 +47,7 @@ inline CircuitTerms terms_of(std::span<const LinkSample> samples, const FlowCons
     return terms;
 }
 
-/// One value for each junction of a circuit, in its order; entries beyond the last junction are undefined.
+/// One value for each junction of a circuit, in the circuit's order; entries beyond the last junction are undefined.
 template <typename T>
 using PerJunction = std::array<T, all_links.size()>;
 
@@ -74,7 +74,8 @@ T flow_left(const Junction& junction, const T& inlet, const FlowConstants& flow,
 /// cylinders (3.6). If the next junction's estimate is higher, nothing flows through the bypass.
 ///
 /// T is double, or several doubles at once (orifice.hpp). `compliance_in3_per_psi` and `terms` have one entry for each
-/// junction, in the circuit's order. REQUIRES: at most 4 junctions, terms of samples with inlet_in2 > 0.
+/// junction, in the circuit's order. REQUIRES: there are at most 4 junctions, and inlet_in2 > 0 in each sample from
+/// which the terms were computed.
 template <typename T>
 PerJunction<T> missing_flows_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi,
                                        const CircuitTerms& terms, const FlowConstants& flow, InletFlow form) {
@@ -102,7 +103,7 @@ PerJunction<T> missing_flows_in3_per_s(const Circuit& circuit, std::span<const T
     return missing_flows_in3_per_s<T>(circuit, compliance_in3_per_psi, terms_of(samples, flow), flow, form);
 }
 
-/// Returns the same imbalance for a junction that forms a circuit by itself.
+/// Returns the imbalance of flow, in in^3/s, at a junction that forms a circuit by itself.
 template <typename T>
 T missing_flow_in3_per_s(const Junction& junction, const T& compliance_in3_per_psi, const LinkTerms& link,
                          const FlowConstants& flow, InletFlow form) {
@@ -113,13 +114,13 @@ T missing_flow_in3_per_s(const Junction& junction, const T& compliance_in3_per_p
 }
 
 /// Returns the sum of the absolute values of the missing flows. With one junction this is the error of equations 3.5 to
-/// 3.8, with two in series the error of 3.10 and 3.11; the other circuits extend these in the same way. REQUIRES: the
-/// same as missing_flows_in3_per_s().
+/// 3.8, with two in series the error of 3.10 and 3.11; for other circuits these equations are extended in the same way.
+/// REQUIRES: the same as missing_flows_in3_per_s().
 template <typename T>
 T circuit_error_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi, const CircuitTerms& terms,
                           const FlowConstants& flow, InletFlow form) {
     using std::abs;
-    if (circuit.size() == 1) // soonest, and most searches are for one
+    if (circuit.size() == 1) // faster; most searches are for one compliance
         return abs(missing_flow_in3_per_s<T>(circuit[0], compliance_in3_per_psi[0], terms[0], flow, form));
     auto missing = missing_flows_in3_per_s<T>(circuit, compliance_in3_per_psi, terms, flow, form);
     T error = abs(missing[0]);

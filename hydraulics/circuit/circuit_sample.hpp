@@ -23,9 +23,10 @@ struct CircuitSample {
     std::vector<double> values() const;
 };
 
-/// Returns a sample for every instant of the record at which the slopes are known, which takes two samples on either
-/// side without a gap. Slopes come from 5-point lines. Throws UnfitRecord, naming the missing channel and those
-/// present, if a link of the circuit lacks its pressure, its angle or the source of its areas.
+/// Returns a sample for every instant of the record at which the slopes are known: two samples precede it and two
+/// follow it without a gap. Slopes are those of lines fitted to 5 samples (line_fit.hpp). Throws UnfitRecord, which
+/// names the missing channel and the channels present, if a link of the circuit lacks its pressure, its angle or the
+/// source of its areas.
 std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& circuit,
                                            const LinkCalibrations& calibrations);
 
@@ -40,14 +41,14 @@ double excitation_psi_per_s(std::span<const CircuitSample> samples, std::size_t 
 struct UsableSamples {
     double open_by_psi = 25;            ///< at the first sample all links must be open by this margin ...
     double first_slope_psi_per_s = 150; ///< ... and every pressure must rise faster than this
-    std::size_t skipped = 0;            ///< samples left out after that
+    std::size_t skipped = 0;            ///< number of usable samples to leave out, counted from that first sample
     std::size_t count = 20;             ///< number of samples; 0.4 s of transient, thesis 4.4
     bool rising = false;                ///< stop at the first falling pressure, thesis 3.1.3
 };
 
-/// Returns the samples from the first that the rule accepts. Later samples are left out if an inlet is shut or the
-/// pumps cannot reach a cylinder's pressure, since equation 3.6 does not hold there. Returns fewer than `count` if the
-/// record ends.
+/// Returns `count` samples, from the first sample that the rule accepts. Later samples are left out if an inlet is shut
+/// or the pumps cannot reach a cylinder's pressure, since equation 3.6 does not hold there. Returns fewer than `count`
+/// if the record ends.
 std::vector<CircuitSample> usable_samples(std::span<const CircuitSample> samples, const Circuit& circuit,
                                           const FlowConstants& flow, const UsableSamples& rule = {});
 

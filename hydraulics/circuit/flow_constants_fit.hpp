@@ -14,23 +14,24 @@ struct SteadyFlowPoint {
     double spool_in;
 };
 
-/// Returns Table 2.6 of the thesis (printed as "Figure 2.6"), by falling flow and, within a flow, by falling pressure.
+/// Returns Table 2.6 of the thesis (printed as "Figure 2.6"), in order of falling flow and, at equal flow, of falling
+/// pressure.
 std::span<const SteadyFlowPoint> table_2_6();
 
 /// Constants fitted to a table, with their residuals.
 struct FlowConstantsFit {
     FlowConstants constants;
-    FlowConstants deviation;          ///< standard deviation of each, from the residuals
+    FlowConstants deviation;          ///< standard deviation of each constant, computed from the residuals
     std::vector<double> residuals_in; ///< for each entry, the spool by the model minus the spool in the table
     double rms_in;
 };
 
 /// Fits k, Q and P_e to the spool positions by least squares, with the method of Levenberg and Marquardt from `start`;
-/// the relief pressure is unchanged. Throws std::invalid_argument for fewer than 4 points, std::runtime_error if it
-/// does not converge, and std::domain_error as boom_spool_for_flow does.
+/// the relief pressure is unchanged. Throws std::invalid_argument for fewer than 4 points, std::runtime_error if the
+/// method does not converge, and std::domain_error as boom_spool_for_flow does.
 FlowConstantsFit fit_flow_constants(std::span<const SteadyFlowPoint> table, const FlowConstants& start);
 
-/// Returns the residuals under given constants.
+/// Returns the residuals (FlowConstantsFit::residuals_in) with the given constants.
 std::vector<double> spool_residuals_in(std::span<const SteadyFlowPoint> table, const FlowConstants& constants);
 
 } // namespace placedpar::hydraulics

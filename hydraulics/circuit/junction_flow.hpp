@@ -24,18 +24,18 @@ struct JunctionFlow {
 };
 
 /// Solves a circuit's steady flow. At every junction the flow from pumps and upstream bypasses leaves through the
-/// inlet, the bypass and the relief valve. Each flow is k a sqrt(drop) and, because of its check valve, never backwards
-/// (equations B.3 and B.4, plus the load checks that they leave out).
+/// inlet, the bypass and the relief valve. Each flow is k a sqrt(drop), and its check valve keeps it from flowing
+/// backwards (equations B.3 and B.4, plus the load checks that they leave out).
 ///
 /// The flow through a bypass falls as the pressure beyond it rises. From the last junction upstream, each junction's
-/// pressure is therefore the only root of a decreasing function. To evaluate it at a trial pressure, the junctions
-/// upstream are solved for that pressure. A junction fed only by pumps is solved in closed form. There is a solution
-/// for all areas and pressures.
+/// pressure is therefore the only root of a decreasing function. To evaluate this function at a trial pressure, the
+/// junctions upstream are solved for that pressure. A junction fed only by pumps is solved in closed form. There is a
+/// solution for all areas and pressures.
 ///
 /// A junction that no flow reaches has the highest pressure of the junctions whose open bypasses lead to it. Without
-/// such junctions it has the lowest pressure beyond its own open orifices, or the tank's if these are shut too.
-/// INVARIANT of the result: flow is conserved at every junction to 1e-9 of a pump's flow. REQUIRES: one opening and one
-/// result per junction; pump flow > 0, relief pressure finite.
+/// such junctions it has the lowest pressure beyond its own open orifices, or the tank's pressure if all its orifices
+/// are shut. INVARIANT of the result: flow is conserved at every junction to 1e-9 of a pump's flow. REQUIRES: one
+/// opening and one result per junction; pump flow > 0, relief pressure finite.
 void solve_junctions(const Circuit&, std::span<const JunctionOpening>, const FlowConstants&, std::span<JunctionFlow>);
 
 std::vector<JunctionFlow> solve_junctions(const Circuit&, std::span<const JunctionOpening>, const FlowConstants&);

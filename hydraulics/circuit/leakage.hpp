@@ -18,9 +18,9 @@ inline double leakage_in3_per_s(double leak_in3_per_s_psi, double inlet_psi, dou
 /// Returns the apparent growth of the compliance in a model without the leak, in in^3/psi.
 ///
 /// The flow is Q_i = C_i dP_i/dt + A_i dX/dt + Q_l; in the model C_i' dP_i/dt replaces the first and the last term.
-/// (The thesis prints 2.5 with both C_i' and Q_l, from which its 2.7 would not follow.) At one instant
+/// (The thesis prints equation 2.5 with both C_i' and Q_l, from which equation 2.7 would not follow.) At one instant
 ///   C_i' - C_i = Q_l / (dP_i/dt),
-/// of which 2.8 is the lower bound. Over a window, the C_i' with the least error has
+/// for which equation 2.8 gives the lower bound. Over a window, the C_i' with the least error satisfies
 ///   C_i' - C_i = sum(Q_l dP_i/dt) / sum((dP_i/dt)^2).
 /// Throws std::invalid_argument if the numbers of flows and slopes differ, or if all slopes are 0, so that a leak has
 /// no apparent compliance.

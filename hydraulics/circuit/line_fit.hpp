@@ -10,8 +10,9 @@ namespace placedpar::hydraulics {
 inline constexpr std::size_t line_fit_points = 5;
 
 /// Fits least-squares lines to 5 equally spaced samples. The slope belongs to the middle sample, 2 periods back.
-/// (Combined with the newest sample instead, it would bias the compliance by +17 %.) The slope is exact for quadratics.
-/// White noise of standard deviation s gives it a deviation of s / (sqrt(10) period), 15.811 s at 20 ms.
+/// (If the slope were combined with the newest sample instead, the compliance would be biased by +17 %.) The slope is
+/// exact for quadratics. White noise of standard deviation sigma gives the slope a standard deviation of sigma /
+/// (sqrt(10) period), which is 15.811 sigma per second at a period of 20 ms.
 class CentredLineFit {
 public:
     /// Throws std::invalid_argument unless period_s > 0.

@@ -13,13 +13,13 @@ class Parameters; // hydraulics/data/parameters.hpp
 /// This file converts sensor readings to flows and areas.
 
 /// Returns the volume that the pump side of a link takes per radian of its joint, in in^3/rad: A_i times the moment
-/// arm. For the swing it is the displacement of its motor.
+/// arm. For the swing this volume is the displacement of its motor.
 constexpr double piston_in3_per_rad(double inlet_area_in2, double moment_arm_in) {
     return inlet_area_in2 * moment_arm_in;
 }
 
-/// Selects the source of a link's orifice areas: read directly, computed by the boom's functions A.3 to A.9 from the
-/// spool, or by A.1 and A.2 from the servo-valve's voltage.
+/// Selects the source of a link's orifice areas: read directly, computed from the spool by the boom's functions A.3 to
+/// A.9, or computed from the servo-valve's voltage by A.1 to A.9.
 enum class AreasFrom : unsigned char { areas, spool, servo };
 
 /// The constants that convert the readings of one link to flows.
@@ -45,13 +45,14 @@ using LinkCalibrations = PerLink<LinkCalibration>;
 /// Returns link_constants(), without an offset.
 LinkCalibrations link_calibrations(const Parameters& parameters);
 
-/// Returns `asked`, or else the first of the three sources that the link has.
+/// Returns `asked`; if it is nullopt, the first AreasFrom source whose channels are in `there`.
 AreasFrom areas_from(const ChannelSet& there, Link link, std::optional<AreasFrom> asked);
 
 /// Returns the channels from which a link's flows and areas are computed: inlet pressure, angle, and the source of its
 /// areas.
 ChannelSet channels_needed(Link link, AreasFrom from);
-/// Throws UnfitRecord, naming the first missing one of these channels and those present.
+/// Throws UnfitRecord if one of channels_needed() is missing; the message names the first such channel and the channels
+/// present.
 void require_channels(const Record& record, Link link, AreasFrom from);
 
 } // namespace placedpar::hydraulics

@@ -40,7 +40,8 @@ T junction_pressure(double inlet_conductance, double link_pressure, const T& flo
     return orifice_drop(inlet_conductance, flow) + link_pressure;
 }
 
-/// Returns the flow from a junction through the bypass (3.7, B.3). `drop` is to the tank or to the next junction.
+/// Returns the flow from a junction through the bypass (3.7, B.3). `drop` is the pressure drop to the tank or to the
+/// next junction.
 template <typename T>
 T bypass_flow(double bypass_conductance, const T& drop) {
     return orifice_flow(bypass_conductance, drop);

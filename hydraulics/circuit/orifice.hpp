@@ -29,8 +29,8 @@ T orifice_drop(double conductance, const T& flow) {
     T root = flow / conductance;
     return root * root;
 }
-/// Returns the same from `resistance` = 1 / (k a). This is faster for many flows through one orifice, since it
-/// multiplies instead of dividing.
+/// Returns the pressure drop as orifice_drop() does, given `resistance` = 1 / (k a). For many flows through one orifice
+/// this function is faster, since it multiplies instead of dividing.
 template <typename T>
 T resisted_drop(double resistance, const T& flow) {
     T root = flow * resistance;

@@ -6,19 +6,20 @@
 
 namespace placedpar::hydraulics {
 
-/// Returns the spool position, in inches, that a servo-valve voltage demands: the boom's voltage-spool function A.1. It
-/// is strictly increasing for every voltage. It holds for raising only; the thesis gives no function for lowering.
+/// Returns the spool position, in inches, that a servo-valve voltage demands: the boom's voltage-spool function A.1.
+/// The function is strictly increasing for every voltage. It holds for raising only; the thesis gives no function for
+/// lowering.
 double desired_spool_in(double volts);
 
 /// Returns the voltage for a spool position, accurate to the last bits: the inverse of A.1, which a controller uses.
 /// Throws std::invalid_argument if the spool is below 0 or not finite.
 double servo_volts(double spool_in);
 
-/// An offset that grows with time: a worn spool, the pressure regulation of a servo-valve, or the sensor that measured
-/// both (2.3.2). With rate 0 it is constant.
+/// An offset that grows with time. It comes from a worn spool, the servo-valve's pressure regulation, or the sensors
+/// that measured spool and voltage (2.3.2). With rate 0 the offset is constant.
 struct OffsetDrift {
     double at_start = 0;   ///< in the unit of the quantity to which it is added
-    double rate_per_s = 0; ///< that unit per second
+    double rate_per_s = 0; ///< in the unit of at_start, per second
 
     double at(double time_s) const { return at_start + rate_per_s * time_s; }
 };
@@ -34,7 +35,7 @@ struct DriftedVoltageSpool {
 
 /// The dynamics of the spool, A.2: a first-order lag, exact for a command that is held over each sampling period.
 /// Spool(k) = Desired(k-1) (1 - e) + e Spool(k-1) with e = exp(-a_0 T). The thesis prints k in place of both k-1. With
-/// Desired(k) the spool would be a period early, and a compliance found with it would be 17 % off.
+/// Desired(k) the spool would move one period early, and an identified compliance would be wrong by 17 %.
 class SpoolLag {
 public:
     /// Throws std::invalid_argument unless lag and period are above 0.
@@ -53,12 +54,13 @@ private:
     double spool_in_;
 };
 
-/// Returns the spool at each sampling instant of the voltages. Before the first one, the spool is at rest at the first
-/// voltage (experiment 2 of 3.1.3). Throws what SpoolLag throws.
+/// Returns the spool at each sampling instant of the voltages. Before the first instant, the spool is at rest at the
+/// position for the first voltage (experiment 2 of 3.1.3). Throws what SpoolLag throws.
 std::vector<double> spool_from_volts(std::span<const double> volts, double lag_per_s, double period_s,
                                      const DriftedVoltageSpool& = {});
-/// Returns the same for instants that are whole numbers of periods apart, as in a record. Over a gap the last command
-/// before it is held, which is exact if it was constant. REQUIRES: as many instants as voltages, in rising order.
+/// Returns the spool position at instants that are whole numbers of periods apart, as in a record. Over a gap the last
+/// command before the gap is held, which is exact if it was constant. REQUIRES: as many instants as voltages, in rising
+/// order.
 std::vector<double> spool_from_volts(std::span<const double> volts, std::span<const double> time_s, double lag_per_s,
                                      double period_s, const DriftedVoltageSpool& = {});
 

@@ -15,9 +15,9 @@ namespace placedpar::hydraulics {
 /// A constant of the machine.
 struct Parameter {
     std::string name;   ///< "boom.inlet_area"
-    double value;       ///< in this room's unit of its quantity
+    double value;       ///< in this room's unit of the parameter's quantity
     std::string unit;   ///< this room's unit of the quantity
-    std::string mark;   ///< thesis, fitted or ours; in a user's file also measured
+    std::string mark;   ///< "thesis", "fitted" or "ours"; in a user's file also "measured"
     std::string source; ///< origin of the value
 };
 

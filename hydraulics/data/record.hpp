@@ -49,8 +49,8 @@ struct Stretch {
     std::size_t first, last;
 };
 
-/// Measurements of an excavator's motion. All channels are read at the same instants, a fixed period apart except at
-/// gaps.
+/// Measurements of an excavator's motion. All channels are read at the same instants, which are a fixed period apart
+/// except at gaps.
 class Record {
 public:
     std::string description;
@@ -59,7 +59,8 @@ public:
     std::vector<double> time_s;
 
     std::size_t size() const { return time_s.size(); }
-    /// Returns one value for each instant, in the unit of the sensor's quantity; empty if it was not measured.
+    /// Returns one value for each instant, in the unit of the sensor's quantity; empty if the sensor is not in the
+    /// record.
     const std::vector<double>& of(Link link, Sensor sensor) const {
         return channels_[index_of(link)][static_cast<std::size_t>(sensor)];
     }
@@ -94,7 +95,8 @@ struct SensorReading {
     double time_s, value;
 };
 
-/// Returns the earliest reading that is not finite or beyond largest_reading, and within an instant the first channel.
+/// Returns the earliest reading that is not finite or is beyond largest_reading. Of several such readings at one
+/// instant, returns that of the first channel.
 std::optional<SensorReading> first_unmeasurable(const Record& record);
 
 /// The largest distance of a sample from its regular instant, as a share of the period.

@@ -31,7 +31,7 @@ struct RowBefore {
     double time_s;
 };
 
-/// Removes rows that are identical to the one before; loggers write such rows when they restart.
+/// Removes rows that are identical to the row before; loggers write such rows when they restart.
 void drop_repeated_rows(TextTable& table, const std::optional<RowBefore>& before, std::vector<Diagnostic>& faults);
 
 /// Sets record.period_s, unless it is above 0, to the median step of record.time_s, and checks that the times rise by
@@ -41,13 +41,13 @@ void drop_repeated_rows(TextTable& table, const std::optional<RowBefore>& before
 void check_times(Record& record, const TextTable& table, const TimeColumn& time, const std::optional<RowBefore>& before,
                  std::vector<Diagnostic>& faults);
 
-/// Warns of a channel that never changes, and of one whose greatest value would be usual in another unit. Values are in
-/// this room's unit; `unit` is the unit in the text. REQUIRES: least <= greatest.
+/// Warns of a channel that never changes, and of a channel whose greatest value would be usual in another unit. Values
+/// are in this room's unit; `unit` is the unit in the text. REQUIRES: least <= greatest.
 void check_channel(std::string_view name, Sensor sensor, const Unit& unit, double least, double greatest,
                    HeaderPlace place, std::vector<Diagnostic>& faults);
 
-/// Warns of a pressure below vacuum, at the first sample that has one. `index` is the channel's index among the cells.
-/// REQUIRES: table's rows are the samples.
+/// Warns of pressures below vacuum; the warning is for the first sample with such a pressure. `index` is the channel's
+/// index among the cells. REQUIRES: table's rows are the samples.
 void check_pressure(std::string_view name, const Unit& unit, std::span<const double> psi, const TextTable& table,
                     std::size_t index, std::vector<Diagnostic>& faults);
 /// Warns of readings, `period_s` apart, that freeze and then jump by at least `least_jump`. REQUIRES: table's rows are

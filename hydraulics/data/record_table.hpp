@@ -23,9 +23,10 @@ struct ReadRecord {
 
 /// States which channels a record must have.
 struct RecordNeeds {
-    /// Returns, from the channels that a header names, those that must have a value in every row. If empty, all must.
+    /// Given the channels that a header names, returns the channels that must have a value in every row. If this
+    /// function is empty, every channel must.
     std::function<ChannelSet(const ChannelSet&)> of = {};
-    /// Whether rows that lack such a value are left out; otherwise the record is refused.
+    /// Whether rows that lack a required value are left out; if false, the record is refused.
     bool skip_missing = false;
 };
 
@@ -47,7 +48,7 @@ struct RecordNeeds {
 /// and frozen pressures and angles. Faults are in the order of their lines.
 ReadRecord read_record(std::string_view text, const RecordNeeds& needs = {});
 
-/// Reads a text of any length in pieces, as read_record reads a whole one.
+/// Reads a text of any length in pieces, as read_record reads a whole text.
 class RecordReader {
 public:
     explicit RecordReader(RecordNeeds needs = {}) : needs_(std::move(needs)) {}
@@ -62,7 +63,7 @@ private:
     /// A column of the text.
     struct Column {
         std::size_t index;
-        std::size_t at; ///< position of its name in the header's line
+        std::size_t at; ///< position of the column's name in the header's line
         std::string name;
         const Unit* unit;
         Link link{};
@@ -90,7 +91,7 @@ private:
     std::vector<Column> columns_;
     std::optional<RowBefore> before_;
     std::optional<double> period_s_;
-    std::set<std::size_t> told_; ///< header columns that a warning has been given for
+    std::set<std::size_t> told_; ///< positions in the header of the columns about which a warning has been given
 };
 
 /// The sensors' line fit needs 5 samples.

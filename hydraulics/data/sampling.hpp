@@ -6,7 +6,7 @@
 
 namespace placedpar::hydraulics {
 
-/// The thesis samples every 20 ms. Slopes over five samples, windows and movements are designed for about that period.
+/// The thesis samples every 20 ms. Slopes over five samples, windows and movements are designed for about this period.
 inline constexpr double method_period_s = 0.020;
 
 /// States how readings become the samples for identification. Each sample is the mean of `readings` successive
@@ -19,7 +19,7 @@ struct Sampling {
     static Sampling of(double reading_s);
 
     double period_s() const { return reading_s * static_cast<double>(readings); }
-    /// Returns the number of samples nearest to this time, at least one.
+    /// Returns the number of samples whose duration is nearest to this time, at least one.
     std::size_t samples_in(double duration_s) const;
 };
 
@@ -30,7 +30,7 @@ std::string print_sampling(const Sampling&);
 
 /// Returns the record with its readings averaged to samples, each at the middle of its readings. No sample combines
 /// readings from both sides of a gap, and readings left over before a gap are dropped. A voltage is held from one
-/// sample to the next, so it is the mean of the readings between their middles.
+/// sample to the next, so a sample's voltage is the mean of the readings between the middles of the two samples.
 Record averaged(const Record& record, const Sampling& sampling);
 
 } // namespace placedpar::hydraulics

@@ -7,7 +7,7 @@
 
 namespace placedpar::hydraulics {
 
-/// The quantities that numbers measure. This room uses one unit for each, the thesis's.
+/// The quantities that numbers measure. This room uses one unit for each quantity, the unit of the thesis.
 enum class Quantity : unsigned char {
     number,        ///< without a unit
     time,          ///< s
@@ -49,7 +49,7 @@ inline constexpr double deg_per_rad = 180 / std::numbers::pi;
 /// factor 1.
 const Unit* unit_named(std::string_view name);
 
-/// Returns all units of a quantity, this room's own first.
+/// Returns all units of a quantity, beginning with this room's own unit.
 std::vector<Unit> units_of(Quantity);
 /// Returns a text for messages: "psi, Pa, kPa, MPa or bar".
 std::string list_units(Quantity);

@@ -9,7 +9,7 @@
 
 namespace placedpar::hydraulics {
 
-/// The sensors of the measured excavator's boom: each adds noise first and then passes a converter.
+/// The sensors of the measured excavator's boom. Each reading is the true value with noise, rounded by a converter.
 struct BoomSensors {
     MeasurementNoise noise;
     Converter pressure;     ///< from 0 psi on
@@ -24,7 +24,7 @@ struct BoomSensors {
 BoomSensors boom_sensors(const Parameters& parameters = Parameters::excavator());
 
 /// Reads every sensor of the boom once a period: both pressures at the valve's ends of their hoses, the angle, the
-/// spool, and the voltage that the control system commanded. Draws four normal numbers a sample, in the order inlet
+/// spool, and the voltage that the control system commanded. Draws four normal numbers per sample, in the order inlet
 /// pressure, outlet pressure, angle, spool, even without noise. Throws UnfitScenario (requirement.hpp) if the period is
 /// not a whole multiple of the motion's step.
 Record read_boom_sensors(std::span<const MeasuredState> motion, const MeasuredExcavator& excavator,

@@ -4,7 +4,7 @@
 
 namespace placedpar::hydraulics {
 
-/// Hydraulic oil with free air in it, which never dissolves, as in Figure 2.3 of the thesis.
+/// Hydraulic oil with free air, as in Figure 2.3 of the thesis. The air never dissolves.
 struct AirOilMixture {
     double air_fraction;        ///< x_0, of the volume at atmospheric pressure
     double polytropic_exponent; ///< N: 1 isothermal, 1.4 adiabatic
@@ -16,13 +16,13 @@ struct AirOilMixture {
 AirOilMixture air_oil_mixture(double air_fraction, double polytropic_exponent = 1,
                               const Parameters& parameters = Parameters::excavator());
 
-/// Returns beta = -V dP/dV of the mixture, from V = V_oil + V_air (P_0 / P)^(1/N). The shrinking of the oil in V itself
-/// is neglected. beta grows with pressure, falls with the air fraction, and tends to the oil's. REQUIRES: psia > 0, an
-/// absolute pressure; 0 <= air_fraction < 1.
+/// Returns beta = -V dP/dV of the mixture, from V = V_oil + V_air (P_0 / P)^(1/N). V neglects that the oil shrinks
+/// under pressure. beta grows with pressure, falls with the air fraction, and tends to the oil's bulk modulus.
+/// REQUIRES: psia > 0, an absolute pressure; 0 <= air_fraction < 1.
 double bulk_modulus_psi(const AirOilMixture& mixture, double psia);
 
-/// Returns the absolute pressure at which beta is `share` of the oil's; below it the mixture is softer. REQUIRES: 0 <
-/// air_fraction < 1, 0 < share < 1.
+/// Returns the absolute pressure at which beta is `share` times the oil's bulk modulus; at lower pressures the mixture
+/// is softer. REQUIRES: 0 < air_fraction < 1, 0 < share < 1.
 double psia_at_modulus(const AirOilMixture& mixture, double share);
 
 /// Equation 2.2: C_fluid = V / beta.

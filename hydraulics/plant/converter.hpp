@@ -13,14 +13,15 @@ struct Converter {
 
     /// Returns the resolution; 0 without bits.
     double step() const;
-    /// Returns the value of the nearest code, half to even. The error is at most half a step.
+    /// Returns the value of the nearest code; a value half-way between two codes goes to the even code. The error is at
+    /// most half a step.
     double operator()(double value) const;
-    /// Returns the same, limited to [least, least + range - step].
+    /// Returns the value of the nearest code, limited to [least, least + range - step].
     double limited(double value, double least) const;
 };
 
-/// Returns the number of bits in a row of the parameters. Throws UnfitScenario (requirement.hpp) unless it is a whole
-/// number from 0 to 32.
+/// Returns the number of bits in a row of the parameters. Throws UnfitScenario (requirement.hpp) unless the value is a
+/// whole number from 0 to 32.
 int bits_of(const Parameters& parameters, std::string_view name);
 
 } // namespace placedpar::hydraulics

@@ -10,7 +10,7 @@
 namespace placedpar::hydraulics {
 
 /// A system of ordinary differential equations that is smooth except at events: valves that open and shut, knees of a
-/// curve, commands. `Mode` identifies the smooth part; while it is unchanged, the system is smooth.
+/// curve, commands. While the `Mode` is unchanged, the system is smooth.
 template <typename S>
 concept ModalSystem = requires(S system, const std::vector<double>& state, std::vector<double>& rate, double time_s) {
     { system.rate(state, rate, time_s) } -> std::same_as<typename S::Mode>;
@@ -23,8 +23,8 @@ concept ModalSystem = requires(S system, const std::vector<double>& state, std::
 /// A step is clean if all its stages and its end have the mode of its beginning.
 /// 1. Try the step to the end.
 /// 2. If it is unclean, bisect to the longest clean step, take it, and continue from there.
-/// 3. If a step of the resolution is unclean, the event is less than that away: take this step across it. Such hops
-///    double until a step is clean again, so that time advances even with endless events.
+/// 3. If a step of the resolution is unclean, the event is less than the resolution away: take this step across it.
+///    Such hops double until a step is clean again, so that time advances even with endless events.
 /// 4. After the limit of pieces, as when a valve chatters, step to the end regardless of events.
 ///
 /// Events that cancel each other between the stages of one step are not seen, so choose the step accordingly.
@@ -38,7 +38,8 @@ public:
     /// is far below the resolution of any reading.
     static constexpr double resolution_s = 1e-12;
 
-    /// The largest number of pieces of one call, and of a call on average; an event takes about 5.
+    /// The largest number of pieces in one call, and the largest average number per call. An event takes about 5
+    /// pieces.
     static constexpr double most_pieces = 64, pieces_a_call = 0.5;
 
     EventStepper(const System& system, State state, double time_s)

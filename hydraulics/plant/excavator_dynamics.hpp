@@ -31,7 +31,7 @@ public:
     using State = std::vector<double>;
     using Mode = std::vector<LinkMode>; ///< in the order of the scenario's links
 
-    /// The components of each link's part of the state.
+    /// The components of the state, for each link.
     enum Component : std::size_t { inlet_psi, outlet_psi, piston_in, velocity_in_per_s, spool_in, components };
 
     /// REQUIRES: a valid scenario, which outlives this object.

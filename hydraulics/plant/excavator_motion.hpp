@@ -24,8 +24,8 @@ struct ExcavatorState {
     std::vector<LinkState> links; ///< in the scenario's order
 };
 
-/// The opening or shutting of a load check valve. Its time is as accurate as the integration, but not better than some
-/// 10 ns, because nearer to the event the pressure drop over the inlet is smaller than its rounding error.
+/// The opening or shutting of a load check valve. Its time is as accurate as the integration, but no more accurate than
+/// about 10 ns, because nearer to the event the pressure drop over the inlet is smaller than its rounding error.
 struct CheckEvent {
     double time_s;
     Link link;
@@ -44,7 +44,7 @@ struct ExcavatorMotion {
 /// passes the tank's. Throws UnfitScenario (requirement.hpp) if the scenario is not valid.
 ExcavatorMotion simulate_excavator(const ExcavatorScenario&);
 
-/// Simulates the scenario likewise, but gives each state to `show` instead of keeping it.
+/// Simulates the scenario in the same way, but passes each state to `show` instead of returning all states.
 std::vector<CheckEvent> simulate_excavator(const ExcavatorScenario&, const std::function<void(ExcavatorState&&)>& show);
 
 } // namespace placedpar::hydraulics

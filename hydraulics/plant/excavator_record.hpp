@@ -11,7 +11,7 @@ namespace placedpar::hydraulics {
 
 /// Samples the motion of all links of a scenario every `period_s`, from its first state on. It reads the inlet
 /// pressure, the angle and the spool of each link. For a valve without a spool it reads the areas of inlet and bypass,
-/// whose noise is relative. Draws one normal number for each of these in this order, link after link, even without
+/// whose noise is relative. Draws one normal number for each reading in this order, link after link, even without
 /// noise, so that the disturbances of two noise levels are proportional. Readings have the resolution of
 /// measurement.hpp. Throws UnfitScenario (requirement.hpp) if the period is not a whole multiple of the motion's step.
 Record measure_excavator(const ExcavatorMotion& motion, const ExcavatorScenario& scenario, double period_s,
@@ -24,7 +24,8 @@ LinkCalibrations boom_calibrations(const LinkMechanics& boom);
 /// returns the usable samples, as plain numbers in the order of LinkSample.
 std::vector<std::vector<double>> boom_record(const ExcavatorScenario& scenario, const MeasurementNoise& noise,
                                              const UniformSource& uniform, const UsableSamples& usable = {});
-/// Returns the same for a motion that has been simulated. REQUIRES: it is the scenario's.
+/// Measures a motion that has been simulated already, and returns the usable samples. REQUIRES: `motion` is a
+/// simulation of `scenario`.
 std::vector<std::vector<double>> boom_record(const ExcavatorMotion& motion, const ExcavatorScenario& scenario,
                                              const MeasurementNoise& noise, const UniformSource& uniform,
                                              const UsableSamples& usable = {});

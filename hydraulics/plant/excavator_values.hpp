@@ -9,16 +9,18 @@ namespace placedpar::hydraulics {
 
 /// This file builds scenarios from the numbers of excavator.csv.
 
-/// Returns a scenario in which the boom is held until the operator demands 4 deg/s: with spool, leak and drain side, in
-/// configuration a. The motion follows the rows `motion`.*: scenario_a, a step, or scenario_b, a ramp.
+/// Returns a scenario in which the boom is held until the operator demands 4 deg/s. The scenario has a spool, a leak
+/// and a drain side, in configuration a. The motion follows the rows `motion`.*: scenario_a, a step, or scenario_b, a
+/// ramp.
 ExcavatorScenario single_boom_scenario(const Parameters& parameters = Parameters::excavator(),
                                        std::string_view motion = "scenario_a");
 
-/// Returns scenario R2, the simulation of 3.2: bucket and boom, branch 1 of configuration a, a step of both by B.5.
+/// Returns scenario R2, the simulation of 3.2: bucket and boom move on branch 1 of configuration a, and both valves
+/// follow the step of B.5.
 ExcavatorScenario two_link_scenario(const Parameters& parameters = Parameters::excavator());
 
-/// Returns a scenario with the links `active` in any configuration and a step of all. The valves follow B.5, with final
-/// areas that give each link the flow that the controller demands. REQUIRES: a link is active.
+/// Returns a scenario in which the links `active` move in the given configuration. All valves follow the step of B.5,
+/// with final areas that give each link the flow that the controller demands. REQUIRES: a link is active.
 ExcavatorScenario step_scenario(Configuration configuration, LinkSet active,
                                 const Parameters& parameters = Parameters::excavator());
 

@@ -2,8 +2,8 @@
 
 namespace placedpar::hydraulics {
 
-/// A second-order model of a hose: its fluid moves as one mass between two compliances, one at the valve's end and one
-/// at the cylinder's. The thesis's first-order pipe model has only their sum.
+/// A second-order model of a hose: its fluid moves as one mass between two compliances, at the valve's end and at the
+/// cylinder's end. The thesis's first-order pipe model has only the sum of the two compliances.
 struct Hose {
     double inertance_psi_s2_per_in3; ///< I = density length / bore
     double resistance_psi_s_per_in3; ///< R, laminar

@@ -5,8 +5,8 @@
 
 namespace placedpar::hydraulics {
 
-/// A link as a mass on a cylinder. For the swing, which has a motor, area times moment arm is the displacement per
-/// radian. No value has a default: all come from excavator.csv, which states the source of each.
+/// A link as a mass on a cylinder. For the swing, which has a motor, area times moment arm is the motor's displacement
+/// per radian. No value has a default: all come from excavator.csv, which states the source of each.
 struct LinkMechanics {
     double inlet_area_in2;                ///< A_i, pump side of the piston
     double outlet_area_in2;               ///< A_o, drain side; 0: the drain side is not simulated
@@ -29,8 +29,8 @@ struct LinkMechanics {
 /// Returns the boom of the single-link experiments, with its drain side, from the rows boom.*.
 LinkMechanics single_boom_mechanics(const Parameters& parameters = Parameters::excavator());
 
-/// Returns one of several moving links (Figures 3.9 to 3.11): without drain side, and with damping in place of
-/// friction, as in appendix B.
+/// Returns a link of the experiments with several moving links (Figures 3.9 to 3.11). As in appendix B, the link has no
+/// drain side, and damping in place of friction.
 LinkMechanics coupled_mechanics(Link link, const Parameters& parameters = Parameters::excavator());
 
 } // namespace placedpar::hydraulics

@@ -26,8 +26,9 @@ struct SpoolStep {
     double ramp_s = 0;
 };
 
-/// A main valve whose spool follows commands with the lag of A.2 and opens the orifices of A.3 to A.9. These are the
-/// boom's, since those of the other links are not printed. (voltage_spool.hpp turns voltages into commands.)
+/// A main valve whose spool follows commands with the lag of A.2 and opens the orifices of A.3 to A.9. The thesis
+/// prints these functions for the boom only; here they serve for every link. (voltage_spool.hpp turns voltages into
+/// commands.)
 struct SpoolOrifices {
     double rest_in;               ///< spool position before the first step
     std::vector<SpoolStep> steps; ///< in order of time; each begins after the previous ramp has ended
@@ -39,8 +40,8 @@ using LinkValve = std::variant<TimedOrifices, SpoolOrifices>;
 OrificeAreas areas_at(const TimedOrifices& valve, double time_s);
 /// Returns the spool position that the command demands.
 double desired_in(const SpoolOrifices& valve, double time_s);
-/// Returns the number of steps that have begun plus the number of ramps that have ended. While it is unchanged, the
-/// command is smooth.
+/// Returns the number of steps that have begun plus the number of ramps that have ended. While this number is
+/// unchanged, the command is smooth.
 std::size_t begun_and_ended(const LinkValve& valve, double time_s);
 
 } // namespace placedpar::hydraulics

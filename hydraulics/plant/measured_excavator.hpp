@@ -20,8 +20,8 @@ struct PumpRipple {
 };
 
 /// Replaces the excavator of the thesis, whose recordings we do not have. It is the boom in configuration a, with
-/// effects that the model for identification leaves out. Where both models agree (orifices, masses, areas) they read
-/// the same rows of excavator.csv.
+/// effects that the model for identification leaves out. What this model shares with the identification model
+/// (orifices, masses, areas) comes from the same rows of excavator.csv.
 struct MeasuredExcavator {
     FlowConstants flow;
     LinkMechanics boom; ///< its friction_velocity is not used

@@ -16,7 +16,7 @@ struct MeasuredState {
     double piston_in;           ///< 0 at the start
     double velocity_in_per_s;
     double spool_in;
-    double pump_in3_per_s;       ///< with its ripple
+    double pump_in3_per_s;       ///< the pump's flow, with its ripple
     double inlet_in3_per_s;      ///< Q_i, from the valve
     double bypass_in3_per_s;     ///< Q_e
     double inlet_hose_in3_per_s; ///< into the cylinder

@@ -30,7 +30,8 @@ inline constexpr MeasurementNoise high_noise{10, 0.01, 0.001, 0.004};
 /// A source of numbers uniform in [0, 1), given by the caller, so that the record is a function of the caller's seed.
 using UniformSource = std::function<double()>;
 
-/// Returns one number from the standard normal distribution, by Box and Muller's cosine, from two uniform numbers.
+/// Returns one number from the standard normal distribution, computed from two uniform numbers by the cosine formula of
+/// Box and Muller.
 double standard_normal(const UniformSource& uniform);
 
 /// The thesis samples every 20 ms.
@@ -43,8 +44,8 @@ inline constexpr double angle_resolution_deg = 0x1p-30;
 inline constexpr double spool_resolution_in = 0x1p-30;
 inline constexpr double area_resolution_in2 = 0x1p-30;
 
-/// Rounds a value to the resolution. REQUIRES: the resolution is a power of two, so that dividing and multiplying are
-/// exact.
+/// Rounds a value to the resolution. REQUIRES: the resolution is a power of two, so that division and multiplication by
+/// it are exact.
 double reading(double value, double resolution);
 
 /// Returns the step of a motion whose states are equally spaced. Throws UnfitScenario for fewer than two states.
@@ -55,7 +56,7 @@ double step_of(std::span<const State> motion) {
     return motion[1].time_s - motion[0].time_s;
 }
 
-/// Returns the number of steps of a motion per sample. Throws UnfitScenario unless it is a whole number.
+/// Returns the number of steps of a motion per sample. Throws UnfitScenario unless this number is whole.
 std::size_t steps_in(double period_s, double step_s);
 
 } // namespace placedpar::hydraulics

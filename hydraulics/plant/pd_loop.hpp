@@ -39,7 +39,7 @@ PdLoop pd_loop_of(const HydraulicJoint& joint, double kp, double kv_s);
 /// REQUIRES: factor > 0.
 PdLoop with_compliance(const PdLoop& loop, double factor);
 
-/// Returns the loop with a_1 and a_2 exchanged, as the thesis prints them. Then a_2 s^2 and s^3 have different
+/// Returns the loop with a_1 and a_2 exchanged, as the thesis prints them. In that form a_2 s^2 and s^3 have different
 /// dimensions.
 PdLoop as_printed(const PdLoop& loop);
 
@@ -56,12 +56,13 @@ struct Oscillation {
 /// Returns nullopt if all poles are real.
 std::optional<Oscillation> oscillation(const PdLoop& loop);
 
-/// Returns Routh's a_2 (a_1 + a_0 K_v) / (K_p a_0). The loop is stable if it is above 1. It is proportional to 1 / C,
-/// so it is also the factor by which C may grow. REQUIRES: all coefficients and gains > 0.
+/// Returns the ratio of Routh's criterion, a_2 (a_1 + a_0 K_v) / (K_p a_0). If this ratio exceeds 1, the loop is
+/// stable. The ratio is proportional to 1 / C, so it is also the factor by which C may grow. REQUIRES: all coefficients
+/// and gains > 0.
 double stability_margin(const PdLoop& loop);
 
-/// Returns theta for theta_d = 1 from rest, at 0, step_s, 2 step_s and so on. It is exact at these times (matrix
-/// exponential).
+/// Returns theta for theta_d = 1 from rest, at 0, step_s, 2 step_s and so on. The values are exact at these times
+/// (matrix exponential).
 std::vector<double> step_response(const PdLoop& loop, double step_s, std::size_t count);
 
 /// Figures of a step response.

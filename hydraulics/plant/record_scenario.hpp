@@ -28,7 +28,7 @@ struct RecordScenario {
     bool (*uses)(std::string_view parameter);
     /// Simulates and measures. Throws UnfitScenario (requirement.hpp) if a parameter is out of its range.
     Record (*make)(const Parameters& parameters, const LinksInMotion& moving, const UniformSource& uniform);
-    /// Whether the scenario can move any links in any configuration; the others ignore `moving`.
+    /// Whether the scenario can move any links in any configuration; a scenario that cannot ignores `moving`.
     bool any_links = false;
 };
 

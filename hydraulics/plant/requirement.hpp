@@ -13,8 +13,8 @@ public:
     using UserError::UserError;
 };
 
-/// Checks the values of a machine or a scenario. All functions throw UnfitScenario, such as "measured machine: the
-/// boom's mass is -1, expected above 0".
+/// Checks the values of a machine or a scenario. All functions throw UnfitScenario with a text such as "measured
+/// machine: the boom's mass is -1, expected above 0".
 struct Requirement {
     std::string_view of; ///< "measured machine"
 

@@ -4,12 +4,12 @@ namespace placedpar::hydraulics {
 
 /// Dry friction with stiction: the LuGre model (C. Canudas de Wit, H. Olsson, K. J. Astrom, P. Lischinsky, "A new model
 /// for control of systems with friction", 1995), without its viscous part. The surfaces hold each other by bristles
-/// that bend like springs up to the break-away force, and slip at the Coulomb force. Known limits: it breaks away at a
-/// lower force if the force rises fast, and it creeps under vibration.
+/// that bend like springs up to the break-away force, and slip at the Coulomb force. Known limits: the body breaks away
+/// at a lower force if the force rises fast, and it creeps under vibration.
 struct StickFriction {
     double coulomb_lbf;
     double breakaway_lbf;                ///< >= coulomb_lbf
-    double stribeck_in_per_s;            ///< velocity at which the force has mostly fallen to Coulomb's
+    double stribeck_in_per_s;            ///< velocity at which the force has mostly fallen to the Coulomb force
     double bristle_stiffness_lbf_per_in; ///< sigma_0
     double bristle_damping_lbf_s_per_in; ///< sigma_1; fades with velocity, which keeps the model passive
 };

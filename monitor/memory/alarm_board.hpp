@@ -12,7 +12,7 @@
 namespace placedpar::monitor {
 
 /// Keeps the active alarms of all machines and the time at which each was raised. Functions that change an alarm return
-/// the entry that the history must get. Times are in seconds since 1970.
+/// the entry to be added to the history. Times are in seconds since 1970.
 class AlarmBoard {
 public:
     /// Restores the active and the shelved alarms that the history holds.
@@ -21,7 +21,7 @@ public:
     Entry raise(const identification::Diagnosis& diagnosis, const identification::Alarm& alarm, double at);
     Entry clear(const std::string& machine, const identification::Alarm& alarm, double at);
     void forget(const std::string& machine);
-    /// Returns nullopt if the alarm is not active; so does shelve().
+    /// This function and shelve() return nullopt if the alarm is not active.
     std::optional<Entry> acknowledge(const AlarmName& name, double at);
     std::optional<Entry> shelve(const AlarmName& name, double until, double at);
     /// Returns whether the alarm is shelved at time `at`.

@@ -7,7 +7,8 @@
 
 namespace placedpar::monitor {
 
-/// Counts the messages that no saved state contains yet. After a restart the service must process them again.
+/// Counts the messages that are not yet part of a saved state. After a restart the service must process these messages
+/// again.
 class Backlog {
 public:
     /// REQUIRES: `number` is greater than that of any earlier call.
@@ -32,7 +33,7 @@ private:
     };
 
     std::map<std::string, Share> shares_;
-    std::map<std::uint64_t, std::string> by_age_; ///< machines by the number of their first message
+    std::map<std::uint64_t, std::string> by_age_; ///< machines by the number of the first message that is counted
     std::size_t bytes_ = 0;
     std::uint64_t generations_ = 0;
 };

@@ -6,8 +6,8 @@
 
 namespace placedpar::monitor {
 
-/// Returns the state of a diagnosis as the state file stores it. Reading it back gives the same bits. A change of any
-/// State type needs a new file version (state_identity.hpp).
+/// Returns the state of a diagnosis in the form that the state file stores. Reading this form back gives the same bits.
+/// A change of any State type needs a new file version (state_identity.hpp).
 boost::json::value state_json(const identification::Diagnosis::State& state);
 
 /// Throws std::runtime_error, which names the member, if the value is not a valid state or has populations of another

@@ -43,8 +43,8 @@ struct UnwrittenState {
     std::shared_ptr<const identification::DiagnosisState> state;
 };
 
-/// Deletes the state and the history of a machine. Its messages remain, so a message with the text `forget_text` must
-/// follow them.
+/// Deletes the state and the history of a machine. The machine's messages remain in the file, so a message with the
+/// text `forget_text` must follow them.
 struct ForgottenMachine {
     std::string machine;
 };
@@ -67,7 +67,7 @@ struct KeptEstimate {
 };
 BOOST_DESCRIBE_STRUCT(KeptEstimate, (), (machine, at, time_s, set, link, compliance_in3_per_psi, error_in3_per_psi))
 
-/// An alarm and its times. Alarms of one machine with equal kind and links are the same alarm, which is not raised
+/// An alarm and its times. Alarms of one machine with equal kind and links count as one alarm, which is not raised
 /// again while it is active.
 struct KeptAlarm {
     std::string machine;

@@ -10,8 +10,8 @@
 
 namespace placedpar::monitor {
 
-/// These functions write numbers and genomes as text and read the same bits back. A JSON parser may change the last bit
-/// of a double.
+/// These functions write numbers and genomes as text, and read this text back to the same bits. (A JSON parser may
+/// change the last bit of a double.)
 
 /// Writes each number in the shortest form that reads back exactly, separated by spaces.
 std::string exact_text(std::span<const double> numbers);
@@ -19,7 +19,7 @@ std::string exact_text(std::span<const double> numbers);
 std::vector<double> numbers_from(std::string_view text);
 
 /// Writes the number of bits per genome, then each genome in hexadecimal, separated by spaces. REQUIRES: all genomes
-/// have one size, at most 64 bits.
+/// have the same size, at most 64 bits.
 std::string exact_text(std::span<const Genome> strings);
 /// Throws std::runtime_error.
 std::vector<Genome> genomes_from(std::string_view text);

@@ -37,7 +37,7 @@ public:
     std::vector<KeptAlarm> alarms(const std::string& machine, std::uint64_t most);
     /// Returns the alarms that are not cleared, of all machines, ordered by machine and age.
     std::vector<KeptAlarm> open_alarms();
-    /// Returns the alarms that are not cleared or were shelved at some time.
+    /// Returns the alarms that are not cleared, and the alarms that were ever shelved.
     std::vector<KeptAlarm> noted_alarms() { return alarms_.rows(noted_alarms_.bind()); }
 
 private:

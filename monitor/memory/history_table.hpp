@@ -25,7 +25,8 @@ protected:
 };
 
 /// A table of described structs whose first member is the machine. Its columns are the machine, the row's number within
-/// the machine, the other members and a checksum of all these. The table keeps the newest `most` rows of each machine.
+/// the machine, the other members and a checksum of all these columns. The table keeps the newest `most` rows of each
+/// machine.
 template <typename Row>
 class HistoryTable : HistoryText {
 public:

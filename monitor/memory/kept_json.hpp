@@ -23,7 +23,7 @@ struct NotWhole : std::runtime_error {
     std::string path;
 };
 
-/// Returns the number of doubles in a T that consists of doubles only, in a fixed number; otherwise 0.
+/// Returns the number of doubles in a T if T consists of a fixed number of doubles and nothing else; otherwise 0.
 template <typename T>
 constexpr std::size_t doubles_in() {
     if constexpr (std::same_as<T, double>)
@@ -54,7 +54,7 @@ void for_each_double(T& value, Use& use) {
         for_each_member(value, [&](const std::string&, auto& member) { for_each_double(member, use); });
 }
 
-/// Converts values to JSON and back to the same bits, by their descriptions (Boost.Describe). A struct becomes an
+/// Converts values to JSON and back to the same bits, using their descriptions by Boost.Describe. A struct becomes an
 /// object with a field for each member; a class with a state() becomes its state. A value or a list that consists of
 /// doubles only becomes one text (exact_text.hpp).
 struct KeptJson {
@@ -137,7 +137,7 @@ struct KeptJson {
 
 private:
     static std::string text_in(const boost::json::value& json) { return std::string(json.as_string()); }
-    /// Calls read() and adds `name` to the path of what it throws.
+    /// Calls read(), and adds `name` to the path in any exception from it.
     template <typename Read>
     static void at_member(const std::string& name, Read read) {
         try {

@@ -12,7 +12,8 @@ class SettledEstimates {
 public:
     explicit SettledEstimates(const identification::Diagnosis& diagnosis);
 
-    /// Returns the estimates, with standard errors, that were settled and whose transients have ended since.
+    /// Returns the estimates that were settled at construction and whose transients have ended since, with standard
+    /// errors.
     std::vector<KeptEstimate> ended(const identification::Diagnosis& diagnosis, double at) const;
 
 private:

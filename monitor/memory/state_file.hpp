@@ -18,21 +18,22 @@ namespace placedpar::monitor {
 /// The content of a state file when it was opened.
 struct StateContent {
     std::vector<KeptState> machines;
-    std::vector<KeptMessage> messages; ///< messages that no state contains yet, by number
+    std::vector<KeptMessage> messages; ///< messages that came after the states, by number
     std::uint64_t last_message = 0;    ///< the number of the last message ever stored
     std::string said;                  ///< a message for the operator about opening the file; may be ""
-    std::string trouble; ///< why the file can be read but not written, as on a full disk; "" if it can be written
+    std::string trouble; ///< why the file can be read but not written, such as a full disk; "" if it can be written
 };
 
 /// The state file: an SQLite database that holds the machines' states, the messages after those states, and the
 /// history.
 ///
-/// 1. When commit() returns, its transactions are on the disk. After a kill or a loss of power, the file has all of
-///    them or none. SQLite's rollback journal, which exists during a transaction only, guarantees this.
+/// 1. When commit() returns, its transactions are on the disk. After a kill or a loss of power, the file has either all
+///    transactions of a commit() or none. SQLite's rollback journal, which exists during a transaction only, guarantees
+///    this.
 /// 2. Every row has a checksum of its values. A single row, the ledger, records which messages there are and the sum of
 ///    all other rows' checksums. A damaged or truncated file is therefore refused, unless the damage lies where no data
-///    is stored. So is a file whose rollback journal was damaged after a kill. commit() throws if the file was removed
-///    or replaced before it returns.
+///    is stored. A file whose rollback journal was damaged after a kill is refused, too. commit() throws if the file
+///    was removed or replaced before it returns.
 /// 3. The file is locked: only one program can open it at a time.
 /// 4. Only one thread may use an object at a time.
 class StateFile {
@@ -44,9 +45,9 @@ public:
               StateContent& content);
     ~StateFile();
 
-    /// Writes all transactions in one SQLite transaction. Throws UserError (DatabaseError is one) if they may be lost.
-    /// After that, or if StateContent::trouble was not empty, the next transaction must have `all_anew_at`. It also
-    /// recreates a file that was removed, with its history.
+    /// Writes all transactions in one SQLite transaction. Throws UserError (DatabaseError is a subclass) if they may be
+    /// lost. After that, or if StateContent::trouble was not empty, the next transaction must have `all_anew_at`. Such
+    /// a transaction also recreates a file that was removed, with its history.
     void commit(std::span<const Transaction> transactions);
     /// Throws DatabaseError if the file is not open because it could not be recreated.
     History& history();

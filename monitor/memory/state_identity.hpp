@@ -20,10 +20,11 @@ public:
 /// Throws UserError.
 void create_state_file(const std::filesystem::path& path, const std::string& settings);
 
-/// Writes `bytes` to a new file, whose name is `path` with a suffix until publish() renames it, and returns that name.
-/// This function and publish() throw UserError.
+/// Writes `bytes` to a new file and returns the file's name, which is `path` with a suffix. publish() then renames the
+/// file. This function and publish() throw UserError.
 std::filesystem::path write_state_file(const std::string& bytes, const std::filesystem::path& path);
-/// Renames `made` to `path` on the disk, unless another file has taken that name meanwhile.
+/// Renames the file `made` to `path`, and returns when the new name is on the disk. Does not replace a file that has
+/// taken this name meanwhile.
 void publish(const std::filesystem::path& made, const std::filesystem::path& path);
 
 /// Throws UserError if the path cannot be that of a state file: a directory, a device, or a missing file whose journal
@@ -33,8 +34,8 @@ void require_path_of_file(const std::filesystem::path& path);
 /// The two versions differ in more than one bit, so that no flipped bit turns one into the other.
 inline constexpr std::uint32_t file_version = 4, earlier_file_version = 2;
 
-/// Returns the version of a state file, one of the two above, by its first bytes. Throws OtherFile if it is another
-/// program's file or of another version, or std::runtime_error if it is not a state file.
+/// Returns the version of a state file, one of the two above, by its first bytes. Throws OtherFile if the file is
+/// another program's or of another version, and std::runtime_error if it is not a state file.
 std::uint32_t require_identity(const store::FileLock& file);
 
 /// Renames a file of the earlier version and the files beside it. Returns a message that tells the operator the new
@@ -45,12 +46,12 @@ std::string place_aside(const std::filesystem::path& path);
 /// Returns the message that put_aside() returns.
 std::string told_aside(const std::filesystem::path& path);
 
-/// Limits the ledger's checksum sum to 62 bits. The ledger keeps a sum because an exclusive or would not notice two
-/// rows that change alike. Messages are not part of the sum.
+/// Limits the ledger's checksum sum to 62 bits. The ledger keeps a sum because with an exclusive or, equal changes of
+/// two checksums would go unnoticed. Messages are not part of the sum.
 inline constexpr std::uint64_t sum_mask = (std::uint64_t{1} << 62) - 1;
 std::int64_t ledger_checksum(const std::string& settings, std::uint64_t trimmed, std::uint64_t last, std::uint64_t sum);
 
-/// Throws std::runtime_error if SQLite finds damage or the tables are not those of a state file.
+/// Throws std::runtime_error if SQLite finds damage, or if the database does not have the tables of a state file.
 void require_integrity(store::Database& database);
 
 } // namespace placedpar::monitor

@@ -26,12 +26,12 @@ class Diagnoses; // monitor/memory/diagnoses.hpp
 ///
 /// 1. A separate thread writes the file. Each function that stores something returns a ticket. `tell` is called when
 ///    everything up to a ticket is on the disk or lost.
-/// 2. After a loss nothing is stored until write_anew() has stored all states again.
+/// 2. After entries were lost, nothing is stored until write_anew() has stored all states again.
 /// 3. All functions are called from one thread.
 class StateStore {
 public:
-    /// Limits the backlog, since a restart must process it again. When it is longer, the machines with the oldest
-    /// messages are saved as states.
+    /// Limits the backlog, since a restart must process its messages again. When the backlog is longer, the machines
+    /// with the oldest messages are saved as states.
     static constexpr std::size_t most_backlog_bytes = 8u << 20;
     static constexpr std::uint64_t most_backlog_generations = 100000; ///< 1 to 5 s of work
 
@@ -39,15 +39,16 @@ public:
     StateStore(const std::filesystem::path& path, Diagnoses& diagnoses, std::uint64_t most_history);
     ~StateStore();
 
-    /// Returns why the file cannot be written from the start, as on a full disk; "" if it can.
+    /// Returns why the file could not be written when it was opened, for example because the disk was full; "" if it
+    /// could be written.
     const std::string& trouble() const { return trouble_; }
     /// Returns a message for the operator about opening the file; "" if there is none.
     const std::string& said() const { return said_; }
     /// Returns the alarms that were not cleared or were shelved.
     const std::vector<KeptAlarm>& noted_alarms() const { return noted_alarms_; }
 
-    /// Calls `tell` from now on after each transaction, in the writer's thread. Must be called once, before anything is
-    /// stored.
+    /// From now on, `tell` is called after each transaction, in the writer's thread. Must be called once, before
+    /// anything is stored.
     void start(std::function<void(WriteProgress)> tell);
     /// Processes what `tell` received. Must be called in the thread that calls the other functions.
     void note(const WriteProgress& progress);
@@ -61,14 +62,14 @@ public:
     std::uint64_t forget(const std::string& machine);
     /// Stores a change of the history alone.
     std::uint64_t change_history(Entry entry);
-    /// Stores the states of a few machines, those with the oldest messages, while the backlog is too long.
+    /// While the backlog is too long, stores the states of the few machines that have the oldest messages.
     void relieve();
 
-    /// Returns whether everything is on the disk or on its way there, so that a restart would restore it.
+    /// Returns whether all accepted data is on the disk or being written, so that a restart would restore it.
     bool complete() const { return complete_; }
     /// Stores all states, which empties the backlog and makes up for any loss. `open_alarms` are the active alarms.
     void write_anew(std::vector<KeptAlarm> open_alarms, double at);
-    /// Returns false after a loss when no write is pending; it is then time to call write_anew().
+    /// Returns false if entries were lost and no write is pending; write_anew() should then be called.
     bool keeping() const { return keeping_; }
     /// Returns the last ticket given out.
     std::uint64_t last_ticket() const { return last_ticket_; }

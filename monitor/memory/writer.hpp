@@ -15,27 +15,28 @@ namespace placedpar::monitor {
 /// Reports the progress of the writer.
 struct WriteProgress {
     std::uint64_t transactions = 0; ///< number of transactions committed or lost so far
-    std::string trouble;            ///< why some of them were lost; "" if none were
+    std::string trouble;            ///< why some transactions were lost; "" if none were lost
 };
 
 /// Writes transactions to a state file in its own thread. Transactions that arrive during one commit are committed
 /// together in the next.
 ///
 /// 1. Transactions are committed in the order of put().
-/// 2. When a commit fails, its transactions are lost, and so are all later ones up to the next with `all_anew_at`.
+/// 2. When a commit fails, its transactions are lost. All later transactions are lost, too, up to the next transaction
+///    with `all_anew_at`.
 /// 3. put(), look() and wait() are called from one thread other than the writer's.
 class Writer {
 public:
     /// The writer's thread calls `tell` after each commit.
     Writer(StateFile& file, std::function<void(WriteProgress)> tell);
-    /// Writes everything that was put before it ends.
+    /// Writes all transactions that were put, then returns.
     ~Writer();
     Writer(const Writer&) = delete;
     Writer& operator=(const Writer&) = delete;
 
     /// Queues a transaction and returns its number, counted from 1.
     std::uint64_t put(Transaction transaction);
-    /// Calls `look` in the writer's thread, after everything that was put before.
+    /// Calls `look` in the writer's thread, after all transactions that were put before are written.
     void look(std::function<void(StateFile&)> look);
     /// Waits until all transactions put so far are committed or lost. Returns the error of the last commit, or "".
     std::string wait();

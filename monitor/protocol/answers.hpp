@@ -12,7 +12,7 @@ namespace placedpar::monitor {
 
 /// The rates at which the service works.
 struct LoadRates {
-    double over_s = 0; ///< length of the interval that the rates were measured over
+    double over_s = 0; ///< length of the interval over which the rates were measured
     double samples_per_s = 0;
     double generations_per_s = 0;
     double work_of_core = 0; ///< time spent on messages, as a fraction of one core
@@ -23,7 +23,7 @@ struct Load {
     std::size_t clients = 0;
     std::size_t machines = 0;
     std::size_t queued_bytes = 0; ///< bytes waiting to be sent, all clients together
-    std::uint64_t samples = 0;    ///< this and the members below count from the start of the service
+    std::uint64_t samples = 0;    ///< this member and those below are totals since the start of the service
     std::uint64_t generations = 0;
     double work_s = 0; ///< time spent on messages
     double cpu_s = 0;  ///< processor time of the service's thread

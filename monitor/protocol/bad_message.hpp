@@ -21,7 +21,7 @@ public:
     const std::string& field() const { return field_; }
     /// Returns what would be accepted.
     const std::string& right() const { return right_; }
-    /// Returns the column, counted from 1, at which the line stops being JSON.
+    /// Returns the column, counted from 1, at which the line is not valid JSON.
     std::optional<std::size_t> column() const { return column_; }
 
 private:

@@ -16,8 +16,8 @@ struct Range {
     const char* unit; ///< may be ""
 };
 
-/// Reads the fields of a JSON object and remembers which names were requested. finish() refuses any other field, which
-/// is most likely misspelt. Every function throws BadMessage, naming the field by its path.
+/// Reads the fields of a JSON object and remembers which names were requested. finish() refuses any other field, since
+/// its name is most likely misspelt. Every function throws BadMessage, naming the field by its path.
 class FieldReader {
 public:
     FieldReader(const boost::json::object& object, std::string path) : object_(object), path_(std::move(path)) {}

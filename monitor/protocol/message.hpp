@@ -21,11 +21,11 @@ enum class Role : unsigned char { control, watch };
 enum class Answers : unsigned char { all, moved, none };
 
 struct Hello {
-    std::string machine; ///< its name
+    std::string machine; ///< name of the machine
     Role role = Role::control;
     Answers answers = Answers::all;
     double load_every_s = 0; ///< period of load reports; 0: only on request
-    bool anew = false;       ///< forget everything known of this machine first
+    bool anew = false;       ///< first forget all stored data of this machine
     std::string token;       ///< "": none
     identification::ExcavatorParameters parameters;
 };
@@ -37,7 +37,7 @@ struct AlarmsRequest {};
 struct TokenOffer {
     std::string token;
 };
-/// Forgets everything known of the machine.
+/// Requests that the service forget all data of the machine.
 struct Forget {
     std::string machine;
 };

@@ -11,12 +11,12 @@
 
 namespace placedpar::monitor {
 
-/// A connected program as the dispatcher sees it, without its socket.
+/// The dispatcher's interface to a connected program; it hides the socket.
 class Client {
 public:
     virtual ~Client() = default;
     virtual void send(std::string_view line) = 0;
-    /// Sends what is waiting, then closes the connection.
+    /// Sends the waiting output, then closes the connection.
     virtual void finish() = 0;
     /// Ends the time limit for the first message, because the client has said what it is.
     virtual void greeted() = 0;
@@ -29,13 +29,13 @@ public:
 
     Caller caller;
     bool trusted = false;                            ///< the client has sent the token, or none is required
-    std::optional<Hello> hello;                      ///< the hello that it sent
-    std::chrono::steady_clock::time_point last_load; ///< when the last load report was sent to it
-    bool leaving = false;                            ///< it is about to be closed and sends no more lines
-    std::chrono::steady_clock::time_point heard;     ///< when its last line arrived
-    bool has_samples = false;                        ///< at least one of its samples was accepted
-    bool keeps_place = false;                        ///< it serves a known machine, so no newcomer takes its place
-    bool told_kept = true;                           ///< the last "kept" that it was sent
+    std::optional<Hello> hello;                      ///< the hello that the client sent
+    std::chrono::steady_clock::time_point last_load; ///< when the last load report was sent to the client
+    bool leaving = false;                            ///< the client is about to be closed and sends no more lines
+    std::chrono::steady_clock::time_point heard;     ///< when the client's last line arrived
+    bool has_samples = false;                        ///< at least one of the client's samples was accepted
+    bool keeps_place = false; ///< the client serves a known machine, so no newcomer takes its place
+    bool told_kept = true;    ///< value of `kept` in the last kept_line() sent to the client
 };
 
 } // namespace placedpar::monitor

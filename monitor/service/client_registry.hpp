@@ -23,7 +23,7 @@ public:
     const std::set<Client*>& all() const { return clients_; }
     /// Returns the clients that have said hello for this machine.
     const std::set<Client*>& of(const std::string& machine) const;
-    /// Returns the number of those clients that are not about to be closed.
+    /// Returns the number of clients of the machine that are not about to be closed.
     std::size_t staying(const std::string& machine) const;
     /// Returns the machine's control system, or null.
     Client* control_of(const std::string& machine) const;

@@ -14,11 +14,12 @@
 
 namespace placedpar::monitor {
 
-/// Reads lines from one client and writes lines to it. Both directions are bounded.
+/// Reads lines from one client and writes lines to it. The bytes waiting in either direction are limited.
 ///
 /// 1. Bytes are read only while no whole line is waiting and little output is waiting or held. TCP slows down a client
-///    that sends too much, and memory stays below line_bytes + queue_bytes and one read.
-/// 2. Each turn of the event loop handles one line per connection, so that no client waits for another's flood.
+/// that sends too much, and the memory used stays below line_bytes + queue_bytes + the size of one read.
+/// 2. Each turn of the event loop handles one line per connection, so that a client that sends many lines does not
+///    delay the others.
 /// 3. All functions are called from the loop's only thread.
 class Connection : public std::enable_shared_from_this<Connection> {
 public:
@@ -40,7 +41,7 @@ public:
     /// Sends a line, which includes its newline. A client with more than queue_bytes waiting gets an error and is
     /// closed.
     void send(std::string_view line);
-    /// Sends what is waiting, then closes. Input that still arrives is discarded.
+    /// Sends the waiting output, then closes the connection. Input that still arrives is discarded.
     void finish();
     /// Closes the connection if a time limit has passed. Must be called a few times a second.
     void tick(Clock::time_point now);
@@ -78,7 +79,7 @@ private:
     std::size_t held_ = 0;
     bool greeted_ = false;
     bool reading_ = false;
-    bool held_back_ = false; ///< not reading until the client reads
+    bool held_back_ = false; ///< reading pauses until the client has read enough of the output
     bool ended_ = false;     ///< the client has ended its stream
     bool finishing_ = false;
     bool closed_ = false;

@@ -27,7 +27,8 @@ public:
     Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, Token token,
                std::function<void(const std::string&)> say);
 
-    /// Admits a client. If too many have not said hello yet, closes one of the peer that has most of them.
+    /// Admits a client. If too many clients have not said hello yet, closes one such client of the peer that has most
+    /// of them.
     void enter(Client& client);
     void leave(Client& client);
     /// Processes a line from the client. Answers go to the client and to the others that watch its machine.
@@ -68,18 +69,19 @@ private:
     void require_trusted(const Client& client, const Message& message) const;
     /// Throws BadMessage if the hello would exceed the limits of its peer. Makes room for a new machine.
     void require_allowance(const Client& client, const Hello& hello);
-    /// Closes the client if the limit of clients is reached and no other client can be closed in its place.
+    /// Closes the client if the limit of clients is reached and no other client can be closed instead.
     void require_place(Client& client, const Hello& hello);
     /// Returns whether one more connection of this peer may keep its place.
     bool may_keep_place(const std::string& peer) const;
-    /// Returns which of these clients must make room for another client of the peer; null if none must.
+    /// Returns the client of `those` that must make room for another client of the peer; null if none must.
     static Client* giving_way(const std::vector<Client*>& those, const std::string& peer, bool preferred);
     void evict(Client& client, const std::string& why, const std::string& right = "to come again");
     bool is_idle(const std::string& machine) const { return clients_.staying(machine) == 0; }
     void forget(const std::string& machine);
     /// Forgets machines without a sample to which no client has been connected for `newcomer_s`.
     void forget_newcomers();
-    /// Forgets the machine that must make room for a new one of this peer, if there is one, and closes its connections.
+    /// Forgets the machine, if any, that must make room for a new machine of this peer, and closes the connections of
+    /// the forgotten machine.
     void make_room(const std::string& peer, bool only_own);
     void change_alarm(Client& client, const AlarmName& name, std::optional<Entry> change, const std::string& what);
     identification::Diagnosis& diagnosis_of(Client& client) const;

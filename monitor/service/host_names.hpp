@@ -9,12 +9,13 @@
 namespace placedpar::monitor {
 
 /// Returns the host of a "Host" field or an option, without its port: a name in lower case, or an address in its
-/// shortest form without brackets. An IPv4 address inside IPv6 becomes IPv4. Returns nullopt if it is neither.
+/// shortest form without brackets. An IPv4 address inside IPv6 becomes IPv4. Returns nullopt if the field is neither a
+/// name nor an address.
 std::optional<std::string> host_in(std::string_view field);
 
-/// The host names under which browsers may use the service. An attacker can make a name of his own lead to this
-/// computer, and so let his page read what is served under that name (DNS rebinding). Other names are therefore
-/// refused.
+/// The host names under which browsers may use the service. An attacker can make his own host name resolve to this
+/// computer, and so let his web page read what the service serves under that name (DNS rebinding). Other names are
+/// therefore refused.
 class HostNames {
 public:
     /// Accepts the address at which the service listens, and further names such as a proxy's. Also accepts "localhost"

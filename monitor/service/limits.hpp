@@ -7,18 +7,22 @@ namespace placedpar::monitor {
 
 /// The limits of the service. All values are ours.
 struct ServiceLimits {
-    std::size_t clients = 256; ///< clients that have said hello; a quarter as many more may be about to
+    std::size_t clients =
+        256; ///< clients that have said hello; a quarter of this number more may be connected without hello
     std::size_t machines = 1000;
-    std::uint64_t known_samples = 1000; ///< that make a machine known: a few samples cost an attacker nothing
-    double known_s = 600;               ///< least time from a machine's first sample to the one that makes it known
-    std::size_t clients_per_peer = 128, machines_per_peer = 500; ///< of the two limits above; see Caller for "peer"
+    std::uint64_t known_samples = 1000; ///< number of samples after which a machine can become known; a few samples
+                                        ///< would cost an attacker nothing
+    double known_s = 600; ///< least time from a machine's first sample to the sample that makes the machine known
+    std::size_t clients_per_peer = 128,
+                machines_per_peer =
+                    500; ///< parts of `clients` and `machines` that one peer may use; see Caller for "peer"
     std::size_t takeovers_per_peer = 60; ///< times per minute that a peer may take over the control of a machine
     double newcomer_s = 600;             ///< time after which a machine without samples and connections is forgotten
-    std::uint64_t history = 5000;        ///< estimates, and alarms, that are kept per machine
+    std::uint64_t history = 5000;        ///< number of estimates, and number of alarms, that are kept per machine
     std::size_t line_bytes = 64u << 10;  ///< longest message
     std::size_t queue_bytes = 1u << 20;  ///< most bytes waiting to be sent to one client
-    double hello_s = 10;                 ///< from the connection to the first hello, load or ping
-    double line_s = 10;                  ///< from the first to the last byte of a line
+    double hello_s = 10;                 ///< longest time from the connection to the first hello, load or ping
+    double line_s = 10;                  ///< longest time from the first to the last byte of a line
     double idle_s = 300;                 ///< longest time without a line
     double stall_s = 10;                 ///< longest time in which the client reads nothing
     double closing_s = 1;                ///< time for a client to read the last message

@@ -16,7 +16,7 @@ namespace placedpar::monitor {
 struct Caller {
     /// The party that limits apply to. It is an IPv4 address, or the 64-bit network of an IPv6 address. It is
     /// "loopback" for every loopback address, since each local program can use millions of them. At a socket in the
-    /// file system it is the user: "user 1000".
+    /// file system the peer is the user: "user 1000".
     std::string peer;
     std::string name; ///< for messages; includes the port
     std::string here; ///< the local address by which the connection arrived

@@ -23,8 +23,8 @@ public:
     /// Ends the interval of the rates once it has lasted 1 s.
     void tick();
 
-    /// Returns totals since the start, and rates over the last complete interval (over the time since the start while
-    /// there is none). Leaves clients, machines and queues at 0.
+    /// Returns totals since the start, and rates over the last complete interval. Before the first interval is
+    /// complete, the rates are over the time since the start. Leaves clients, machines and queues at 0.
     Load load() const;
 
 private:

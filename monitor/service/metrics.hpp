@@ -9,13 +9,13 @@
 
 namespace placedpar::monitor {
 
-/// The state of the service as shown to the outside.
+/// The state of the service for web clients.
 struct ServiceSnapshot {
     const Diagnoses* diagnoses;
     Load load;
     std::vector<KeptAlarm> alarms; ///< active alarms
     bool kept;                     ///< whether a restart would restore everything
-    std::string trouble;           ///< if not, the reason
+    std::string trouble;           ///< if `kept` is false, the reason
 };
 
 /// Returns the snapshot in Prometheus' text format, version 0.0.4.

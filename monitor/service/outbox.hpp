@@ -13,7 +13,7 @@ namespace placedpar::monitor {
 /// in the order of send(). Held bytes count as queued for the client.
 class Outbox {
 public:
-    /// Makes lines sent from now on wait for this ticket. REQUIRES: it is not less than any earlier ticket.
+    /// Makes lines sent from now on wait for this ticket. REQUIRES: the ticket is not less than any earlier ticket.
     void wait_for(std::uint64_t ticket) { promised_ = ticket; }
     /// Records that everything up to this ticket is on the disk or lost, and sends the lines that waited for it.
     void release(std::uint64_t ticket);

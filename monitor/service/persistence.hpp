@@ -12,8 +12,8 @@
 
 namespace placedpar::monitor {
 
-/// Stores events in the state file, if there is one, and makes the answers to them wait for the disk. If storing fails,
-/// the diagnosis continues without it: the diagnosis is worth more than its stored state.
+/// Stores events in the state file, if there is one, and holds back the answers to events until these are on the disk.
+/// If storing fails, the diagnosis continues without it: the diagnosis is worth more than its stored state.
 class Persistence {
 public:
     using Clock = std::chrono::steady_clock;
@@ -28,7 +28,8 @@ public:
     void forget(const std::string& machine);
     void change_history(Entry entry);
 
-    /// Returns whether everything accepted is on the disk or on its way there; if not, trouble() gives the reason.
+    /// Returns whether all accepted data is on the disk or being written; if it returns false, trouble() gives the
+    /// reason.
     bool well() const { return trouble_.empty(); }
     const std::string& trouble() const { return trouble_; }
 

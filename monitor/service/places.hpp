@@ -16,10 +16,10 @@ namespace placedpar::monitor {
 
 /// A machine or a connection, whose number is limited.
 struct Occupant {
-    std::string peer;                            ///< owner, as Caller::peer; "": unknown
-    bool kept = false;                           ///< it belongs to a known machine, so no newcomer takes its place
-    bool idle = false;                           ///< not in use, so its own peer may use the place for another
-    std::uint64_t samples = 0;                   ///< number of accepted samples
+    std::string peer;          ///< owner, as Caller::peer; "": unknown
+    bool kept = false;         ///< the occupant is, or serves, a known machine, so no newcomer takes its place
+    bool idle = false;         ///< not in use, so that its own peer may use the place for another occupant
+    std::uint64_t samples = 0; ///< number of accepted samples
     std::chrono::steady_clock::time_point heard; ///< time of the last message
 };
 
@@ -27,37 +27,38 @@ struct Occupant {
 constexpr std::size_t most_kept(std::size_t places) { return places - (places + 7) / 8; }
 
 /// Returns which occupant must make room for a newcomer of `peer` when all places are taken, or nullopt if the newcomer
-/// is refused. Places that are not kept are shared evenly among peers. One of the peer with most places goes if that
-/// peer still has at least as many as the newcomer's peer afterwards; otherwise an idle one of the newcomer's own peer
-/// goes. Within a peer the order is: idle, fewest samples, silent longest. With `preferred`, the newcomer is a known
-/// machine and takes any place that is not kept.
+/// is refused. Places that are not kept are shared evenly among peers. An occupant of the peer with most places goes if
+/// that peer afterwards still has at least as many places as the newcomer's peer. Otherwise an idle occupant of the
+/// newcomer's own peer goes. Among the occupants of a peer, idle ones go first, then those with the fewest samples,
+/// then those silent for the longest time. With `preferred`, the newcomer is a known machine and takes any place that
+/// is not kept.
 std::optional<std::size_t> gives_way(std::span<const Occupant> places, const std::string& peer, bool preferred);
 
 /// The places of machines. A machine becomes known, and keeps its place, when it has sent many samples over some time.
-/// There must also be a place left of those that may be kept, in total and by its peer. REQUIRES: every machine named
-/// in a call has been restored or introduced, and not forgotten since.
+/// This requires that a place is left that may be kept (most_kept), both in total and for the machine's peer. REQUIRES:
+/// every machine named in a call has been restored or introduced, and not forgotten since.
 class MachinePlaces {
 public:
     using Clock = std::chrono::steady_clock;
 
     explicit MachinePlaces(const ServiceLimits& limits) : limits_(limits) {}
 
-    /// Adds a machine from the state file. It is known if it has any samples. While it has fewer than known_samples, it
-    /// loses that status to a machine that becomes known. REQUIRES: machines are restored in order of falling
-    /// `samples`.
+    /// Adds a machine from the state file. The machine is known if it has any samples. While it has fewer than
+    /// known_samples, it loses that status if another machine becomes known and needs the place. REQUIRES: machines are
+    /// restored in order of falling `samples`.
     void restored(const std::string& machine, std::uint64_t samples, Clock::time_point now);
     void introduced(const std::string& machine, const std::string& peer, Clock::time_point now);
     void forgotten(const std::string& machine);
-    /// Records that the machine now has `samples` samples; 0 means that it started anew. Returns true if this makes it
-    /// known.
+    /// Records that the machine now has `samples` samples; 0 means that it started anew. Returns true if the machine
+    /// becomes known thereby.
     bool heard(const std::string& machine, std::uint64_t samples, Clock::time_point now);
 
     bool known(const std::string& machine) const { return machines_.contains(machine) && machines_.at(machine).kept; }
     std::size_t introduced_by(const std::string& peer) const;
     /// Returns the machines that have sent no sample and have been silent since `then`.
     std::vector<std::string> unused_since(Clock::time_point then) const;
-    /// Returns the machine to forget for a new one of this peer, or nullopt. `only_own` limits the choice to machines
-    /// that this peer introduced.
+    /// Returns the machine to forget for a new machine of this peer, or nullopt. `only_own` limits the choice to
+    /// machines that this peer introduced.
     std::optional<std::string> gives_way(const std::string& peer, bool only_own,
                                          const std::function<bool(const std::string&)>& idle) const;
 
@@ -70,8 +71,8 @@ private:
     };
 
     void keep(Machine& machine, bool kept);
-    /// Finds a place that one more machine may keep. If there is none, the known machine with the fewest samples, if
-    /// fewer than known_samples, gives up its place. Returns false if no place was found.
+    /// Finds a place that one more machine may keep. If there is no such place, the known machine with the fewest
+    /// samples gives up its place, provided that it has fewer than known_samples. Returns false if no place was found.
     bool find_kept_place();
 
     const ServiceLimits& limits_;

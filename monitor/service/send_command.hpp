@@ -13,7 +13,7 @@ struct ServicePlace {
     std::string token_file; ///< empty: none
 };
 
-/// Sends one message, a JSON object, to the service and returns the line that it answers. Throws UserError if the
+/// Sends one message, a JSON object, to the service and returns the service's answer, one line. Throws UserError if the
 /// service cannot be reached, does not answer within 10 s, or answers with an error.
 std::string ask_service(const ServicePlace& place, const std::string& message);
 

@@ -35,14 +35,14 @@ public:
     Service(const ServiceSettings& settings, Log& log);
     ~Service();
 
-    /// This function and http_port() return 0 if there is no such port.
+    /// This function and http_port() return 0 if the service has no such port.
     std::uint16_t port() const;
     std::uint16_t http_port() const;
     /// Handles signals from now on. SIGINT and SIGTERM call stop() instead of ending the program. SIGHUP reopens the
     /// log, unless the log is a terminal; then SIGHUP keeps its default action, because the terminal has hung up.
     void heed_signals();
-    /// Serves until stop() is called, which may have happened before. Then notifies the clients and writes the state.
-    /// Throws UserError if the state cannot be written.
+    /// Serves until stop() is called; stop() may even have been called before. Then notifies the clients and writes the
+    /// state. Throws UserError if the state cannot be written.
     void run();
     /// May be called from any thread.
     void stop();

@@ -13,10 +13,10 @@ namespace placedpar {
 /// bus form a broadcast: a word written on the bus reaches the link adapters of all receivers at once.
 class Broadcasts {
 public:
-    /// REQUIRES: both arguments outlive this object. `load` as of RouteSearch.
+    /// REQUIRES: both arguments outlive this object. `load` is as in RouteSearch.
     Broadcasts(Completion& completion, const std::vector<std::size_t>& load) : c_(completion), load_(load) {}
 
-    /// Names the channel end that is placed on a bus, and the place.
+    /// Names the channel end that is placed on a bus, and the placement.
     struct Placed {
         const ChannelEnd& end;
         const DraftPlacement& by;
@@ -24,11 +24,11 @@ public:
     };
     std::optional<Placed> placed(const NetworkChannel&) const;
 
-    /// Returns the way over the bus to an adapter and from its link to the receiver's processor. If there are several,
-    /// takes the way that the fewest channels use, then the way at the lowest link of the receiver. Throws
+    /// Returns the way over the bus to an adapter and from its link to the receiver's processor. Of several ways,
+    /// returns the way that the fewest channels use, and of these the way at the lowest link of the receiver. Throws
     /// StatementRefused after reporting.
     RouteHop way_of(const NetworkChannel&, const Placed&) const;
-    /// Reports each channel that is not alone on such a way. REQUIRES: all channels are carried.
+    /// Reports each channel that shares such a way with another channel. REQUIRES: all channels are carried.
     void check() const;
 
 private:

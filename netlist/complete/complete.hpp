@@ -13,11 +13,11 @@
 namespace placedpar {
 
 /// Checks a draft as a whole and makes a Network of it: wires are followed through switches, processes get their kinds
-/// and parameters, channels their directions and carriers. Errors are reported; after an error the result must not be
-/// used.
+/// and parameters, and channels get their directions and carriers. Errors are reported; after an error the result must
+/// not be used.
 Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter);
 
-/// Holds what the parts of complete() share. The parts are declared below in the order in which they run.
+/// Holds the data that the parts of complete() share. The parts are declared below in the order in which they run.
 struct Completion {
     Draft draft;
     const Catalogue& catalogue;
@@ -29,7 +29,7 @@ struct Completion {
     std::vector<bool> kind_refused;         ///< by process: its kind is unknown, which has been reported
     std::vector<std::size_t> draft_channel; ///< draft index of each channel of the network
     std::vector<bool> wire_refused = {};    ///< by node: one of its wires leads nowhere
-    bool buses_refused = false;             ///< a bus was refused, so no ways lead over buses
+    bool buses_refused = false;             ///< a bus was refused, so buses give no ways
 
     /// Returns the first link of the node without a wire, such as "a.link[2]"; "" if there is none.
     std::string free_link(std::size_t node) const;
@@ -39,7 +39,7 @@ struct Completion {
 void complete_hosts(Completion& completion);
 /// wires.cpp: joins pieces of wire and crosspoints into connections between processors.
 void complete_wires(Completion& completion);
-/// buses.cpp: computes the ways over buses from what is attached to them.
+/// buses.cpp: computes the ways over buses from the devices attached to the buses.
 void complete_buses(Completion& completion);
 /// processes.cpp: checks placements, finds kinds, and checks interfaces against kinds.
 void complete_processes(Completion& completion);

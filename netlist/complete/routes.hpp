@@ -26,9 +26,9 @@ struct RouteCost {
 };
 
 /// Finds the best route over wires between two nodes, through processors that pass channels on. Such a processor uses
-/// only its lowest wired links, `linkquota` of them. Wires that switches connect during the run are left out: a
-/// processor between could not know when they are connected. The load of connection i is load[2 i] from b to a, load[2
-/// i + 1] from a to b. REQUIRES: all arguments outlive this object.
+/// only the lowest `linkquota` of its wired links. Wires that switches connect during the run are left out: a processor
+/// on the route could not know when they are connected. The load of connection i is load[2 i] from b to a, load[2 i +
+/// 1] from a to b. REQUIRES: all arguments outlive this object.
 class RouteSearch {
 public:
     RouteSearch(const std::vector<Node>& nodes, const std::vector<LinkConnection>& connections,
@@ -42,7 +42,7 @@ public:
     bool is_kept_by_quota(std::size_t node) const;
 
 private:
-    /// Holds the least cost of a route between one node and each other node, with the load of wires left out; it is the
+    /// Holds the least cost of a route between one node and each other node, without the load of wires; the cost is the
     /// same in both directions. A node without a route has no cost.
     using Least = std::vector<std::optional<RouteCost>>;
 
@@ -55,14 +55,15 @@ private:
         std::size_t node;
     };
 
-    /// Sets distances_ of the nodes that a best route may lead through. Looks at all nodes but those in `around`.
+    /// Sets distances_ of the nodes through which a best route may lead. Searches all nodes except the nodes in
+    /// `around`.
     void search_around(const Ends&, const std::set<std::size_t>& around);
-    /// Searches where one of the two ends is a hub: only among nodes on routes that cost least, loads left out. Returns
+    /// Searches only among the nodes on routes of least cost, without loads, if one of the two ends is a hub. Returns
     /// false if neither end is a hub.
     bool search_between(const Ends&);
     void search_among(const std::vector<std::size_t>& nodes, const Ends&);
-    /// Lowers the distances of the predecessors of a node that are nearer to the end over this node, and calls
-    /// reach(cost, predecessor) for each of them.
+    /// Lowers the distance of each predecessor of a node whose route over this node costs less, and then calls
+    /// reach(cost, predecessor).
     template <class MayPass, class Reach>
     void reach_before(std::size_t node, const Ends&, MayPass may_pass, Reach reach);
     void forget_distances();
@@ -80,16 +81,17 @@ private:
     const std::vector<Node>& nodes_;
     const std::vector<LinkConnection>& connections_;
     const std::vector<std::size_t>& load_;
-    std::vector<std::vector<Step>> leaving_; ///< each node, the lowest link first
-    std::vector<bool> beyond_quota_;         ///< a hop that leaves a node: 2 * connection + whether from a to b
+    std::vector<std::vector<Step>> leaving_; ///< by node: the steps that leave it, the lowest link first
+    std::vector<bool>
+        beyond_quota_; ///< by 2 * connection + whether from a to b: the hop leaves its node by a link beyond the quota
     bool has_quotas_ = false; ///< some hop is beyond a quota, so the cost of a route may depend on its direction
-    std::vector<bool> leads_through_;                 ///< each node
+    std::vector<bool> leads_through_;                 ///< by node
     std::vector<std::int64_t> routecost_;             ///< by node, for nodes that lead channels through
     std::vector<std::optional<RouteCost>> distances_; ///< by node: cost up to the end of the route that is searched
     std::vector<std::size_t> reached_;                ///< nodes that have a distance
     std::map<std::size_t, Least> hubs_;
-    std::vector<std::size_t> spent_;    ///< by node: number of nodes that its searches looked at before it became a hub
-    std::vector<std::uint64_t> within_; ///< by node: number of the last search that was allowed to look at it
+    std::vector<std::size_t> spent_;    ///< by node: number of nodes visited by its searches before it became a hub
+    std::vector<std::uint64_t> within_; ///< by node: number of the last search that was allowed to look at the node
     std::uint64_t searches_ = 0;        ///< number of searches that were restricted to some nodes
 };
 

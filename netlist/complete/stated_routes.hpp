@@ -10,10 +10,10 @@
 
 namespace placedpar {
 
-/// Describes a wire, or a way over a bus, that the netlist names for a channel, and the place of that statement.
+/// Describes a wire, or a way over a bus, that the netlist names for a channel, and the location of the statement.
 struct StatedRoute {
     std::size_t connection;
-    std::size_t begin; ///< the node where the channel enters it; nowhere: either
+    std::size_t begin; ///< the node where the channel enters the connection; nowhere: it may enter at either end
     Location at;
 };
 
@@ -21,10 +21,10 @@ struct StatedRoute {
 /// functions throw StatementRefused after reporting a placement that cannot be used.
 class StatedRoutes {
 public:
-    /// REQUIRES: the arguments outlive this object, and the connections are complete. `load` as of RouteSearch.
+    /// REQUIRES: the arguments outlive this object, and the connections are complete. `load` is as in RouteSearch.
     StatedRoutes(Completion&, const std::vector<std::size_t>& load);
 
-    /// Returns the stated wires of the channel in order; empty where the netlist states none.
+    /// Returns the stated wires of the channel in order; empty if the netlist states no wires.
     std::vector<StatedRoute> wires(std::size_t channel) const;
     /// Returns the wire that `place c1 on c2` states for the channel.
     std::optional<StatedRoute> by_connection(std::size_t channel) const;
@@ -34,7 +34,7 @@ private:
         const NetworkChannel& channel;
         const ChannelEnd& end;
         const std::vector<DraftPlacement>& all; ///< placements of this end
-        std::size_t number;                     ///< among them
+        std::size_t number;                     ///< index of the placement in `all`
         const DraftPlacement& placement() const { return all[number]; }
         const LinkEnd& where() const { return placement().where; }
         const Location& at() const { return placement().at; }
@@ -64,7 +64,7 @@ private:
     Completion& c_;
     const std::vector<LinkConnection>& wires_;
     const std::vector<std::size_t>& load_;
-    std::map<std::size_t, std::size_t> ways_; ///< over buses, by the wire behind an adapter
+    std::map<std::size_t, std::size_t> ways_; ///< ways over buses, by the wire behind an adapter
 };
 
 } // namespace placedpar

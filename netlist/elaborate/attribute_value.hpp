@@ -9,15 +9,15 @@
 
 namespace placedpar {
 
-/// Converts and checks the value that a netlist gives to one attribute. Everything throws StatementRefused after having
-/// reported what is wrong.
+/// Converts and checks the value that a netlist gives to one attribute. All functions throw StatementRefused after
+/// reporting an error.
 class AttributeValue {
 public:
     AttributeValue(const Setting& setting, Reporter& reporter) : setting_(setting), reporter_(reporter) {}
 
-    /// Returns the value in the type that the description states. The value must be in its range.
+    /// Returns the value, converted to the type in the description. Refuses a value outside the described range.
     Value as(const AttributeDescription& attribute) const;
-    /// Returns the value of an attribute that is only kept for the real tool: anything but an array.
+    /// Returns the value of an attribute that is only kept for the real tool. Any value but an array is accepted.
     Value any() const;
     std::string text() const;
 

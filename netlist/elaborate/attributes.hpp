@@ -8,11 +8,12 @@ namespace placedpar {
 /// Functions for the attributes in the parentheses of a declaration. All throw StatementRefused after reporting an
 /// error.
 
-/// Evaluates attributes. Groups are flattened: `order (code = 1)` becomes "order.code". None may be given twice.
+/// Evaluates attributes. Groups are flattened: `order (code = 1)` becomes "order.code". No attribute may be given
+/// twice.
 std::vector<Setting> evaluate_attributes(Evaluator& evaluator, Reporter& reporter,
                                          const std::vector<Attribute>& attributes);
 
-/// Returns the note that shows where a thing given twice was first given.
+/// Returns a note that shows where the thing was given first, for an error about giving it twice.
 SecondPlace first_given(const Location& at);
 /// Reports `the parameter "n" of "p" is given twice`. Throws StatementRefused.
 [[noreturn]] void refuse_given_twice(Reporter& reporter, const Setting& second, std::string_view what,

@@ -17,7 +17,7 @@ using ConstantArray = std::shared_ptr<const std::vector<Constant>>;
 /// Holds the value of an expression. Characters and TRUE, FALSE, HIGH, LOW are integers.
 struct Constant {
     std::variant<Integer, double, std::string, ConstantArray> value;
-    int depth = 0; ///< for an array: the depth to which its elements nest
+    int depth = 0; ///< for an array: the number of nested levels of its elements
 
     const Integer* integer() const { return std::get_if<Integer>(&value); }
     const double* real() const { return std::get_if<double>(&value); }
@@ -32,11 +32,11 @@ double as_real(const Constant& constant);
 
 /// Returns "an integer", "a real number", "a string" or "an array".
 std::string type_name(const Constant& constant);
-/// Returns the constant as a netlist would write it, cut short when it is long.
+/// Returns the constant as a netlist would write it, shortened if it is long.
 std::string shown(const Constant& constant);
 
-/// Thrown by the operations below when the language has no result for them; the evaluator reports it with
-/// its place.
+/// The operations below throw a NoResult if the language defines no result for the operands; the evaluator reports it
+/// with the operation's location.
 struct NoResult {
     std::string message;
     std::string hint;
@@ -52,7 +52,8 @@ Constant apply_subscript(const Constant& array, const Constant& subscript);
 /// Returns the number of elements of an array, or of characters of a string.
 Constant apply_size(const Constant& array);
 
-/// Returns whether both have the same type and, for arrays, the same dimensions. REQUIRES: no array is ragged.
+/// Returns whether both constants have the same type and, for arrays, the same dimensions. REQUIRES: no array is
+/// ragged.
 bool have_same_shape(const Constant& left, const Constant& right);
 
 } // namespace placedpar

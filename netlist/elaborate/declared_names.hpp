@@ -16,7 +16,7 @@ struct DeclaredName {
 
 /// Returns the names that a statement declares in its own block.
 std::vector<DeclaredName> declared_names(const Statement& statement);
-/// Returns where the name is first declared among the statements; nothing if none declares it.
+/// Returns where the name is first declared among the statements; nothing if no statement declares it.
 std::optional<Location> declaration_among(std::span<const Statement> statements, std::string_view name);
 
 } // namespace placedpar

@@ -12,13 +12,13 @@
 
 namespace placedpar {
 
-/// Limits the number of things that one netlist may have, elements of arrays counted one by one: nodes, connections,
-/// wires, edge channels, processes, their channel ends and parameters, values given to these, attributes of the real
-/// tool.
+/// Limits the number of things that one netlist may have; elements of arrays are counted one by one. Things are nodes,
+/// connections, wires, edge channels, processes, their channel ends and parameters, values given to parameters, and
+/// attributes of the real tool.
 inline constexpr std::size_t most_things = 250'000;
 
-/// The structures below describe a netlist whose statements were executed, but which was not checked as a whole. The
-/// elaborator fills a Draft; complete() makes a Network of it.
+/// The structures below describe a netlist whose statements have been executed, but which has not been checked as a
+/// whole. The elaborator fills a Draft; complete() makes a Network of it.
 
 struct DraftConnection {
     std::string name;
@@ -76,7 +76,7 @@ struct DraftProcess {
     Location declared;
     bool high_priority = false;
     std::map<std::string, Value> other;
-    std::shared_ptr<const Interface> interface; ///< null where the netlist gives none
+    std::shared_ptr<const Interface> interface; ///< null if the netlist declares no interface
     std::vector<SharedSettings> settings;       ///< statement by statement
     std::vector<Setting> overrides;             ///< settings by options, which replace the netlist's
     std::string kind;
@@ -85,7 +85,7 @@ struct DraftProcess {
     Location placed;
 };
 
-/// One piece of wire, or a crosspoint: then both ends are at the same switch.
+/// One piece of wire, or a crosspoint, whose two ends are at the same switch.
 struct DraftWire {
     LinkEnd a, b;
     std::size_t connection = nowhere;
@@ -102,7 +102,7 @@ struct DraftAttachment {
 
 struct DraftChannelEnd {
     std::size_t process = nowhere;
-    std::size_t edge_channel = nowhere; ///< either a process end or an edge channel: the other is nowhere
+    std::size_t edge_channel = nowhere; ///< one of `process` and `edge_channel` is set; the other is nowhere
     std::string port;
     Location at;
 };

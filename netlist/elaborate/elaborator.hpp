@@ -17,12 +17,13 @@ namespace placedpar {
 inline constexpr std::size_t most_dimensions = 8;
 inline constexpr std::size_t most_interface_entries = 1000;
 
-/// Executes the statements of a netlist, `rep` and `if` included, and collects in a draft what is declared, connected
-/// and placed. A statement that is refused is reported and left out; execution continues with the next.
+/// Executes the statements of a netlist, including `rep` and `if`, and collects all declarations, connections and
+/// placements in a draft. A statement that is refused is reported and skipped; execution continues with the next
+/// statement.
 class Elaborator {
 public:
-    /// Takes overrides, which are set statements. Overrides of vals are applied where the vals are declared. For all
-    /// other overrides, call run() with them after use(). REQUIRES: catalogue and overrides outlive it.
+    /// `overrides` are SetStatements. Overrides of vals are applied where the vals are declared. Apply the other
+    /// overrides by calling run() with them after use(). REQUIRES: catalogue and overrides outlive this object.
     Elaborator(const Catalogue& catalogue, const Statements& overrides, Reporter& reporter);
 
     void run(const Statements& statements);
@@ -43,7 +44,7 @@ private:
     void execute_all(const Statements& statements);
     void perform(const ValStatement& form, const Location& at);
     void perform(const RepStatement& form, const Location& at);
-    /// Returns the first value that a replicator does not take.
+    /// Returns the first value beyond the values of a replicator.
     std::int64_t behind_last(const Expression& last);
     std::int64_t behind_count(std::int64_t first, const Expression& count);
     void perform(const IfStatement& form, const Location& at);
@@ -83,13 +84,13 @@ private:
     void check_free(const std::string& name, const Location& at);
     std::string claim_name(const std::string& name);
     void count_things(std::size_t count, const Location& at);
-    /// Returns the type of that name with the attributes added.
+    /// Returns the named type with the attributes added.
     Type derived_type(const std::string& name, const Location& at, const DeclarationAttributes& attributes);
-    /// Returns the type of that name. For `node` the attribute `element` decides between processors and processes, and
-    /// is removed from the settings.
+    /// Returns the named type. For `node` the attribute `element` decides between processors and processes, and is
+    /// removed from the settings.
     Type base_type(const std::string& name, const Location& at, std::vector<Setting>& settings);
     Type type_of_element(const Location& at, std::vector<Setting>& settings);
-    /// Declares the elements of one declarator; `add` writes one of them, by its name, into the draft.
+    /// Declares the elements of one declarator; `add` adds the element of the given name to the draft.
     void declare(const Declarator& declarator, Category category, std::size_t first,
                  const std::function<void(std::string)>& add, std::size_t weight = 1);
 
@@ -177,16 +178,16 @@ private:
     std::vector<CrosspointAgain> crosspoints_again_;
     std::map<std::pair<std::size_t, std::string>, Location> used_ports_;
     std::set<std::string> claimed_;     ///< names that the network has, without subscripts
-    std::map<std::string, int> copies_; ///< how often a name was claimed again
+    std::map<std::string, int> copies_; ///< number of further times that a name was claimed
     const Statements& overrides_;
-    std::map<std::string, Location> overridden_vals_; ///< place of the option that overrides each
+    std::map<std::string, Location> overridden_vals_; ///< by val: place of the option that overrides it
     std::map<std::pair<std::string, std::string>, const SetStatement*> set_; ///< by element and member
     std::map<std::size_t, SetByOption> reached_;                             ///< by the option's place
     // These are filled only if there are overrides: the netlist's values of vals outside of blocks, and the names of
     // vals in blocks.
     std::vector<std::pair<std::string, Constant>> vals_;
     std::set<std::string> vals_in_blocks_;
-    std::size_t host_ = nowhere; ///< the predefined edge, once it is used
+    std::size_t host_ = nowhere; ///< the predefined edge, if the netlist has used it so far
 };
 
 } // namespace placedpar

@@ -27,7 +27,7 @@ public:
     std::string text(const Expression& expression, std::string_view whose);
     bool condition(const Expression& expression);
 
-    /// Counts one step of work; gives up beyond the bound.
+    /// Counts one step of work; throws GiveUp after most_steps.
     void step(const Location& at);
 
 private:
@@ -54,8 +54,8 @@ private:
     std::size_t steps_ = 0;
 };
 
-/// Reports that the name is undefined, and shows where it is declared further on, or the nearest name that could stand
-/// there. Candidates are `known`, or all known names if `known` is not given. Throws StatementRefused.
+/// Reports that the name is undefined, and shows where it is declared further on, or else the most similar name that
+/// would be allowed. Candidates are `known`, or all known names if `known` is not given. Throws StatementRefused.
 [[noreturn]] void refuse_undefined(Reporter& reporter, const Scopes& scopes, const std::string& name,
                                    const Location& at, const std::function<std::vector<std::string>()>& known = {});
 

@@ -9,7 +9,7 @@
 
 namespace placedpar {
 
-/// Calls `work`, and swallows exceptions by which it ends after having reported an error.
+/// Calls `work`, and catches the exceptions that `work` throws after having reported an error.
 template <class Work>
 void attempt(Work work) {
     try {
@@ -19,10 +19,10 @@ void attempt(Work work) {
     }
 }
 
-/// Reads overrides as statements that follow the netlist's, the most precise first. Each is a source of its own, which
-/// messages can show.
+/// Reads overrides as statements that follow the netlist's, the most precise first. Each override is a source of its
+/// own, so that messages can show its text.
 Statements read_overrides(const Overrides&, Reporter&);
-/// Reads the values of `--fault` as statements, in the same manner.
+/// Reads the values of `--fault` as statements, each as a source of its own.
 Statements read_faults(const std::vector<std::string>&, Reporter&);
 
 } // namespace placedpar

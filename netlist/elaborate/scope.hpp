@@ -15,8 +15,8 @@
 
 namespace placedpar {
 
-/// Describes a declared thing or array: elements first, first + 1, ... of the draft, the last dimension running
-/// fastest.
+/// Describes a declared thing or array. Its elements are numbers first, first + 1, ... in the draft; the last subscript
+/// varies fastest.
 struct DeclaredThings {
     enum class Category { node, connection, edge_channel, process };
     Category category;
@@ -24,7 +24,7 @@ struct DeclaredThings {
     std::vector<std::int64_t> dimensions; ///< empty: a single thing
 };
 
-/// A type that processes can be declared with: `process`, or a type that a `define` made.
+/// A type with which processes can be declared: `process`, or a type that a `define` made.
 struct ProcessType {
     std::vector<Setting> settings;              ///< in order: a later setting overrides an earlier one
     std::shared_ptr<const Interface> interface; ///< null if the type has none
@@ -38,7 +38,7 @@ struct AnyElement {};
 /// The meaning of a name.
 struct Symbol {
     std::variant<Constant, NodeType, ProcessType, AnyElement, DeclaredThings> meaning;
-    Location declared; ///< no place if predefined
+    Location declared; ///< empty if the name is predefined
 };
 
 std::string describe(const Symbol& symbol);
@@ -73,7 +73,7 @@ public:
     std::optional<Location> declared_later(std::string_view name) const;
 
     std::vector<std::string> names() const;
-    /// Returns the names of all types that things can be declared with.
+    /// Returns the names of all types with which things can be declared.
     std::vector<std::string> type_names() const;
     /// Returns the names of the predefined node types.
     std::vector<std::string> predefined_node_types() const;

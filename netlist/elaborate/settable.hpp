@@ -16,10 +16,11 @@ namespace placedpar {
 /// An attribute or a parameter that an option can set.
 struct SettableMember {
     std::string name;
-    const ParameterDescription* description = nullptr; ///< null where only an interface declares it
+    const ParameterDescription* description = nullptr; ///< null if only an interface declares the parameter
     bool takes_text = false;
 
-    /// Returns a text such as "it takes an integer: it is at least 1"; "" if the allowed values are not known.
+    /// Returns a text about the allowed values, such as "it takes an integer: it is at least 1"; "" if the allowed
+    /// values are not known.
     std::string what_it_takes() const;
 };
 
@@ -32,19 +33,19 @@ struct Settable {
 
     const char* noun() const;
     const char* noun_of_member() const;
-    /// Returns the member of that name; null if it is only kept for the real tool.
+    /// Returns the member of that name; null if the member is only kept for the real tool.
     const SettableMember* member(const std::string& name) const { return find_named(*members, name); }
     /// Returns whether the member can be set, including members that are only kept for the real tool. When an option
     /// sets every element, a connection without a speed of its own is skipped: its speed follows its ends.
     bool has(const std::string& member, bool as_every_element = false) const;
-    /// REQUIRES: has(setting.name). Throws StatementRefused after having reported; values of parameters are
-    /// checked later, with those of the netlist.
+    /// REQUIRES: has(setting.name). Throws StatementRefused after having reported; values of parameters are checked
+    /// later, together with the values in the netlist.
     void set(const Setting& setting, Reporter&) const;
     /// Returns "it has memory, clock ..."; a long list is cut short and names the command that lists all members.
     std::string text_of_members() const;
 };
 
-/// Returns all settable elements of a draft, in its order. They refer to the draft.
+/// Returns all settable elements of a draft, in the draft's order. The elements point into the draft.
 std::vector<Settable> settable_elements(Draft&, const Catalogue&);
 
 /// Returns notes that list vals, and attributes and parameters by element; long lists are cut short.

@@ -18,7 +18,7 @@ class Catalogue {
 public:
     Catalogue();
 
-    /// REQUIRES: no process kind of that name yet; throws std::logic_error otherwise.
+    /// Throws std::logic_error if the catalogue has a process kind of this name already.
     void add(ProcessKind kind);
     /// Returns null if there is no kind of this name.
     const ProcessKind* find(std::string_view name) const;
@@ -26,11 +26,11 @@ public:
 
     std::vector<std::string> kind_names() const;
 
-    /// REQUIRES: no device kind of that name and no model of the name of one of its models yet, and every attribute has
-    /// a default; throws std::logic_error otherwise.
+    /// Throws std::logic_error if the catalogue already has a device kind of this name or a model with the name of one
+    /// of the kind's models, or if an attribute has no default.
     void add_device(DeviceKind kind);
     const std::map<std::string, std::shared_ptr<const DeviceKind>, std::less<>>& devices() const { return devices_; }
-    /// Returns the types that nodes can be declared with, by the names of the models.
+    /// Returns the types with which nodes can be declared, by the names of the models.
     const std::map<std::string, NodeType, std::less<>>& node_types() const { return node_types_; }
 
 private:

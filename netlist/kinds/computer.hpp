@@ -9,8 +9,8 @@ namespace placedpar {
 
 inline constexpr std::int64_t kilobyte = 1024, megabyte = 1024 * 1024;
 
-/// Returns the attributes of devices that processes are placed on: memory, clock, speed of the links, cost of a channel
-/// operation.
+/// Returns the attributes of devices on which processes are placed: memory, clock, speed of the links, cost of a
+/// channel operation.
 std::vector<AttributeDescription> computer_attributes();
 /// Returns the attributes of the real configuration tool that have no effect on a simulation.
 std::vector<std::string> attributes_of_the_real_tool();

@@ -6,8 +6,8 @@ class Catalogue;
 struct ProcessKind;
 
 /// Adds the small processes of the CSP textbooks, over channels of counted byte arrays: csp.producer, csp.identity,
-/// csp.prefix, csp.delta, csp.successor, csp.consumer. They are good for a first netlist, for measuring a link, and for
-/// deadlocks.
+/// csp.prefix, csp.delta, csp.successor, csp.consumer. They serve for a first netlist, for measuring a link, and for
+/// demonstrating deadlocks.
 void add_csp_kinds(Catalogue&);
 
 /// csp_recovery.cpp: csp.producer and csp.consumer with time-outs, which survive a link that fails.

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-/// Words to describe kinds with. A table of parameters reads
+/// These functions describe kinds. A table of parameters reads
 ///
 ///     using namespace description;
 ///     return {integer("count", {.unit = "packets", .by_default = 1000, .least = 1}, "packets that pass before it
@@ -40,7 +40,7 @@ ParameterDescription integer(std::string name, IntegerTraits traits, std::string
 ParameterDescription real(std::string name, RealTraits traits, std::string about);
 ParameterDescription text(std::string name, TextTraits traits, std::string about);
 
-/// Returns the parameter with ParameterDescription::noun set: the parameter decides what the noun names.
+/// Returns the parameter with ParameterDescription::noun set: the noun names what the parameter decides.
 ParameterDescription deciding(std::string noun, ParameterDescription parameter);
 
 /// A channel end for messages of type T.

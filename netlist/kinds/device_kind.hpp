@@ -21,31 +21,32 @@ class Reporter;      // text/reporter.hpp
 
 /// Says how wires end at a device.
 enum class LinkRole {
-    ends,    ///< numbered links: a wire to one of them ends there
-    crosses, ///< numbered links: crosspoints lead a wire from one of them on to another, and out again
-    edge     ///< no links: the node itself is where the network ends
+    ends,    ///< numbered links, at which wires end
+    crosses, ///< numbered links: crosspoints lead a wire from one link on to another, and out again
+    edge     ///< no links: the node is an end of the network
 };
 
-/// Says what a device does in a slot of another (Medium). A VMEbus needs its node to be OnVme, too.
+/// Says what a device does in a slot of another device (Medium). For a VMEbus, the device's MachineNode must also
+/// derive from OnVme.
 enum class BusRole {
-    none,        ///< it has no place there
+    none,        ///< the device cannot be in a slot
     workstation, ///< a master whose bytes are in another order than a transputer's
     bus_master,  ///< a transputer that is a master and shares its memory with the bus
-    adapter      ///< registers, which lead to what its link is connected to
+    adapter      ///< registers that give access to the device at the other end of the adapter's link
 };
 
 /// Says when processes on a device take time.
 enum class Execution {
-    none, ///< no processes can be placed on it
+    none, ///< no processes can be placed on the device
     in_time,
-    in_time_on_a_bus ///< in time while on a bus; none elsewhere
+    in_time_on_a_bus ///< as in_time if the node is on a bus, otherwise processes take no time
 };
 
 /// One attribute in the parentheses of a declaration.
 struct AttributeDescription {
-    ParameterDescription value;                          ///< its name, type, unit, range and default
-    bool decimal_suffixes = false;                       ///< 20M is 20 000 000, as for a frequency; else 20 971 520
-    std::string json_name = "";                          ///< its key in the JSON document
+    ParameterDescription value;    ///< name, type, unit, range and default of the attribute
+    bool decimal_suffixes = false; ///< 20M means 20 000 000, as for a frequency; if false, 20M means 20 971 520
+    std::string json_name = "";    ///< its key in the JSON document
     std::function<std::string(const Value&)> drawn = {}; ///< for the drawing, "2 MB"; empty: not drawn
 };
 
@@ -54,27 +55,27 @@ struct FaultKind {
     std::string name;                                  ///< "halts"
     std::string about;                                 ///< one line
     std::vector<AttributeDescription> attributes = {}; ///< times in ns
-    bool silences_links = false; ///< for a device: nothing leaves it by its links after the fault begins
-    /// Returns why the device cannot have this fault although each attribute by itself is valid; "" if it can. An empty
-    /// function: it always can.
+    bool silences_links = false;                       ///< for a device: its links send nothing after the fault begins
+    /// Returns why the device cannot have this fault although each attribute by itself is valid; "" if it can. If the
+    /// function is empty, the device always can.
     std::function<std::string(const Network&, const Fault&)> why_not = {};
 
     /// Returns the attribute of this name; null if there is none.
     const AttributeDescription* attribute(std::string_view name) const;
 };
 
-/// A name by which nodes can be declared, and the properties that it gives them.
+/// A name by which nodes can be declared, and the properties of such nodes.
 struct DeviceModel {
     std::string name;      ///< its name in a netlist, such as "B404"
-    std::string type = ""; ///< type of its nodes: "T800" for a B404, which carries one; "": its name
+    std::string type = ""; ///< type of its nodes, such as "T800" for a B404; "": `name` is the type
     int links = 0;         ///< link[0] to link[links - 1]
     std::map<std::string, Value, std::less<>> attributes = {}; ///< attributes that differ from the kind's defaults
-    bool overlapped_acknowledge = true;                        ///< its links acknowledge a byte while it comes in
+    bool overlapped_acknowledge = true;                        ///< its links acknowledge a byte while the byte comes in
     bool floating_point_unit = true;                           ///< see Node
     bool needs_type = false; ///< stands for the other models of the kind: the attribute `type` says which
 };
 
-/// Shows a Medium what is in the slots of a network's devices, while the network is checked.
+/// Gives a Medium the contents of the slots of a network's devices while the network is checked.
 struct Attached {
     const Network& network; ///< nodes, connections that are wires, attachments
     const std::map<std::pair<std::size_t, int>, std::size_t>& connection_at; ///< the wires by node and link
@@ -83,13 +84,14 @@ struct Attached {
     const Node& node(std::size_t attachment) const { return network.nodes[network.attachments[attachment].node]; }
 };
 
-/// Describes a device with slots, which carries channels between the devices in them: a bus, a ring.
+/// Describes a device with slots, such as a bus or a ring. It carries channels between the devices in its slots.
 struct Medium {
     int slots = 1;           ///< slot[1] to slot[slots]
-    bool broadcasts = false; ///< channels placed on it reach link adapters as broadcasts
-    /// Says whether the device can be attached beside those that are; false after reporting why not. Empty: it can.
+    bool broadcasts = false; ///< channels placed on the device reach link adapters as broadcasts
+    /// Returns whether the device can be attached beside the devices that are attached already; reports the reason if
+    /// it returns false. If the function is empty, every device can.
     std::function<bool(const Attached&, const BusAttachment&)> takes = {};
-    /// Returns the ways over this node, each once. Reports each attachment that needs a way and has none.
+    /// Returns the ways over this node, each once. Reports each attachment that needs a way but has none.
     std::function<std::vector<BusWay>(const Attached&, std::size_t node)> ways;
 };
 
@@ -103,7 +105,7 @@ struct Drawing {
 };
 
 /// A kind of device that nodes can be declared with. It holds all facts needed to read, check and print a netlist with
-/// the device, and makes the device of a run. Switches are devices, too; so is an edge, although no hardware
+/// the device, and makes the device of a run. Switches are devices, too. An edge is also a device, although no hardware
 /// corresponds to it.
 struct DeviceKind {
     std::string name;  ///< its name in JSON, such as "processor"
@@ -115,31 +117,33 @@ struct DeviceKind {
     std::vector<AttributeDescription> attributes = {};
     std::vector<std::string> kept = {};   ///< attributes of the real tool: read and printed, not used by a simulation
     Execution executes = Execution::none; ///< a node that executes processes must be connected
-    /// Names, for a switch that is set during the run over its link `config`, the kind of process that obeys the
-    /// commands from there. One such process can be placed on the switch, and no other process.
+    /// For a switch that is set during the run over its link `config`, the kind of the process that obeys the commands
+    /// from this link. One such process can be placed on the switch, and no other process.
     std::string logic = "";
-    bool passes_channels_on = false; ///< between other nodes; it then has the attribute "routecost"
-    /// Returns why there can be no such node although each attribute by itself is valid; "" if there can. An empty
-    /// function: there always can.
+    bool passes_channels_on =
+        false; ///< channels between other nodes may lead through it; the kind then has the attribute "routecost"
+    /// Returns why a node with these attributes is impossible although each attribute by itself is valid; "" if it is
+    /// possible. If the function is empty, every such node is possible.
     std::function<std::string(const Node&)> why_not = {};
     BusRole bus = BusRole::none;
     std::optional<Medium> medium = {};  ///< set for a device with slots
     std::vector<FaultKind> faults = {}; ///< faults that its nodes can have, besides the faults of their links
-    /// Names its tracks in a trace, as TraceSink::occupied does, besides processes and links. Empty: it has none.
+    /// Returns the names of the device's tracks in a trace besides those of processes and links, with the same text as
+    /// PlaceTaken::place. If the function is empty, the device has no such tracks.
     std::function<std::vector<std::string>(const Network&, std::size_t node)> tracks = {};
-    /// Makes the device of a run. Empty: it does nothing of its own there.
+    /// Makes the device of a run. If empty, the device has no behaviour of its own in a run.
     std::function<std::unique_ptr<MachineNode>(MachineParts&, std::size_t node)> make = {};
     Drawing drawing = {};
-    /// Says that a program built on PlacedPar adds this kind: an exception from it is then that program's error.
+    /// Says that a program built on PlacedPar adds this kind: an exception from the kind is then that program's error.
     bool is_own = false;
 
     /// Returns the attribute of this name; null if there is none.
     const AttributeDescription* attribute(std::string_view name) const;
-    /// Returns whether it requests a bus as a master.
+    /// Returns whether the device requests a bus as a master.
     bool is_master() const { return bus == BusRole::workstation || bus == BusRole::bus_master; }
     /// Returns whether a program sets the device if a wire leads to its link `config`.
     bool is_set_by_link() const { return !logic.empty(); }
-    /// Returns whether it always executes in virtual time, either processes or a switch's logic.
+    /// Returns whether the device always executes in virtual time, either processes or a switch's logic.
     bool has_executive() const { return executes == Execution::in_time || is_set_by_link(); }
     /// Returns whether attributes in parentheses may follow its name in a declaration.
     bool has_attributes() const { return !attributes.empty() || !kept.empty(); }
@@ -151,14 +155,14 @@ bool executes_in_time(const Network& network, std::size_t node);
 /// Returns the number of nodes that execute processes in virtual time. Processes on a workstation take no time.
 std::size_t count_processors(const Network& network);
 
-/// A type that nodes can be declared with: a model of a kind, or a type that a `define` made.
+/// A type with which nodes can be declared: a model of a kind, or a type that a `define` made.
 struct NodeType {
     Node preset; ///< name empty
     int links = 0;
     bool needs_type = false; ///< see DeviceModel
 };
 
-/// Returns the type of the model with the kind's and the model's attributes.
+/// Returns the model's type, with the attributes of the kind and of the model.
 NodeType node_type(const std::shared_ptr<const DeviceKind>& kind, const DeviceModel& model);
 
 } // namespace placedpar

@@ -6,10 +6,10 @@ namespace placedpar {
 
 /// Declares the devices that every netlist can declare; each is defined in the file of its name.
 
-/// Describes transputers by name in upper and lower case, TRAM modules by B-number, and `processor`, which needs a
-/// type.
+/// Describes transputers by name in upper and lower case, TRAM modules by B-number, and `processor`, which needs the
+/// attribute `type`.
 DeviceKind transputer();
-/// A host computer: any number of links; processes on it run in no time unless it is on a bus.
+/// A host computer with any number of links. Processes on it take no time unless it is on a bus.
 DeviceKind workstation();
 /// The C004: connections through it are resolved to the processors at their ends.
 DeviceKind crossbar();

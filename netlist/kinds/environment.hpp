@@ -22,14 +22,14 @@ struct Measurement {
     std::string process;
     std::string name;
     std::variant<double, std::string> value;
-    std::string unit; ///< "" where it has none
+    std::string unit; ///< "" if the value has no unit
 };
 
 /// Gives a running process what the netlist defines for it: the channels at its ports, its parameters, its random
-/// streams. A process need not know where it is placed, nor whether its channels lead over links.
+/// streams. A process does not need to know its placement, nor whether its channels lead over links.
 ///
-/// Throws std::logic_error for a port or a parameter that the kind does not have, or has with another protocol or type:
-/// that is a defect of the kind.
+/// Throws std::logic_error for a port or a parameter that the kind does not have, or has with another protocol or type.
+/// Such an error is a defect of the kind.
 class ProcessEnvironment {
 public:
     struct Port {
@@ -37,14 +37,14 @@ public:
         AnyChannel* channel;
     };
 
-    /// REQUIRES: network and measurements outlive it; index < network.processes.size().
+    /// REQUIRES: network and measurements outlive this object; index < network.processes.size().
     ProcessEnvironment(const Network& network, std::size_t index, std::vector<Port> ports, std::uint64_t seed,
                        std::vector<Measurement>& measurements);
 
     /// The process's name in the netlist, such as "slave[2]".
     const std::string& process() const { return process_; }
-    /// Returns the whole network, and the process's index in Network::processes: for example, to find the neighbours of
-    /// its neighbours. No result of a process may depend on the placement of any process.
+    /// Returns the whole network, and the process's index in Network::processes: for example, to find its neighbours'
+    /// neighbours. No result of a process may depend on the placement of any process.
     const Network& network() const { return network_; }
     std::size_t index() const { return index_; }
 
@@ -52,7 +52,7 @@ public:
     double real(std::string_view parameter) const { return get<double>(parameter); }
     const std::string& text(std::string_view parameter) const { return get<std::string>(parameter); }
 
-    /// Returns the port, or its first element if it is an array.
+    /// Returns whether the port, or any element of a port array, is connected.
     bool connected(std::string_view port) const { return !all(port).empty(); }
     template <class T>
     Input<T> input(std::string_view port) const {

@@ -21,7 +21,7 @@ AttributeDescription fault_ends();
 /// Returns the attribute `until` of a fault that must end.
 AttributeDescription fault_must_end();
 
-/// Return the times that `from` and `until` state.
+/// These two functions return the times of the attributes `from` and `until`.
 Time begin_of(const Fault&);
 Time end_of(const Fault&);
 

@@ -26,7 +26,7 @@ struct RouterCosts;
 
 class MachineNode;
 
-/// Holds the parts of a run that are made so far. Devices without slots are made first, then the links, then the
+/// Holds the parts of a run that have been made so far. Devices without slots are made first, then the links, then the
 /// devices with slots. Each part may use the parts made before it.
 struct MachineParts {
     Simulation& simulation;
@@ -40,14 +40,15 @@ struct CarrierPair {
     Carrier *from_a_to_b = nullptr, *from_b_to_a = nullptr;
 };
 
-/// Adds the effects of a device's fault to the report. Empty if the fault only stops processes.
+/// Adds the effects of a device's fault to the report. The function is empty if the fault only stops processes.
 using FaultEffects = std::function<void(FaultUse&)>;
 
 /// A node of the network in a run, made by its DeviceKind. The base class does nothing; a device overrides the
-/// functions that it needs. A device adds to the simulation what takes time, and outlives the simulation.
+/// functions that it needs. A device adds processes and hardware to the simulation if they take time, and outlives the
+/// simulation.
 class MachineNode {
 public:
-    /// REQUIRES: the parts outlive it.
+    /// REQUIRES: the parts outlive this object.
     MachineNode(MachineParts& parts, std::size_t node) : parts_(parts), node_(node) {}
     MachineNode(const MachineNode&) = delete;
     MachineNode& operator=(const MachineNode&) = delete;
@@ -57,10 +58,10 @@ public:
     virtual Executive* executive() { return nullptr; }
     /// Tells the device that the link ends at the node. Called before the run.
     virtual void has_link(hardware::Link&) {}
-    /// Returns the delay of a bit that crosses the device, in hundredths of a bit time; 0 if no wires cross it.
+    /// Returns the delay of a bit that crosses the device, in hundredths of a bit time; 0 if no wires cross the device.
     virtual std::int64_t crossing_delay() const { return 0; }
-    /// Tells the device that a link leads through it whenever it is set so during the run. REQUIRES: its kind is set by
-    /// a link.
+    /// Tells the device that a link leads through it whenever the device connects this crossing during the run.
+    /// REQUIRES: the device's kind is set by a link.
     virtual void lead_on(hardware::Link&, const SwitchCrossing&) {}
     /// Returns the carriers of the channels over a way of Medium::ways. REQUIRES: the device has slots, and the way is
     /// one of its ways.
@@ -72,9 +73,9 @@ public:
     /// Adds the device's part of the report. Called when the work of the run is over.
     virtual void report(MachineUse&) const {}
 
-    /// Returns an engine of a link that is connected to one partner after the other.
+    /// Returns the engine of a link whose partner changes during the run.
     hardware::SharedEngine& engine(int link, bool outputs);
-    /// Returns the router that passes packets on by the links. It is made at the first call.
+    /// Returns the router that passes packets on over the node's links. The first call makes the router.
     hardware::Router& router();
 
 protected:
@@ -92,7 +93,7 @@ private:
     MachineParts& parts_;
     std::size_t node_;
     hardware::Router* router_ = nullptr;
-    std::map<std::pair<int, bool>, hardware::SharedEngine> engines_; ///< by link and whether it outputs
+    std::map<std::pair<int, bool>, hardware::SharedEngine> engines_; ///< by link number and whether the engine outputs
 };
 
 /// Makes a device of this class, for DeviceKind::make.

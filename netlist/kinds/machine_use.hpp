@@ -15,16 +15,17 @@ namespace placedpar {
 struct ProcessorUse {
     std::string name;
     std::string type;
-    Time busy;                  ///< time spent executing processes, waits for its memory included
-    Time memory_taken_by_links; ///< time in which its memory served its link engines, whether it was busy or not
-    std::uint64_t packets_passed_on = 0; ///< packets of channels that lead through it
-    Time passing_on{};                   ///< part of `busy` spent on passing packets on, without waiting for its memory
+    Time busy;                  ///< time spent executing processes, including waits for the processor's memory
+    Time memory_taken_by_links; ///< time in which the memory served the link engines, whether the processor was busy or
+                                ///< not
+    std::uint64_t packets_passed_on = 0; ///< packets of channels that lead through the processor
+    Time passing_on{};                   ///< part of `busy` spent on passing packets on, without waits for memory
 };
 
 struct LinkUse {
     std::string from, to; ///< "t[0].link[3]"
     std::uint64_t bytes;
-    Time occupied; ///< how long its wire carried bits
+    Time occupied; ///< time for which the wire carried bits
 };
 
 /// A master's use of its bus.
@@ -40,12 +41,12 @@ struct BusMasterUse {
 struct BroadcastUse {
     std::string from; ///< the port array: "host.to_masters"
     std::size_t adapters;
-    std::uint64_t messages, bytes; ///< each counted once
+    std::uint64_t messages, bytes; ///< each message is counted once
 };
 
 struct BusUse {
     std::string name;
-    Time busy; ///< how long it moved words or bytes
+    Time busy; ///< time for which the bus moved words or bytes
     std::vector<BusMasterUse> masters;
     std::vector<BroadcastUse> broadcasts;
 };
@@ -63,8 +64,8 @@ struct FaultUse {
     };
     std::optional<Hit> first, last;            ///< first and last hit
     std::vector<std::string> stopped_channels; ///< channels in packets that wait for ever because of the fault
-    std::vector<std::string> stopped;          ///< processes that were not at their end when their processor halted
-    std::optional<Time> held_since;            ///< when a bus was granted to the master that hogs it
+    std::vector<std::string> stopped;          ///< processes that had not ended when their processor halted
+    std::optional<Time> held_since;            ///< when a bus was granted to the master that hogs the bus
     std::uint64_t bus_errors = 0;              ///< accesses that the absent device did not answer
 
     bool had_effect() const {
@@ -81,7 +82,7 @@ struct SwitchUse {
         std::string from, to; ///< the links
         std::uint64_t bytes = 0, acknowledges = 0;
         FaultUse::Hit first;
-        int output;        ///< output that should have passed on the first of them
+        int output;        ///< output that should have passed on the first lost byte or acknowledge
         std::string state; ///< state of the output at that time: "was connected to no input"
     };
     std::vector<Loss> losses;
@@ -90,7 +91,7 @@ struct SwitchUse {
 /// Holds the report of a device of another kind, as a table.
 struct DeviceUse {
     std::string title;                ///< "ring r"
-    Time busy;                        ///< how long it carried something
+    Time busy;                        ///< time for which the device carried something
     std::vector<std::string> columns; ///< headings; the first is the heading of the row names
     struct Row {
         std::string name;

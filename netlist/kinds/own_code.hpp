@@ -26,8 +26,8 @@ auto ask_kind(const Kind& kind, const Work& work) {
     }
 }
 
-/// As above, for a process of the kind. The UserError also names the process's place in the netlist, and `what` was
-/// called.
+/// Does the same for a process of the kind. The UserError also names the process, its place in the netlist, and `what`
+/// the kind was asked, such as "whether it is determinate".
 template <class Work>
 auto ask_kind(const ProcessKind& kind, const ProcessInstance& process, const char* what, const Work& work) {
     try {
@@ -38,7 +38,7 @@ auto ask_kind(const ProcessKind& kind, const ProcessInstance& process, const cha
     }
 }
 
-/// As above, for a device. The UserError also names the node and its place in the netlist.
+/// Does the same for a device. The UserError also names the node and its place in the netlist.
 template <class Work>
 auto ask_device(const Node& node, const Work& work) {
     try {

@@ -15,19 +15,19 @@ enum class ParameterType { integer, real, text };
 struct ParameterDescription {
     std::string name;
     ParameterType type;
-    std::string unit;                   ///< "" where it has none
+    std::string unit;                   ///< "" if there is no unit
     std::optional<Value> default_value; ///< default of the stated type; empty: the netlist must give the parameter
     std::optional<double> least, most;  ///< range, both ends allowed
     std::vector<std::string> choices;   ///< for text: the allowed words; empty: any text
     std::string about;                  ///< one line
-    /// Checks a text that is more than a word; throws UserError with a text that says what would be right. `choices`
-    /// are then examples.
+    /// Checks a text with a syntax of its own. Throws UserError, which says what would be right. If this function is
+    /// set, `choices` are only examples.
     std::function<void(const std::string&)> check = {};
     /// Says that the parameter counts cycles of real-number arithmetic; the default holds for a processor with a
     /// floating-point unit.
     bool computes_reals = false;
     std::string noun =
-        ""; ///< name of what the parameter decides, under which the program has more help; "": no more help
+        ""; ///< name of what the parameter decides, for which the program has more help; "": there is no more help
 };
 
 /// Returns "it goes from 2 to 100 bytes", "it is at least 2 bytes", "it is at most 100 bytes". REQUIRES: the parameter

@@ -27,7 +27,7 @@ struct PortDescription {
     std::type_index type; ///< the C++ type that the channel carries; both ends must agree
     std::function<std::unique_ptr<AnyChannel>(std::string name)> make_channel;
     std::string about;         ///< one line
-    std::string formerly = ""; ///< the name that older netlists know it by; "" where it has always had this one
+    std::string formerly = ""; ///< the port's name in older netlists; "" if the name has never changed
 };
 
 /// One quantity that a process of this kind measures itself and reports at the end of a run.
@@ -37,7 +37,7 @@ struct MeasurementDescription {
     std::string about;
 };
 
-/// Describes an error, or a probable mistake, in a process that the checks of ranges and single ports cannot find.
+/// Describes an error, or a probable mistake, in a process, which the checks of ranges and single ports cannot find.
 struct Complaint {
     std::size_t process = 0; ///< the process at fault, which may be another than the checked process
     std::string about; ///< the parameter or port at fault, whose place is shown; "": the place of the process is shown

@@ -23,7 +23,7 @@ public:
     std::string channel(std::string_view port) const;
     /// Returns the channels of a port array, in order.
     std::vector<std::string> channels(std::string_view port) const;
-    /// Returns a guarded channel, as in occam: the channel while the condition holds, else a channel on which no
+    /// Returns a guarded channel, as in occam: the channel while the condition holds, otherwise a channel on which no
     /// message ever passes.
     std::string channel_if(std::string_view condition, const std::string& channel) const;
 

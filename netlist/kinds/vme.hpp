@@ -23,8 +23,7 @@ std::unique_ptr<MachineNode> make_vme(MachineParts&, std::size_t node);
 
 /// Returns whether the arbiter of the bus supports level 3 only.
 bool has_single_level(const Node& bus);
-/// Returns the slot that remains when `taken` empty slots have been used from the highest downwards; less than 1 if
-/// there is none.
+/// Returns the highest empty slot after the highest `taken` empty slots have been used; less than 1 if there is none.
 int free_slot(const Network&, std::size_t bus, std::size_t taken);
 
 } // namespace placedpar

@@ -14,8 +14,8 @@ std::string without_backslashes(std::string name);
 /// predefined.
 bool is_of_the_toolset(const std::string& name);
 
-/// Returns the file of this name in the first folder that has it. If a folder only has the name in other case, as DOS
-/// would match it, returns that file; if there are several, the first in order of names.
+/// Returns the file of this name in the first folder that has it. If a folder has the name only in different upper and
+/// lower case, which DOS would accept, returns that file; of several such files, returns the first in order of names.
 std::optional<std::filesystem::path> find_included(const std::string& name,
                                                    const std::vector<std::filesystem::path>& folders);
 

@@ -13,7 +13,7 @@ inline constexpr std::size_t longest_string = 2000;
 inline constexpr std::size_t longest_name = 255;
 
 /// Cuts one source into tokens, one at a time. Text that it cannot read is reported, and returned as an illegal token.
-/// Comments are C's: slash star to star slash; the language has no others.
+/// Comments are written as in C, from slash star to star slash; the language has no other comments.
 class Lexer {
 public:
     Lexer(std::shared_ptr<const SourceFile> file, Reporter& reporter);

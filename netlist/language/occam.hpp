@@ -7,7 +7,7 @@
 
 namespace placedpar {
 
-/// Says where a text turns out to be occam, and what a netlist would say instead.
+/// Holds the place at which a text turns out to be occam, and the equivalent in a netlist.
 struct Occam {
     Location at;
     const char* hint;

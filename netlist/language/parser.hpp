@@ -13,8 +13,8 @@ inline constexpr int deepest_nesting = 200;
 /// Limits the height of an expression's tree. The height of `1 + 1 + ...` is its length: 1000 operators are allowed.
 inline constexpr int highest_expression = 1001;
 
-/// Parses the grammar of docs/reference/netlist-language.md by recursive descent. After an error it continues behind
-/// the next `;`, so that one pass reports several errors.
+/// Parses the grammar of docs/reference/netlist-language.md by recursive descent. After an error, parsing continues
+/// after the next `;`, so that one pass reports several errors.
 class Parser {
 public:
     Parser(TokenStream& tokens, Reporter& reporter) : tokens_(tokens), reporter_(reporter) {}
@@ -77,7 +77,7 @@ private:
 
     // parse_expression.cpp
     ExpressionPointer parse_expression();
-    /// Parses an operation of operators that bind more strongly than `weakest`.
+    /// Parses an operation whose operators bind more strongly than `weakest`.
     ExpressionPointer parse_operation(int weakest);
     ExpressionPointer parse_conditional(ExpressionPointer condition);
     ExpressionPointer parse_unary();
@@ -87,7 +87,8 @@ private:
     ExpressionPointer parse_primary();
     ExpressionPointer parse_array_constant();
     ExpressionPointer combine(const Token& symbol, ExpressionPointer left, ExpressionPointer right);
-    /// Returns the height of an expression above these parts. Refuses it if it exceeds highest_expression.
+    /// Returns the height of an expression that has these parts. Refuses the expression if the height exceeds
+    /// highest_expression.
     int height_above(const Location& at, std::initializer_list<const Expression*> parts);
 
     bool accept(std::string_view symbol);

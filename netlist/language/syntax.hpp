@@ -57,7 +57,7 @@ struct ArrayConstant {
 };
 
 struct Expression {
-    Location at; ///< place; for operations of two or three operands, the operator's
+    Location at; ///< location; for operations with two or three operands, that of the operator
     std::variant<IntegerLiteral, RealLiteral, TextLiteral, NameUse, UnaryOperation, BinaryOperation,
                  ConditionalOperation, CastOperation, SubscriptOperation, SizeOperation, ArrayConstant>
         form;
@@ -96,7 +96,7 @@ using EntryType = std::variant<Direction, std::string>;
 struct InterfaceEntry {
     EntryType type;
     Declarator declarator;
-    ExpressionPointer default_value; ///< null where there is none, and for channels
+    ExpressionPointer default_value; ///< null if no default is given, and for channels
 };
 
 /// Holds the contents of the parentheses of a declaration. Only processes have an interface.
@@ -143,7 +143,7 @@ struct ParameterSetting {
 /// `n = 4`, `p[1].n = 4`: an option sets a val, or an attribute or a parameter of what the netlist declares.
 struct SetStatement {
     Reference target;
-    ExpressionPointer value; ///< null if the text is not an expression, which a string without quotes need not be
+    ExpressionPointer value; ///< null if the text is not an expression, such as a string without quotes
     std::string typed;       ///< the text of the value
     Location value_at;
     std::vector<Diagnostic> problems; ///< why the text is not an expression
@@ -186,14 +186,15 @@ struct BlockStatement {
 };
 
 struct Statement {
-    Location at; ///< place of the name that a `val` declares, else of the first word
+    Location at; ///< location of the name in a `val`, and of the first word in any other statement
     std::variant<ValStatement, DefineStatement, Declaration, ConnectionDeclaration, EdgeChannelDeclaration,
                  ParameterSetting, SetStatement, ConnectStatement, UseStatement, PlaceStatement, FaultStatement,
                  RepStatement, IfStatement, BlockStatement>
         form;
 };
 
-/// Thrown by a function that cannot go on with a statement, after it has reported why; caught at the statement.
+/// A function throws this exception, after reporting the error, if it cannot continue with a statement. The exception
+/// is caught where the statement is executed or parsed.
 struct StatementRefused {};
 
 } // namespace placedpar

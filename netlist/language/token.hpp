@@ -19,7 +19,7 @@ enum class TokenKind {
 };
 
 /// An integer constant as it is written, `20M`. The language's suffixes count in 1024s; for a clock or the speed of a
-/// link the same suffixes mean thousands, so an integer carries both readings with it: 20M is 20971520 as a size and
+/// link the same suffixes count in 1000s. An integer therefore carries both readings: 20M is 20971520 as a size and
 /// 20000000 as a frequency. Only the attributes `clock` and `linkspeed` take the second reading. Constants keep both
 /// readings through `val`s and arithmetic.
 struct Integer {
@@ -33,7 +33,7 @@ struct Token {
     Integer integer;
     double real = 0;
     Location at;
-    Location end = {}; ///< the place behind its last character
+    Location end = {}; ///< the location after its last character
 
     bool is(std::string_view symbol) const { return kind == TokenKind::symbol && text == symbol; }
     bool is_word(std::string_view word) const { return kind == TokenKind::name && text == word; }

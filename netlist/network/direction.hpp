@@ -4,7 +4,7 @@
 
 namespace placedpar {
 
-/// States which way messages pass through a channel's end, seen from the process or device with this end.
+/// States in which direction messages pass through a channel's end, seen from the process or device at this end.
 enum class Direction { input, output };
 
 /// Returns "input" or "output".

@@ -10,7 +10,7 @@
 
 namespace placedpar {
 
-/// Functions for the names of arrays and their elements. The last of several subscripts runs fastest.
+/// Functions for the names of arrays and their elements. Of several subscripts, the last varies fastest.
 
 /// Returns "out" for "out[2]"; a name without a subscript is returned as it is.
 std::string_view base_name(std::string_view name);

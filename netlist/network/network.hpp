@@ -24,16 +24,16 @@ struct DeviceKind; // netlist/kinds/device_kind.hpp: what a device of some kind 
 
 inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
-/// A device of some kind, or an edge: something that wires lead to.
+/// A device of some kind, or an edge. Wires connect nodes.
 struct Node {
-    std::string name;                       ///< such as "t[0][1]"
-    std::string type;                       ///< such as "T800", also for a B404, which carries one; "edge", "C004"
-    std::shared_ptr<const DeviceKind> kind; ///< never null in a Network
+    std::string name; ///< such as "t[0][1]"
+    std::string type; ///< such as "T800", "C004" or "edge"; "T800" also for a B404, a module with a T800
+    std::shared_ptr<const DeviceKind> kind;               ///< never null in a Network
     std::map<std::string, Value, std::less<>> attributes; ///< every attribute of the kind
-    bool overlapped_acknowledge = true;                   ///< its links acknowledge a byte while it comes in
-    bool floating_point_unit = true;                      ///< it computes with real numbers as a T800 does
-    std::set<std::string, std::less<>> given = {};        ///< names of the attributes that the netlist gives
-    std::map<std::string, Value> other;                   ///< attributes of the real tool, not used by a simulation
+    bool overlapped_acknowledge = true;                   ///< its links acknowledge a byte while the byte comes in
+    bool floating_point_unit = true;               ///< the processor computes with real numbers as fast as a T800
+    std::set<std::string, std::less<>> given = {}; ///< names of the attributes that the netlist gives
+    std::map<std::string, Value> other;            ///< attributes of the real tool, not used by a simulation
     Location declared;
 
     /// REQUIRES: the kind has an integer attribute of this name; throws std::logic_error otherwise.
@@ -54,9 +54,9 @@ struct SwitchCrossing {
     int from_link = 0, to_link = 0;
 };
 
-/// Stands for a link where the end of a way over a bus is a device's place on the bus.
+/// The link number at the end of a way over a bus if this end is a device's slot on the bus.
 inline constexpr int bus_port = std::numeric_limits<int>::max();
-/// Stands for the link `config`, by which a switch is set during the run, where a wire ends there.
+/// The link number at the end of a wire if this end is the link `config`, by which a switch is set during the run.
 inline constexpr int configuration_link = bus_port - 1;
 
 /// A device in a slot of a bus.
@@ -64,7 +64,7 @@ struct BusAttachment {
     std::size_t node = nowhere, bus = nowhere;
     int slot = 1;
     int level = 3;           ///< level of a master's requests, BR0 to BR3
-    bool on_request = false; ///< a master gives up the bus when another master requests it; false: when it is done
+    bool on_request = false; ///< a master gives up the bus when another requests it; false: after each block of words
     std::string name;        ///< name of the `connection` by which it was attached; "" if none
     Location connected;
 };
@@ -75,7 +75,7 @@ struct BusWay {
     std::size_t wire = nowhere; ///< connection at the link adapter; nowhere: the way ends in a bus master's memory
 };
 
-/// A wire from link to link, with the switches on its way. Never from edge to edge.
+/// A wire from link to link, with the switches on its way. At most one of its ends is at an edge.
 struct LinkConnection {
     LinkEnd a, b;
     std::int64_t bits_per_second = 20'000'000;
@@ -84,8 +84,9 @@ struct LinkConnection {
     std::string name;                      ///< name of the `connection` by which it was wired; "" if none
     Location connected;
     std::optional<BusWay> over_bus =
-        {}; ///< set: the connection is not a wire; a is a master, b the device that it reaches over the bus
-    bool at_run_time = false; ///< a switch on its way connects it during the run; others may have the same links
+        {}; ///< if set, the connection is not a wire: a is a master, b the device that the master reaches over the bus
+    bool at_run_time =
+        false; ///< a switch on its way connects it during the run; other connections may have the same links
 
     int switches() const { return static_cast<int>(crossings.size()); }
 };
@@ -93,7 +94,7 @@ struct LinkConnection {
 /// Describes a piece of wire between two sockets, at a switch that is set during the run. Several connections may share
 /// it.
 struct WirePiece {
-    LinkEnd a, b;                                ///< at least one of them at a switch
+    LinkEnd a, b;                                ///< at least one end is at a switch
     std::string name;                            ///< name of its `connection`; "" if none
     std::optional<std::int64_t> bits_per_second; ///< speed, if its `connection` states one
     double metres = 0;
@@ -105,14 +106,14 @@ struct WirePiece {
 struct DeclaredEntry {
     std::string type; ///< "input" or "output" for a channel end; "int", "char", "double" ... for a parameter
     std::string name;
-    std::vector<std::int64_t> dimensions; ///< none: a single one
+    std::vector<std::int64_t> dimensions; ///< empty: a single channel end or parameter
 
     bool operator==(const DeclaredEntry&) const = default;
 };
 
 /// A connected port of a process. Optional ports that are not connected are not listed.
 struct PortBinding {
-    std::string port; ///< such as "to_slaves" or "out[2]"; the kind knows it by its base name, "out"
+    std::string port; ///< such as "to_slaves" or "out[2]"; in the kind the port has the base name, "out"
     Direction direction;
     std::size_t channel = nowhere;
 };
@@ -130,16 +131,16 @@ struct ProcessInstance {
     std::shared_ptr<const std::vector<DeclaredEntry>> interface;
     bool high_priority = false;
     std::size_t node = nowhere;
-    std::vector<PortBinding> ports;     ///< in the order of the kind's ports; of the interface for a stand-in
+    std::vector<PortBinding> ports; ///< in the order of the kind's ports; for a stand-in, in the order of the interface
     std::map<std::string, Value> other; ///< attributes of the real tool, not used by a simulation
     Location declared;
 };
 
-/// A process's port, or an edge channel: then `process` is nowhere and `port` the edge channel's name.
+/// A process's port, or an edge channel. For an edge channel, `process` is nowhere and `port` is the channel's name.
 struct ChannelEnd {
     std::size_t process = nowhere;
     std::string port;
-    std::size_t node = nowhere; ///< node that holds the process, or the edge
+    std::size_t node = nowhere; ///< node on which the process is placed, or the edge
 
     bool at_edge() const { return process == nowhere; }
 };
@@ -156,11 +157,11 @@ struct RouteHop {
 struct ChannelPlacement {
     enum class Kind { soft, link, edge };
     Kind kind = Kind::soft;
-    std::vector<RouteHop> route = {}; ///< empty for a soft channel; several hops lead over processors between
+    std::vector<RouteHop> route = {}; ///< empty for a soft channel; several hops lead over the processors in between
     bool in_packets =
         false; ///< the route has several hops, or one of its links carries another channel in the same direction
-    /// Index of the bus on which one write reaches the adapters of this channel and of others; nowhere: the channel is
-    /// not broadcast.
+    /// Index of the bus on which one write reaches the adapters of this channel and of the other channels of the
+    /// broadcast; nowhere: the channel is not broadcast.
     std::size_t broadcast_on = nowhere;
 
     bool operator==(const ChannelPlacement&) const = default;
@@ -168,7 +169,7 @@ struct ChannelPlacement {
 
 struct NetworkChannel {
     std::string name;    ///< name of the `connection` by which it was connected, or "a.out -> b.in"
-    ChannelEnd from, to; ///< at most one of them is at an edge
+    ChannelEnd from, to; ///< at most one end is at an edge
     ChannelPlacement placement;
     Location connected;
 };
@@ -180,7 +181,7 @@ bool are_one_broadcast(const NetworkChannel&, const NetworkChannel&);
 /// A fault of a link or a device in a run.
 struct Fault {
     std::string kind;                                     ///< "silent", "halts"
-    std::size_t node = nowhere;                           ///< the device that fails, or at whose link a link fails
+    std::size_t node = nowhere;                           ///< the device that fails, or one of whose links fails
     int link = -1;                                        ///< number of the link; -1: the device itself fails
     std::size_t connection = nowhere;                     ///< the wire at that link
     std::map<std::string, Value, std::less<>> attributes; ///< all attributes of the kind
@@ -227,7 +228,7 @@ bool is_on_bus(const Network& network, std::size_t node);
 /// Returns "t[0].link[2]", "sun.bus[0]", or the name of an edge.
 std::string link_name(const std::vector<Node>& nodes, const LinkEnd& end);
 
-/// Return where a hop begins and ends.
+/// These two functions return where a hop begins and where it ends.
 inline const LinkEnd& begin_of(const RouteHop& hop, const std::vector<LinkConnection>& connections) {
     return hop.from_a_to_b ? connections[hop.connection].a : connections[hop.connection].b;
 }

@@ -9,8 +9,8 @@
 namespace placedpar {
 
 /// Prints the network in the netlist language; the text reads back to the same network. Parameters keep the order of
-/// the netlist, and the toolset's include stands before the first use of its declarations, so that the real tool
-/// accepts the text, too.
+/// the netlist, and the toolset's include comes before the first use of its declarations, so that the real tool accepts
+/// the text, too.
 std::string print_cfs(const Network& network);
 /// Returns the text that is hashed: equal for equal networks, whatever the order of parameters, and with or without the
 /// toolset's include.
@@ -26,8 +26,8 @@ inline constexpr std::uint64_t hash_of_nothing = 0xcbf29ce484222325U; ///< offse
 /// pieces as `before`.
 std::uint64_t network_hash(std::string_view canonical, std::uint64_t before = hash_of_nothing);
 
-/// Holds the printed form of a network and the hash of its canonical form. The long parts common to both are printed
-/// once.
+/// Holds the printed form of a network and the hash of its canonical form. The long parts that both forms share are
+/// printed only once.
 struct WrittenOut {
     std::string text = "";  ///< print_cfs; "" if it is too large
     std::size_t bytes = 0;  ///< length of print_cfs()

@@ -8,10 +8,10 @@
 namespace placedpar {
 
 /// Prints the network as a model for Spin: a proctype for each process, a rendezvous channel for each channel. The
-/// model has neither time nor placement: what Spin proves impossible cannot happen on any machine, and what it finds
-/// possible may happen on some machine. A process that never reaches its end is an invalid end state for Spin;
-/// PlacedPar reports it as waiting. Throws UserError if the kind of a process has no Promela statements, or if Spin has
-/// no room for so many processes.
+/// model has neither time nor placement: an event that Spin proves impossible cannot happen on any machine, and an
+/// event that Spin finds possible may happen on some machine. A process that never reaches its end is an invalid end
+/// state for Spin; PlacedPar reports it as waiting. Throws UserError if the kind of a process has no Promela
+/// statements, or if Spin has no room for so many processes.
 std::string print_promela(const Network& network, const Catalogue& catalogue);
 
 } // namespace placedpar

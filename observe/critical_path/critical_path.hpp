@@ -17,23 +17,23 @@
 
 namespace placedpar {
 
-/// Records the critical path of a run during the run. For each event it notes the event that caused it: for a message,
+/// Records the critical path of a run during the run. For each event it stores the event that caused it: for a message,
 /// the arrival of the later of the two processes at the channel; for a turn on a processor, the end of the preceding
 /// turn; for the end of a PAR, the end of its last component. The causes lead from the end of the run to its beginning
 /// without a gap, since each activity begins when its cause ends.
 class CriticalPath final : public ActivityLog<CriticalPath> {
 public:
-    /// If the path exceeds `most_points`, it is discarded, and the rest of the run needs no more memory.
+    /// If the path exceeds `most_points`, it is discarded, and the rest of the run takes no further memory.
     explicit CriticalPath(std::size_t most_points = most_path_points);
 
     bool too_long() const { return points_.too_long(); }
     /// Returns the parts of the path in order of time; empty if the path is too long. Throws std::logic_error if their
-    /// durations do not add up to the run's. REQUIRES: the run is over.
+    /// durations do not add up to the run's duration. REQUIRES: the run is over.
     std::vector<PathPart> parts() const;
     /// Returns how each process of the netlist spent its time. REQUIRES: the run is over.
     const std::map<std::string, Account>& accounts() const { return accounts_.all(); }
 
-    /// Returns for each direction of a link how long outputters waited for their inputters.
+    /// Returns, for each direction of a link, how long outputting processes waited for inputting processes.
     const std::map<std::string, Time>& waits_at_links() const { return waits_at_links_; }
 
     void turns(const Process&, Activity, Time) override;
@@ -47,11 +47,12 @@ private:
     using Number = PathPoints::Number;
     using Point = PathPoints::Point;
     struct Lane {
-        Number last; ///< its last event; while it waits, the begin of the wait
+        Number last; ///< last event of the process; while the process waits, the begin of the wait
         const Process* process;
         Activity does = Activity::ended;
-        std::optional<Number> cause = {};    ///< event that ended its wait, until it continues
-        std::optional<Number> together = {}; ///< when both processes of its present message had come to the channel
+        std::optional<Number> cause = {}; ///< event that ended the process's wait, until the process continues
+        std::optional<Number> together =
+            {}; ///< the later arrival of the two processes of the present message at the channel
     };
 
     std::uint32_t number_of(const std::string& subject);
@@ -83,7 +84,7 @@ private:
     std::unordered_map<const Executive*, Number> held_;             ///< last event on each executive
     std::unordered_map<std::string, Number> bus_held_;              ///< last use of each bus
     std::map<std::pair<const AnyChannel*, bool>, Number> came_;     ///< last arrival at a channel end; true: output
-    std::unordered_map<const AnyChannel*, std::string> carried_by_; ///< direction of the link that carries it
+    std::unordered_map<const AnyChannel*, std::string> carried_by_; ///< direction of the link that carries the channel
     std::map<std::string, Time> waits_at_links_;
     Accounts accounts_;
     Number end_ = 0;
@@ -100,7 +101,8 @@ struct PathShare {
 std::vector<PathShare> shares_of(const std::vector<PathPart>&);
 /// Returns a text such as "computing: master on t[0]".
 std::string name_of(const PathShare&);
-/// As shares_of(), with the elements of an array taken together: "computing: slave[] on t[]".
+/// Returns the shares as shares_of() does, but with one share for all elements of an array: "computing: slave[] on
+/// t[]".
 std::vector<PathShare> shares_by_array(const std::vector<PathPart>&);
 
 } // namespace placedpar

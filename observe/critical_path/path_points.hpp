@@ -10,12 +10,12 @@
 
 namespace placedpar {
 
-/// Limits the points of a path. At the limit, the points and what is made from them take about 2 Gbyte.
+/// Limits the points of a path. At the limit, the points and the path computed from them take about 2 Gbyte of memory.
 inline constexpr std::size_t most_path_points = 2'000'000;
 
-/// Stores events, each with the event that caused it. They form a tree; its root, point 0, is the beginning of the run.
-/// From time to time, points that no number in use leads back to are removed. If too many points remain, the tree is
-/// given up: from then on it holds only the points in use, and the cause of each.
+/// Stores events, each with the event that caused it. The events form a tree; its root, point 0, is the beginning of
+/// the run. From time to time, points that cannot be reached from a number in use are removed. If too many points
+/// remain, the tree is given up: from then on this object holds only the points in use, and the cause of each.
 class PathPoints {
 public:
     using Number = std::uint32_t; ///< index of a point; changes when points are removed
@@ -37,8 +37,8 @@ public:
     bool empty() const { return points_.empty(); }
 
     bool should_forget() const { return points_.size() >= room_; }
-    /// Removes points that none of the numbers leads back to, and renumbers the others. REQUIRES: each variable that
-    /// holds a number in use is listed exactly once.
+    /// Removes points that cannot be reached from any of the numbers, and renumbers the others. REQUIRES: each variable
+    /// that holds a number in use is listed exactly once.
     void forget_but(std::span<Number* const> in_use);
     /// Returns whether the tree was given up.
     bool too_long() const { return too_long_; }
@@ -51,7 +51,7 @@ private:
 
     std::vector<Point> points_;
     std::size_t most_;
-    std::size_t room_; ///< number of points at which points are removed next
+    std::size_t room_; ///< number of points that triggers the next removal
     bool too_long_ = false;
 };
 

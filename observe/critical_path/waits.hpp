@@ -8,15 +8,16 @@
 
 namespace placedpar {
 
-/// The time of a process, including the components of its PARs, by activity. The process counts as computing while any
-/// of them computes. Otherwise it communicates while one of them moves words over a bus or waits for the bus; otherwise
-/// it is ready while one of them is ready; otherwise it waits. The times add up to its lifetime.
+/// The time of a process, including the components of its PARs, by activity. The process counts as computing while the
+/// process or a component computes. Otherwise it counts as communicating while the process or a component moves words
+/// over a bus or waits for the bus. Otherwise it counts as ready while the process or a component is ready, and as
+/// waiting at all other times. The times add up to the lifetime of the process.
 struct Account {
     Time computing{}, ready{}, communicating{}, delayed{}, waiting{};
-    std::map<std::string, Time> waiting_for; ///< parts of `waiting` by partner, without a last wait that never ended
+    std::map<std::string, Time> waiting_for; ///< parts of `waiting` by partner, without a wait that never ended
 
     Time life() const { return computing + ready + communicating + delayed + waiting; }
-    /// Returns the partner for which it waited longest; "" if it waited for none.
+    /// Returns the partner for which the process waited longest; "" if it waited for no partner.
     std::string most_waited_for() const;
 };
 

@@ -14,14 +14,14 @@ struct Period {
     Time begin, end;
 };
 
-/// Keeps the first and the last of many stretches; all of them while there is room.
+/// Keeps the first and the last of many stretches, or all stretches while there is room.
 class BothEnds {
 public:
     explicit BothEnds(std::size_t bytes_of_each_end) : most_(bytes_of_each_end) {}
 
     /// REQUIRES: the stretch begins no earlier than the stretch before it.
     void add(PackedStretch);
-    /// Compresses the stretches that it holds.
+    /// Compresses the stretches that are held.
     void deflate();
 
     std::size_t left_out() const { return left_out_; }   ///< number of slices and messages

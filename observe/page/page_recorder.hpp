@@ -13,11 +13,11 @@
 namespace placedpar::page {
 
 /// Keeps the parts of a trace for which a page of bounded size has room: the load of every track in bins, and all
-/// slices and messages, packed. If there are too many of these, only those at the beginning and the end of the run are
-/// kept.
+/// slices and messages, packed. If there are too many slices and messages, only those at the beginning and the end of
+/// the run are kept.
 class PageRecorder final : public TraceWriter {
 public:
-    /// REQUIRES: the tracks outlive it.
+    /// REQUIRES: the tracks outlive this object.
     PageRecorder(const Tracks&, Time from);
 
     void write(const Slice&) override;
@@ -26,7 +26,7 @@ public:
     void finish(Time begin, Time end, const std::string& why) override;
 
     /// Returns {"begin", "end", "why", "bin": width of a bin, "left_out": number of slices and messages left out,
-    /// "lost": [begin, end] of their interval, "doing": names of activities, "nodes", "tracks", "deflated",
+    /// "lost": [begin, end] of the interval without them, "doing": names of activities, "nodes", "tracks", "deflated",
     /// "stretches": [begin, end, number of slices and messages, ...], "texts": texts of the path, "path": [track,
     /// begin, duration, name, ...]}. Times are in picoseconds. REQUIRES: finish() was called.
     boost::json::object json();
@@ -43,7 +43,7 @@ private:
     const Tracks& tracks_;
     LoadBins bins_;
     Stretches stretches_;
-    std::vector<PathPart> path_; ///< the critical path, if it is known; only the longest parts of a very long one
+    std::vector<PathPart> path_; ///< the critical path, if it is known; of a very long path, only the longest parts
     Time begin_{}, end_{};
     std::string why_;
 };

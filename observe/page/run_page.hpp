@@ -19,10 +19,10 @@ struct PageContent {
     const GenerationLog& searches;
 };
 
-/// Makes a run into one HTML file for a browser, which needs no internet. It shows the network, coloured by load at the
-/// time that a slider selects, timelines, measurements, the cycle of a deadlock, and convergence. The file stays below
-/// 64 megabytes: for a very long run it has the slices and messages of the beginning and the end, and only the load in
-/// between.
+/// Shows a run as one HTML file, which a browser displays without internet. The page shows the network, coloured by
+/// load at the time that a slider selects, timelines, measurements, the cycle of a deadlock, and convergence. The file
+/// stays below 64 megabytes: for a very long run it has the slices and messages of the beginning and the end of the
+/// run, and only the load for the time in between.
 class RunPage {
 public:
     /// Records the part of the run in the window. Throws UserError if the window is empty. The network is used only by
@@ -33,7 +33,7 @@ public:
     /// Returns the page. The critical path, if given, is a line through the timelines. REQUIRES: the run is over;
     /// called once.
     std::string html(const PageContent&, std::span<const PathPart> critical_path = {});
-    /// Returns lines of text that tell the user what is missing on the page; they name the file. REQUIRES: the run is
+    /// Returns lines of text that tell the user what is missing on the page, and name the file. REQUIRES: the run is
     /// over.
     std::string warnings(const std::filesystem::path&) const;
 

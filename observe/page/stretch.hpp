@@ -17,7 +17,8 @@ struct PackedStretch {
     std::string bytes;
 };
 
-/// Collects the slices and messages of an interval of a run. It can be unpacked alone, since it has its own texts.
+/// Collects the slices and messages of an interval of a run. A packed stretch can be unpacked without the others, since
+/// it has its own texts.
 class Stretch {
 public:
     explicit Stretch(Time begin) : begin_(begin), end_(begin) {}
@@ -34,10 +35,10 @@ public:
     /// a column over all slices or messages, since equal kinds of values compress best together:
     ///   length of the texts in bytes; the texts as JSON;
     ///   number of tracks that have slices; for each its number and its count of slices;
-    ///   for all slices, by track: time since the end of the track's slice before it, or since the stretch's begin;
+    ///   for all slices, by track: time since the end of the track's preceding slice, or since the stretch's begin;
     ///   duration; activity, plus 16 if the slice is open; number of its text;
     ///   number of messages; for all, in order of leaving: sender's track; receiver's track;
-    ///   time since the message before it left, or since the stretch's begin; duration; number of the channel's text.
+    ///   time since the preceding message left, or since the stretch's begin; duration; number of the channel's text.
     /// Times are in picoseconds.
     PackedStretch pack();
 

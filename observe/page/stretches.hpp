@@ -8,15 +8,15 @@ namespace placedpar::page {
 /// Limits of what a page holds.
 struct Room {
     std::size_t entries_of_stretch = 40'000;    ///< a browser unpacks such a stretch in some hundredths of a second
-    std::size_t entries_at_once = 250'000;      ///< a run with at most as many entries is not compressed
+    std::size_t entries_at_once = 250'000;      ///< a run with at most this number of entries is not compressed
     std::size_t bytes_of_each_end = 16'000'000; ///< keeps a page below 64 megabytes
 };
 
 /// Collects the slices and messages of a run of any length in stretches. A full stretch is packed at once.
 ///
 /// An entry that begins before the open stretch goes into a second row of longer stretches, or into a third row if it
-/// begins before the second row's open stretch. The stretches of a row do not overlap. So the stretches that contain a
-/// time hold all entries at that time.
+/// begins before the second row's open stretch. The stretches of a row do not overlap. So all entries at a given time
+/// are in the stretches that contain this time.
 class Stretches {
 public:
     Stretches(const Tracks&, Time from, const Room& = {});

@@ -6,14 +6,14 @@
 
 namespace placedpar {
 
-/// Calls the reader's function for each kind of notice about a process. A Reader keeps its lanes_, by the
-/// ordinals of the processes that live, and has
-///   begin(process, now)           the process begins to exist; without a lane added here it is ignored;
+/// Calls the reader's function for each kind of notice about a process. A Reader has a map lanes_ with the lane of each
+/// living process, by the process's ordinal, and these functions:
+///   begin(process, now)           the process begins to exist; the process is ignored if no lane is added here;
 ///   wait(lane, activity, now)     a wait begins;
 ///   become_ready(lane, now)       a wait or a computation is over, but the program does not run yet;
 ///   go_on(lane, now)              the program runs again after a wait;
-///   compute(lane, activity, now)  it computes, or moves words;
-///   end(lane, now)                its last notice; the lane is removed afterwards.
+///   compute(lane, activity, now)  the process computes, or moves words;
+///   end(lane, now)                the process ends; the lane is removed afterwards.
 template <class Reader>
 class ActivityLog : public TraceSink {
 protected:

@@ -11,11 +11,11 @@ namespace placedpar {
 struct PathPart {
     Activity activity;   ///< starting, computing, carrying (a message), moving, arbitrating, delayed, ready or ended
     std::string subject; ///< "master on t[0]"; the channel; the process
-    std::string place;   ///< the processor, direction of a link, or bus that it used; "" for none
+    std::string place;   ///< the processor, direction of a link, or bus that this part used; "" if none
     Time begin, end;     ///< begin < end
 };
 
-/// Returns the activity's name, such as "communicating"; "" for an activity that no part of a path has.
+/// Returns the activity's name, such as "communicating"; "" for an activity that parts of a path cannot have.
 const char* name_on_path(Activity);
 /// Returns a text such as "computing: master on t[0]".
 std::string name_on_path(Activity, const std::string& subject);

@@ -15,11 +15,11 @@ namespace placedpar {
 /// slices. The end of the trace is an instant (i) that states the reason. Names and order are metadata (M).
 ///
 /// A critical path is a process of its own above all others. One thread has the whole path; each processor and link on
-/// the path has a thread with the parts there. The parts are red in viewers that accept colours (cname). A flow leads
-/// from each part to the next, so that one line leads from the beginning of the run to its end.
+/// the path has a thread with the parts that use it. The parts are red in viewers that accept colours (cname). A flow
+/// leads from each part to the next, so that one line leads from the beginning of the run to its end.
 class PerfettoTrace final : public TraceWriter {
 public:
-    /// REQUIRES: file and tracks outlive it, and nothing has been written to the file.
+    /// REQUIRES: file and tracks outlive this object, and nothing has been written to the file.
     PerfettoTrace(OutputFile&, const Tracks&);
 
     void write(const Slice&) override;

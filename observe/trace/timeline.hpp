@@ -18,12 +18,13 @@ namespace placedpar {
 /// The part of a run that is traced.
 struct TraceWindow {
     Time from{}, until = Time::max();
-    std::size_t most_entries = 2'000'000; ///< slices and messages; the trace ends when it has as many
+    std::size_t most_entries =
+        2'000'000; ///< largest number of slices and messages; the trace ends when it has this number
 
     bool is_part() const { return from > Time{} || until < Time::max(); }
 };
 
-/// Returns the window. Throws UserError if it is empty.
+/// Returns the argument. Throws UserError if the window is empty.
 const TraceWindow& require_time_in(const TraceWindow&);
 
 /// Converts the kernel's notices into slices on tracks. A slice ends when the process changes its activity. If a
@@ -31,12 +32,12 @@ const TraceWindow& require_time_in(const TraceWindow&);
 /// process continues.
 class Timeline final : public ActivityLog<Timeline> {
 public:
-    /// REQUIRES: the tracks and the writer outlive it.
+    /// REQUIRES: the tracks and the writer outlive this object.
     Timeline(Tracks&, const TraceWindow&, TraceWriter&);
 
-    /// Returns when the trace became full, if it did.
+    /// Returns the time at which the trace became full; nothing if it did not.
     std::optional<Time> full_at() const { return full_at_; }
-    /// Returns why nothing of the run lies in the window; "" if something does. REQUIRES: the run is over.
+    /// Returns why no part of the run lies in the window; "" if some part does. REQUIRES: the run is over.
     std::string why_empty() const;
     /// Completes the trace. A wait is written as open if it never ended, or ended after the end of the trace. A wait
     /// that ended after the work of the run (see wait_until_work_is_over) is not open. REQUIRES: the run is over.
@@ -109,8 +110,8 @@ private:
     TraceWindow window_;
     TraceWriter& writer_;
     std::map<std::uint32_t, Lane> lanes_;       ///< processes that exist, by ordinal
-    std::map<std::size_t, Use> uses_;           ///< by track: the present use, or else the last
-    std::map<std::uint64_t, Message> messages_; ///< messages with an end that is not known yet
+    std::map<std::size_t, Use> uses_;           ///< by track: the present use, or the last use if the track is idle
+    std::map<std::uint64_t, Message> messages_; ///< messages of which an end is not known yet
     std::uint64_t message_count_ = 0;
     std::size_t entries_ = 0;
     std::optional<Time> full_at_;

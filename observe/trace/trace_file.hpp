@@ -15,7 +15,7 @@ namespace placedpar {
 void require_trace_format(const std::filesystem::path&);
 
 /// A trace file. The ending of its name selects the format: .json (PerfettoTrace) or .vcd (VcdTrace). A pipe or device
-/// without an ending gets JSON, and so does "-", standard output.
+/// without an ending gets JSON; standard output, "-", gets JSON, too.
 class TraceFile {
 public:
     /// Throws UserError as require_trace_format(), and if the file cannot be written or the window is empty. The
@@ -24,7 +24,8 @@ public:
 
     TraceSink& sink() { return timeline_; }
     /// Completes the file, and returns lines of text that tell the user what is missing in the trace. Throws UserError
-    /// if the file could not be written completely. Without this call there is no file. REQUIRES: the run is over.
+    /// if the file could not be written completely. If this function is not called, no file is left. REQUIRES: the run
+    /// is over.
     std::string finish(const RunResult&, std::span<const PathPart> critical_path = {});
 
 private:

@@ -12,7 +12,7 @@
 
 namespace placedpar {
 
-/// A channel of a wait, and the process that came to its other end or must come.
+/// A channel for which a process waits, and the partner: the process that uses the channel's other end.
 struct Awaited {
     std::string channel;
     std::string partner; ///< "" if no process ever used the other end
@@ -23,15 +23,16 @@ struct Awaited {
 struct Slice {
     std::size_t track;
     Activity activity;
-    Time begin, end;                   ///< begin < end, unless it is open
-    bool open;                         ///< its activity continues at the end of the trace
+    Time begin, end;                   ///< begin < end, unless the slice is open
+    bool open;                         ///< the activity still continues at the end of the trace
     std::string subject = {};          ///< process that is executed, or channel that is carried
     std::uint64_t bytes = 0;           ///< number of bytes carried; unknown for an open slice
     std::vector<Awaited> awaited = {}; ///< channels of a wait
     bool awaits_timer = false;
 };
 
-/// A message. It leaves within a slice of one track, and arrives then or later within a slice of another.
+/// A message. It leaves within a slice of one track, and arrives at the same time or later within a slice of another
+/// track.
 struct MessageArrow {
     const std::string& channel;
     std::size_t from, to;

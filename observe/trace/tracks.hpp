@@ -16,10 +16,11 @@ namespace placedpar {
 /// A line of a drawn trace.
 struct Track {
     /// The kinds of tracks of a node, in drawing order: its processor; the processes that the netlist places on it; the
-    /// machine's processes that serve its links; each link, for what leaves the node; the tracks of a device that has
-    /// its own (DeviceKind::tracks), such as a bus.
+    /// machine's processes that serve its links; each link, in the direction that leaves the node; a device's own
+    /// tracks (DeviceKind::tracks), such as those of a bus.
     enum class Kind { processor, process, machine_process, link, bus };
-    /// Orders tracks by node and kind, then as the netlist declares them. The components of its PARs follow a process.
+    /// Orders tracks by node and kind, then as the netlist declares them. A process is followed by the components of
+    /// its PARs.
     struct DrawingOrder {
         std::size_t node;
         Kind kind;
@@ -34,7 +35,7 @@ struct Track {
 };
 
 /// Holds the tracks of a run. A process has one track for its whole life. A component of a PAR has a track, too, which
-/// it shares with the component at its place in later PARs. Numbers of tracks are positions in all().
+/// it shares with the component of the same position in later PARs. Numbers of tracks are positions in all().
 class Tracks {
 public:
     explicit Tracks(const Network&);
@@ -48,8 +49,8 @@ public:
     /// Returns the track of a process, and makes it if it is new. Returns `none` for a process of the machine that no
     /// node executes.
     std::size_t of(const Process&);
-    /// Returns the track of a place: of a node's processor, a direction of a link, or a bus. `none` if there is no such
-    /// place.
+    /// Returns the track of a node's processor, of a direction of a link, or of a bus. Returns `none` if nothing has
+    /// this name.
     std::size_t of_place(const std::string& name) const;
 
 private:

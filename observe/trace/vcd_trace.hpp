@@ -16,10 +16,11 @@ namespace placedpar {
 /// its PARs has this activity. A direction of a link has a wire that is 1 while it carries bytes. Each node is a scope
 /// that contains a scope for each of its processes. Times are in picoseconds.
 ///
-/// Changes are kept until the end of the run, since a slice is known only when it is over.
+/// Changes are kept until the end of the run, since slices are written only when they have ended, and thus not in order
+/// of their beginnings.
 class VcdTrace final : public TraceWriter {
 public:
-    /// REQUIRES: file and tracks outlive it, and nothing has been written to the file.
+    /// REQUIRES: file and tracks outlive this object, and nothing has been written to the file.
     VcdTrace(OutputFile&, const Tracks&);
 
     void write(const Slice&) override;

@@ -6,11 +6,13 @@
 
 namespace placedpar {
 
-/// Process kinds for the tests of the language: they never run.
-///
-/// "ga.master": in (optional) of numbers, out of genomes, back of errors; "ga.slave": in of genomes, out of
-/// errors; "pump": out of numbers; "sink": in of numbers. Those of switches, "csp.switch_logic" and
-/// "csp.switching_producer".
+/// Returns a catalogue of process kinds for the tests of the language; their processes never run. The kinds and their
+/// ports are:
+///   "ga.master": `in` (optional) of numbers, `out` of genomes, `back` of errors;
+///   "ga.slave": `in` of genomes, `out` of errors;
+///   "pump": `out` of numbers;
+///   "sink": `in` of numbers;
+///   "csp.switch_logic" and "csp.switching_producer", for switches, with their usual ports.
 const Catalogue& small_catalogue();
 
 /// Returns the folder of the tests' netlists, without a slash at the end.

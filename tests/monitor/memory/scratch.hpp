@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-/// Limits the size of all files while it exists, like a full disk.
+/// While the object exists, the size of all files is limited, as on a full disk.
 class FullDisk {
 public:
     explicit FullDisk(std::size_t bytes) : former_signal_(std::signal(SIGXFSZ, SIG_IGN)) {

@@ -9,7 +9,7 @@
 
 namespace placedpar::test {
 
-/// One node, "t", and these processes on it.
+/// Returns a network with one node, "t", and these processes on the node.
 inline Network on_one_node(const std::vector<std::string>& processes) {
     Network network;
     DeviceKind kind;
