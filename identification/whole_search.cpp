@@ -83,6 +83,19 @@ void compare_with_weighed_fit(Identified& result, std::span<const CircuitSample>
     }
 }
 
+/// Flags a link whose answer may be off by more than 10 % within three standard errors. Readings with noise also shift
+/// the answer, which two standard errors do not cover.
+void flag_limit(LinkIdentified& link) {
+    constexpr double share = 0.1, errors = 3;
+    const double least = link.of_all_samples->compliance_in3_per_psi;
+    const double off = std::abs(link.compliance_in3_per_psi - least) + errors * link.standard_error;
+    if (std::isfinite(link.standard_error) && off > share * least && !link.flagged(FlagKind::unconfirmed))
+        link.flags.push_back({FlagKind::uncertain,
+                              fmt::format("uncertain: the noise limits this answer to {:.1f} % (one standard error); "
+                                          "within three it may be off by more than {:.0f} %",
+                                          100 * link.standard_error / link.compliance_in3_per_psi, 100 * share)});
+}
+
 } // namespace
 
 WholeWay whole_way(std::size_t links) {
@@ -114,6 +127,8 @@ Identified identify_whole(const ComplianceSearch& prepared, const WholeWay& whol
     const auto transient = used.first(std::min(used.size(), UsableSamples{}.count));
     add_flags(result, prepared.problem, prepared.flow, used, transient.first(std::min(used.size(), transient_samples)),
               transient, whole.way);
+    for (LinkIdentified& link : result.links)
+        flag_limit(link);
     return result;
 }
 
