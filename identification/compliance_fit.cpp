@@ -1,6 +1,7 @@
 #include "identification/compliance_fit.hpp"
 
 #include "gaprocs/population_fitness.hpp"
+#include "identification/flow_weights.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -25,8 +26,10 @@ using Slopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Eigen::D
 /// Computes the missing flows of all samples and junctions as a function of the compliances.
 class Residuals {
 public:
-    Residuals(const Circuit& circuit, std::span<const CircuitSample> samples, const FlowConstants& flow)
-        : circuit_(circuit), flow_(flow) {
+    /// Scales the flows if there are weights.
+    Residuals(const Circuit& circuit, std::span<const CircuitSample> samples, const FlowConstants& flow,
+              const FlowWeights* weights)
+        : circuit_(circuit), flow_(flow), weights_(weights) {
         terms_.reserve(samples.size());
         for (const CircuitSample& sample : samples)
             terms_.push_back(terms_of(sample.links, flow));
@@ -40,6 +43,8 @@ public:
             auto flows =
                 missing_flows_in3_per_s<double>(circuit_, std::span<const double>(compliance.data(), circuit_.size()),
                                                 terms, flow_, InletFlow::as_signed);
+            if (weights_)
+                flows = weights_->scaled<double>(flows, circuit_.size());
             for (std::size_t j = 0; j < circuit_.size(); ++j)
                 missing[row++] = flows[j];
         }
@@ -58,6 +63,7 @@ public:
 private:
     const Circuit& circuit_;
     const FlowConstants& flow_;
+    const FlowWeights* weights_;
     std::vector<CircuitTerms> terms_;
 };
 
@@ -99,15 +105,14 @@ std::vector<double> fitness_of_all(const Circuit& circuit, std::span<const Circu
     return fitness;
 }
 
-} // namespace
-
-std::optional<ComplianceFit> fit_compliances(const Circuit& circuit, std::span<const CircuitSample> samples,
-                                             const FlowConstants& flow, std::span<const double> start) {
+/// Fits by Gauss-Newton.
+std::optional<ComplianceFit> fit(const Circuit& circuit, std::span<const CircuitSample> samples,
+                                 const FlowConstants& flow, std::span<const double> start, const FlowWeights* weights) {
     constexpr int most_steps = 50;
     constexpr double settled = 1e-9; // in^3/psi
     if (samples.empty())
         return std::nullopt;
-    const Residuals residuals(circuit, samples, flow);
+    const Residuals residuals(circuit, samples, flow, weights);
     PerLinkVector compliance = Eigen::Map<const Eigen::VectorXd>(start.data(), std::ssize(start));
     Eigen::VectorXd missing = residuals(compliance);
     for (int i = 0; i < most_steps; ++i) {
@@ -128,6 +133,25 @@ std::optional<ComplianceFit> fit_compliances(const Circuit& circuit, std::span<c
         missing = then;
     }
     return std::nullopt;
+}
+
+} // namespace
+
+std::optional<ComplianceFit> fit_compliances(const Circuit& circuit, std::span<const CircuitSample> samples,
+                                             const FlowConstants& flow, std::span<const double> start) {
+    return fit(circuit, samples, flow, start, nullptr);
+}
+
+std::optional<ComplianceFit> fit_weighed_compliances(const Circuit& circuit, std::span<const CircuitSample> samples,
+                                                     const FlowConstants& flow, std::span<const double> start) {
+    constexpr int turns = 10; // the weights settle within five
+    auto found = fit(circuit, samples, flow, start, nullptr);
+    for (int i = 0; i < turns && found; ++i) {
+        const FlowWeights weights =
+            weights_at(circuit, samples, flow, found->compliance_in3_per_psi, static_cast<double>(circuit.size()));
+        found = fit(circuit, samples, flow, std::vector(found->compliance_in3_per_psi), &weights);
+    }
+    return found;
 }
 
 ExhaustiveOptimum exhaustive_optimum(const Circuit& circuit, std::span<const CircuitSample> window,

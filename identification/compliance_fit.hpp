@@ -27,6 +27,13 @@ std::optional<ComplianceFit> fit_compliances(const hydraulics::Circuit& circuit,
                                              std::span<const hydraulics::CircuitSample> samples,
                                              const hydraulics::FlowConstants& flow, std::span<const double> start);
 
+/// Does the same with the missing flows weighed by their scatter (flow_weights.hpp), which is found in turns with the
+/// compliances. The standard errors are the limit that the noise of the samples leaves (Cramer-Rao).
+std::optional<ComplianceFit> fit_weighed_compliances(const hydraulics::Circuit& circuit,
+                                                     std::span<const hydraulics::CircuitSample> samples,
+                                                     const hydraulics::FlowConstants& flow,
+                                                     std::span<const double> start);
+
 /// The string of greatest fitness over a window, found by evaluating all strings.
 struct ExhaustiveOptimum {
     std::vector<std::uint64_t> codes; ///< one for each junction

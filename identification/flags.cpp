@@ -117,12 +117,12 @@ bool Identified::flagged() const {
 
 void add_flags(Identified& identified, const CircuitProblem& problem, const FlowConstants& flow,
                std::span<const CircuitSample> samples, std::span<const CircuitSample> window,
-               const IdentificationWay& way) {
+               std::span<const CircuitSample> halved, const IdentificationWay& way) {
     std::vector<double> answer;
     for (const LinkIdentified& link : identified.links)
         answer.push_back(link.compliance_in3_per_psi);
-    auto early = fit_compliances(identified.circuit, samples.first(samples.size() / 2), flow, answer);
-    auto late = fit_compliances(identified.circuit, samples.subspan(samples.size() / 2), flow, answer);
+    auto early = fit_compliances(identified.circuit, halved.first(halved.size() / 2), flow, answer);
+    auto late = fit_compliances(identified.circuit, halved.subspan(halved.size() / 2), flow, answer);
     double allowed = std::sqrt(way.search.window.bias), error = identified.estimates.back().error_in3_per_s;
     for (std::size_t j = 0; j < identified.links.size(); ++j) {
         LinkIdentified& link = identified.links[j];

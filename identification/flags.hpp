@@ -17,10 +17,11 @@ namespace placedpar::identification {
 /// - uncertain: the relative standard error of least squares exceeds uncertain_share. This flag is omitted if a bound
 ///   or the lack of excitation has already been flagged.
 ///
-/// `samples` are all samples used, `window` the last of them.
+/// `samples` are all samples used, `window` those whose excitation is looked at, and `halved` those whose halves are
+/// compared.
 void add_flags(Identified& identified, const CircuitProblem& problem, const hydraulics::FlowConstants& flow,
                std::span<const hydraulics::CircuitSample> samples, std::span<const hydraulics::CircuitSample> window,
-               const IdentificationWay& way);
+               std::span<const hydraulics::CircuitSample> halved, const IdentificationWay& way);
 
 /// Flags each link with a reading that stands out from its neighbours (spike.hpp), among the readings that the samples
 /// use.

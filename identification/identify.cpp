@@ -81,7 +81,7 @@ Identified identify(const CircuitProblem& problem, const FlowConstants& flow, st
         compare_with_all_samples(result, samples, flow);
     if (problem.bits() <= exhaustive_bits)
         compare_with_optimum(result, problem, flow, window, way);
-    add_flags(result, problem, flow, samples, window, way);
+    add_flags(result, problem, flow, samples, window, samples, way);
     return result;
 }
 

@@ -21,10 +21,21 @@ namespace placedpar {
 
 namespace {
 
-/// Throws UserError for options that only the thesis's way has.
+/// Throws UserError for options that a search over the whole movement lacks.
+void require_whole_way(const IdentifyOptions& options) {
+    const std::array<std::pair<const char*, bool>, 3> of_thesis{
+        {{"--rising", options.rising}, {"--on", !options.netlist.empty()}, {"--window", options.window.has_value()}}};
+    for (const auto& [option, typed] : of_thesis)
+        if (typed)
+            throw UserError(fmt::format("{} needs --way thesis; --way whole uses all samples at once", option));
+}
+
+/// Throws UserError for options that the way lacks.
 void require_one_way(const IdentifyOptions& options) {
     if (options.way == "thesis")
         return;
+    if (options.way == "whole")
+        return require_whole_way(options);
     const std::array<std::pair<const char*, bool>, 5> of_thesis{{{"--samples", options.samples.has_value()},
                                                                  {"--rising", options.rising},
                                                                  {"--coding", !options.coding.empty()},
@@ -53,7 +64,9 @@ ExitCode identify_record(const IdentifyOptions& options, const std::string& comm
     require_one_way(options);
     boost::json::object json{
         {"version", version}, {"commit", commit}, {"command", command_line}, {"seed", options.seed}};
-    ExitCode code = options.way == "thesis" ? identify_by_thesis(options, json) : identify_as_service(options, json);
+    ExitCode code = options.way == "service" ? identify_as_service(options, json)
+                    : options.way == "whole" ? identify_over_whole(options, json)
+                                             : identify_by_thesis(options, json);
     if (!options.json.empty())
         write_whole(options.json, print_pretty(json));
     return code;

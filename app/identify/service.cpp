@@ -36,11 +36,11 @@ constexpr const char* machine_name = "record";
 
 DiagnosisSettings settings_of(const IdentifyOptions& options) {
     DiagnosisSettings settings;
-    settings.bits = options.bits;
+    settings.bits = options.bits.value_or(settings.bits);
     settings.search.elite = options.elite.value_or(settings.search.elite);
-    settings.search.population = options.population;
-    settings.search.window.trials = options.trials;
-    settings.search.window.length = options.window;
+    settings.search.population = options.population.value_or(settings.search.population);
+    settings.search.window.trials = options.trials.value_or(settings.search.window.trials);
+    settings.search.window.length = options.window.value_or(settings.search.window.length);
     settings.search.window.bias = options.bias;
     settings.validate();
     return settings;
@@ -62,6 +62,7 @@ public:
           diagnosis_(made(options, first), settings_, readers_of(options, first)) {}
 
     LinkSet links() const { return links_; }
+    const DiagnosisSettings& settings() const { return settings_; }
     const Diagnosis& diagnosis() const { return diagnosis_.diagnosis(); }
     std::size_t movements() const { return count_; }
     bool flagged() const { return flagged_; }
@@ -131,8 +132,8 @@ std::string print_beginning(const Identifying& identifying, const IdentifyOption
         names.push_back(name_of(link));
     const Sampling& sampling = identifying.diagnosis().sampling();
     return fmt::format("{} in configuration {}; a search of {}, {} a sample\n{}\n", fmt::join(names, ", "),
-                       options.configuration, counted(options.population, "individual"),
-                       counted(options.trials, "generation"),
+                       options.configuration, counted(identifying.settings().search.population, "individual"),
+                       counted(identifying.settings().search.window.trials, "generation"),
                        sampling.readings > 1 ? fmt::format("{}\n", print_sampling(sampling)) : "");
 }
 

@@ -9,7 +9,9 @@
 #include "explore/process_search.hpp"
 #include "identification/flags.hpp"
 #include "identification/report/identification_report.hpp"
+#include "identification/whole_search.hpp"
 #include "report/run_report.hpp"
+#include "text/counted.hpp"
 #include "text/output_file.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
@@ -17,6 +19,7 @@
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,15 +31,15 @@ using namespace identification;
 
 namespace {
 
-IdentificationWay way_of(const IdentifyOptions& options) {
-    IdentificationWay way = thesis_way();
-    way.bits = options.bits;
+/// Returns a way with the options that were typed.
+IdentificationWay way_of(const IdentifyOptions& options, IdentificationWay way) {
+    way.bits = options.bits.value_or(way.bits);
     if (!options.coding.empty())
         way.coding = Coding::named(options.coding);
     way.search.elite = options.elite.value_or(way.search.elite);
-    way.search.population = options.population;
-    way.search.window.trials = options.trials;
-    way.search.window.length = options.window;
+    way.search.population = options.population.value_or(way.search.population);
+    way.search.window.trials = options.trials.value_or(way.search.window.trials);
+    way.search.window.length = options.window.value_or(way.search.window.length);
     way.search.window.bias = options.bias;
     way.usable.count = options.samples.value_or(way.usable.count);
     way.usable.rising = options.rising;
@@ -81,10 +84,14 @@ void calibrate(Case& asked) {
         asked.question.spool_offset_in = asked.calibration->offset_in;
 }
 
-Case read_case(const IdentifyOptions& options) {
+LinkSet links_asked(const IdentifyOptions& options) {
+    return options.links.empty() ? LinkSet{Link::boom} : links_of(options.links);
+}
+
+Case read_case(const IdentifyOptions& options, const IdentificationWay& way) {
     Case asked;
-    asked.way = way_of(options);
-    const LinkSet links = options.links.empty() ? LinkSet{Link::boom} : links_of(options.links);
+    asked.way = way_of(options, way);
+    const LinkSet links = links_asked(options);
     asked.question = {*configuration_named(options.configuration), links, std::nullopt, areas_asked(options)};
     bool automatic = options.offset.empty() || options.offset == "auto";
     if (!automatic && options.offset != "none")
@@ -123,10 +130,57 @@ ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, s
     return here == there ? ExitCode::success : ExitCode::missed_tolerance;
 }
 
+/// Prints the settings of a search over the whole movement, the limit of the record, and the cost.
+std::string print_whole(const Identified& identified, const ComplianceSearch& prepared, const WholeWay& whole,
+                        const SearchCost& cost) {
+    std::string text = fmt::format(
+        "\nsettings for {}: {} rounds of {}, {} for each compliance in {} code, an elite of {}\n"
+        "after each round, the missing flows are weighed by their scatter at the best individual\n"
+        "limit that the noise of these samples leaves (Cramer-Rao):",
+        counted(identified.links.size(), "link"), whole.rounds, counted(whole.way.search.window.trials, "generation"),
+        counted(whole.way.bits, "bit"), whole.way.coding == Coding::gray ? "Gray" : "natural", whole.way.search.elite);
+    for (const LinkIdentified& link : identified.links)
+        text += fmt::format("{} {} {:.1f} %", &link == &identified.links.front() ? "" : ",", name_of(link.link),
+                            100 * link.standard_error / link.compliance_in3_per_psi);
+    return text + fmt::format("\ncost: {:.0f} individuals at {}; {:.0f} s on one T800 of 20 MHz, {:.0f} s on 16\n",
+                              cost.individuals, counted(prepared.samples.size(), "sample"), cost.seconds,
+                              cost.seconds_on_16);
+}
+
+boost::json::object cost_json(const SearchCost& cost) {
+    return {{"individuals", cost.individuals},
+            {"errors", cost.errors},
+            {"t800_s", cost.seconds},
+            {"t800_16_s", cost.seconds_on_16}};
+}
+
 } // namespace
 
+ExitCode identify_over_whole(const IdentifyOptions& options, boost::json::object& json) {
+    WholeWay whole = whole_way(links_of(links_asked(options)).size());
+    const Case asked = read_case(options, whole.way);
+    whole.way = asked.way;
+    json["warnings"] = warnings_json(asked.loaded.warnings);
+    json["sampling"] = sampling_json(asked.sampling);
+    const ComplianceSearch prepared = prepare(asked.loaded.record, asked.machine, asked.question, whole.way);
+    Identified identified = identify_whole(prepared, whole, options.seed);
+    flag_spikes(identified, asked.loaded.record, prepared.samples);
+    if (asked.calibration)
+        flag_calibration(identified, *asked.calibration, spool_sensor_step_in(asked.machine));
+    if (asked.sampling.readings > 1)
+        print_out(print_sampling(asked.sampling) + "\n");
+    if (asked.calibrates)
+        print_out(print_calibration(asked.calibration));
+    const SearchCost cost = cost_of(whole, prepared.problem, identified.generations, prepared.samples.size());
+    print_out(print_identified(identified, prepared, whole.way) + print_whole(identified, prepared, whole, cost));
+    for (auto& [key, value] : identified_json(identified, prepared))
+        json[key] = value;
+    json["cost"] = cost_json(cost);
+    return options.strict && identified.flagged() ? ExitCode::missed_tolerance : ExitCode::success;
+}
+
 ExitCode identify_by_thesis(const IdentifyOptions& options, boost::json::object& json) {
-    const Case asked = read_case(options);
+    const Case asked = read_case(options, thesis_way());
     json["warnings"] = warnings_json(asked.loaded.warnings);
     json["sampling"] = sampling_json(asked.sampling);
     identification::ComplianceSearch prepared = prepare(asked.loaded.record, asked.machine, asked.question, asked.way);

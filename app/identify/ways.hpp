@@ -7,12 +7,15 @@
 
 namespace placedpar {
 
-// These are the two ways in which `placedpar identify` evaluates a record. Each prints its results, adds them to
+// These are the ways in which `placedpar identify` evaluates a record. Each prints its results, adds them to
 // `json`, and throws RefusedInput, UserError or UnfitRecord.
 
 /// Runs one search over the first transient, as in chapter 3 of the thesis. If a netlist is given, runs the same search
 /// as the netlist's processes, too.
 ExitCode identify_by_thesis(const IdentifyOptions& options, boost::json::object& json);
+/// Runs one search for several links over the whole movement (identification/whole_search.hpp), and prints the limit of
+/// the record and the cost on T800s.
+ExitCode identify_over_whole(const IdentifyOptions& options, boost::json::object& json);
 /// Evaluates all movements, as the monitor identifies and judges them.
 ExitCode identify_as_service(const IdentifyOptions& options, boost::json::object& json);
 

@@ -41,33 +41,39 @@ void declare_way(Options& command, IdentifyOptions& options) {
     command
         .add("--way", options.way,
              "service: all movements of the record, as placedpar monitor identifies and judges them; thesis: one "
-             "search over the first transient, as chapter 3 describes it")
-        .one_of({"service", "thesis"})
+             "search over the first transient, as chapter 3 describes it; whole: one search for several links over the "
+             "whole movement, with the missing flows weighed by their scatter")
+        .one_of({"service", "thesis", "whole"})
         .show_default();
     // With fewer bits the compliance of a sound machine is within about a step of the lower bound.
-    add_number(command, "--bits", options.bits, 6, 52, "of a compliance").show_default();
+    add_number(command, "--bits", options.bits, 6, 52, "of a compliance; 10 if not given, with --way whole 12");
     add_number(command, "--elite", options.elite, 0, a_million,
                "best individuals that go over unchanged; the way's own if not given");
-    add_number(command, "--population", options.population, 2, a_million, "individuals").show_default();
-    add_number(command, "--trials", options.trials, 1, a_million, "generations for each new sample").show_default();
-    add_number(command, "--window", options.window, 1, 1024, "samples that a fitness is summed over").show_default();
+    add_number(command, "--population", options.population, 2, a_million,
+               "individuals; 120 if not given, with --way whole 120 to 600");
+    add_number(command, "--trials", options.trials, 1, a_million,
+               "generations for each new sample, 5 if not given; with --way whole for each of its rounds, 20 to 80");
+    add_number(command, "--window", options.window, 1, 1024,
+               "samples that a fitness is summed over; 10 if not given, with --way whole all");
     command.add("--bias", options.bias, "B of equation 3.9, (in^3/s)^2").type("NUMBER").show_default();
     add_seed(command, options.seed);
 }
 
-/// Declares the options of the thesis's way, which also applies to the simulated processes that search like it.
+/// Declares the options of the other ways; the thesis's also applies to the simulated processes that search like it.
 void declare_thesis_way(Options& command, IdentifyOptions& options) {
-    const char* group = "With --way thesis";
+    const char* group = "With --way thesis or whole";
     add_number(command, "--samples", options.samples, 1, a_million,
-               "that are used, from the valve's opening on; 20 if not given, the thesis's 0.4 s")
+               "that are used, from the valve's opening on; 20 if not given, the thesis's 0.4 s; with "
+               "--way whole all up to 1,024")
         .group(group);
-    command.add_flag("--rising", options.rising, "uses nothing from the first falling pressure on").group(group);
-    command.add("--coding", options.coding, "of the bits; natural if not given")
+    command.add_flag("--rising", options.rising, "uses nothing from the first falling pressure on (thesis)")
+        .group(group);
+    command.add("--coding", options.coding, "of the bits; natural if not given, with --way whole gray")
         .one_of({"natural", "gray"})
         .group(group);
-    Option netlist =
-        add_file(command, "--on", options.netlist,
-                 "searches as the processes of this netlist, too; exit code 3 if they do not find the same", "NETLIST");
+    Option netlist = add_file(
+        command, "--on", options.netlist,
+        "searches as the processes of this netlist, too (thesis); exit code 3 if they do not find the same", "NETLIST");
     netlist.group(group);
     command.add_list("--set", options.set, "NAME=VALUE", "sets a val, an attribute or a parameter of that netlist")
         .needs(netlist)

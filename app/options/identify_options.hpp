@@ -14,12 +14,11 @@ namespace placedpar {
 struct IdentifyOptions {
     std::string record, links, configuration = "a", way = "service", offset, areas, missing = "refuse", machine, json;
     std::uint64_t seed = 1;
-    std::size_t bits = 10, population = 120, trials = 5, window = 10;
+    std::optional<std::size_t> bits, population, trials, window, elite; ///< empty: the way's own
     double bias = 400;
-    std::optional<std::size_t> elite;
     bool strict = false;
 
-    // Used by --way thesis only
+    // Not used by --way service
     std::string coding, netlist;
     std::vector<std::string> set;
     ReadOptionsTyped read; ///< for the netlist

@@ -31,14 +31,14 @@ WholeMovement whole_movement(const Deviation& deviation, double health_in3_per_p
 
 /// Compares the estimate with the whole movement, since a search for several compliances at once can settle on a wrong
 /// string.
-void confirm(LinkFinding& link) {
+void confirm(LinkFinding& link, std::size_t links) {
     if (!link.compliance_in3_per_psi || !link.whole)
         return;
     const LeastSquares reference{link.whole->compliance_in3_per_psi,
                                  link.whole->units.compliance_in3_per_psi *
                                      link.whole->deviation.standard_error(FaultHypothesis::compliance)};
     if (auto flag = unconfirmed_flag(*link.compliance_in3_per_psi, reference, "the whole movement"))
-        link.flags.push_back(*flag);
+        link.flags.push_back({flag->kind, flag->text + (links > 2 ? "; try --way whole" : "")});
 }
 
 /// Flags a link whose movement shows either a leak or an offset but does not distinguish them. A link whose areas are
@@ -99,7 +99,7 @@ MovementFinding RecordDiagnosis::finding(LinkSet set, const Progress& progress, 
         finding.links[i].whole = whole_movement(judged->links[i], diagnosis_.health_in3_per_psi(finding.links[i].link));
     for (LinkFinding& link : finding.links) {
         if (finding.links.size() > 1)
-            confirm(link);
+            confirm(link, finding.links.size());
         note_leak_or_offset(link);
         if (diagnosis_.verdict(link.link).verdict.kind == VerdictKind::sensor)
             link.flags.push_back({FlagKind::impossible,

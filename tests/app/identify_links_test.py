@@ -53,6 +53,34 @@ class Links(unittest.TestCase):
         self.assertLessEqual(len(silent), 1, silent)
         self.assertGreater(trusted, 0.4 * right)
 
+    def test_a_search_over_the_whole_movement_finds_all_links_and_says_what_it_costs(self):
+        for configuration, links in CONFIGURATIONS.items():
+            record = self.record("links", "--link", links, "--configuration", configuration, "--noise", "low",
+                                 "--seed", 5)
+            answers, printed = self.answers(record, "--link", links, "--configuration", configuration, "--seed", 5,
+                                            "--way", "whole")
+            self.assertEqual(sorted(link["link"] for link, _ in answers), sorted(links.split(",")))
+            for link, _ in answers:
+                self.assertAlmostEqual(link["compliance"] / TRUE[link["link"]], 1, delta=0.1, msg=(configuration, link))
+            self.assertRegex(printed, r"limit that the noise of these samples leaves \(Cramer-Rao\): \w+ [\d.]+ %")
+            self.assertRegex(printed, r"cost: \d+ individuals at 1\d\d samples; \d+ s on one T800 of 20 MHz, \d+ s on 16")
+
+    def test_too_few_generations_over_the_whole_movement_are_flagged_and_strict_exits_with_3(self):
+        links = CONFIGURATIONS["e"]
+        record = self.record("links", "--link", links, "--configuration", "e", "--noise", "low", "--seed", 5)
+        weak = ("identify", record, "--link", links, "--configuration", "e", "--way", "whole", "--population", 10,
+                "--trials", 1, "--strict")
+        run = placedpar(*weak)
+        self.assertEqual(run.returncode, 3, run.stderr)
+        self.assertIn("unconfirmed: least squares over", run.stdout)
+        for option in (("--window", 10), ("--rising",)):
+            self.assertIn("needs --way thesis", placedpar(*weak, *option).stderr)
+
+    def test_the_service_names_the_way_for_more_than_two_links(self):
+        links = CONFIGURATIONS["e"]
+        record = self.record("links", "--link", links, "--configuration", "e", "--noise", "low", "--seed", 5)
+        self.assertIn("try --way whole", placedpar("identify", record, "--link", links, "--configuration", "e").stdout)
+
     def test_single_readings_far_off_are_flagged_and_every_figure_is_finite(self):
         spikes = {1: ("1e9", "5000", "1"), 2: ("1e9", "50", "3"), 3: ("1e9", "5", "0.5")}  # pressure, angle, spool
         lines = self.record("scenario-a", "--seed", 3).read_text(encoding="utf-8").splitlines()

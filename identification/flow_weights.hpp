@@ -1,0 +1,73 @@
+#pragma once
+
+#include "hydraulics/circuit/circuit_error.hpp"
+#include "hydraulics/circuit/circuit_sample.hpp"
+#include "identification/circuit_problem.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace placedpar::identification {
+
+/// Scales the missing flows of a circuit by their own scatter. Junctions share the flow through a bypass, so an error
+/// of its measurement appears in two missing flows with opposite signs. The sum of absolute values in equation 3.11
+/// counts it twice; these weights remove it. Ours: the thesis weighs all flows alike.
+struct FlowWeights {
+    /// The inverse of the Cholesky factor of the scatter. Row j has entries for the junctions up to j.
+    hydraulics::PerJunction<hydraulics::PerJunction<double>> rows{};
+
+    /// Returns the scaled flows of `junctions` junctions. T is double or Lanes.
+    template <typename T>
+    hydraulics::PerJunction<T> scaled(const hydraulics::PerJunction<T>& missing, std::size_t junctions) const {
+        hydraulics::PerJunction<T> scaled;
+        for (std::size_t j = 0; j < junctions; ++j) {
+            scaled[j] = rows[j][0] * missing[0];
+            for (std::size_t k = 1; k <= j; ++k)
+                scaled[j] += rows[j][k] * missing[k];
+        }
+        return scaled;
+    }
+};
+
+/// Returns the weights by the scatter of the missing flows at these compliances. The scaled flows are uncorrelated, and
+/// the sum of their mean squares is `mean_square`. REQUIRES: samples of this circuit, at least one; a compliance for
+/// each junction.
+FlowWeights weights_at(const hydraulics::Circuit& circuit, std::span<const hydraulics::CircuitSample> samples,
+                       const hydraulics::FlowConstants& flow, std::span<const double> compliance_in3_per_psi,
+                       double mean_square);
+
+/// A CircuitProblem whose error is the root of the sum of squares of the scaled flows.
+class WeighedCircuit : public CircuitProblem {
+public:
+    WeighedCircuit(const CircuitProblem& problem, const hydraulics::FlowConstants& flow, const FlowWeights& weights)
+        : CircuitProblem(problem), flow_(flow), weights_(weights) {}
+
+    template <typename T>
+    T error_of(std::span<const T> compliances, const hydraulics::CircuitTerms& terms) const {
+        using std::sqrt;
+        auto missing = hydraulics::missing_flows_in3_per_s<T>(circuit(), compliances, terms, flow_,
+                                                              hydraulics::InletFlow::as_signed);
+        auto scaled = weights_.scaled<T>(missing, circuit().size());
+        T squares = scaled[0] * scaled[0];
+        for (std::size_t j = 1; j < circuit().size(); ++j)
+            squares += scaled[j] * scaled[j];
+        return sqrt(squares);
+    }
+    template <typename T>
+    T error_of(std::span<const T> compliances, std::span<const double> sample) const {
+        return error_of(compliances, prepared(sample));
+    }
+    template <BinaryString G>
+    double error(const G& genome, std::span<const double> sample) const {
+        Compliances compliances = parameters_of(genome);
+        return error_of<double>(std::span<const double>(compliances.data(), compliances.size()), sample);
+    }
+
+private:
+    hydraulics::FlowConstants flow_;
+    FlowWeights weights_;
+};
+
+} // namespace placedpar::identification
