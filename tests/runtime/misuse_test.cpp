@@ -110,7 +110,7 @@ struct LargeArray {
     const char* what;
     void (*write)();
 };
-/// These arrays reach beyond the guard zone, to the variables of the process whose stack lies below.
+/// Arrays that end in the guard zone or beyond it, where the process of the next stack has its variables.
 constexpr LargeArray large_arrays[] = {
     {"the zone's", [] { write_local<Stack::usual_bytes + 1000>(); }},
     {"beyond the zone", [] { write_local<stack_and_zone + 12'000>(); }},

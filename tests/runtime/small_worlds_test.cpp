@@ -132,8 +132,9 @@ void check_course(const SmallWorld& world, std::size_t where, std::optional<std:
              " test_runtime -tc='the world that is asked for*'");
 }
 
-/// Checks all worlds and returns how many there are. Each world runs in every placement; of the placements in pairs it
-/// runs in only one, in rotation. With `in_turns` it runs in only two placements, in rotation.
+/// Checks all worlds and returns how many there are. Each world runs without processors and unshuffled, then in every
+/// placement; of the placements in pairs it runs in only one, in rotation. With `in_turns` it runs in two placements
+/// instead of all, in rotation.
 std::size_t check_all(const Bounds& bounds, bool in_turns = false) {
     std::size_t worlds = 0;
     for_every_world(bounds, [&](const SmallWorld& world) {

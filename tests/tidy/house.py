@@ -18,7 +18,7 @@ def nearest_rank(values, percent):
 
 
 def too_long(place, lengths, shares):
-    """Returns a sentence for each percentage of a room's functions that exceeds its limit."""
+    """Returns a sentence for each percentage of the functions of a place (a room, or all rooms) that exceeds its limit."""
     for percent, most in shares:
         lines = nearest_rank(lengths or [0], percent)
         if lines > most:

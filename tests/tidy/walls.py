@@ -77,8 +77,8 @@ TEST_PROJECTS = ("tests/consumer", "tests/fuzz", "tests/own_kinds") # programs o
 # A header and its source are one piece. Pieces must not include each other in a circle, except these knots: each is one
 # idea in several files.
 KNOTS = (
-    # A process waits through its executive. The executive asks the kernel, which resumes the process on a worker. All
-    # of them report to the trace.
+    # A process waits through its executive. The executive asks the kernel, which resumes the process on a worker. The
+    # trace is notified of what each process does.
     {"runtime/executive", "runtime/kernel", "runtime/process", "runtime/trace", "runtime/worker"},
 )
 

@@ -42,7 +42,7 @@ private:
             return begin_word(); // the master has kept the bus
         masters_[m].asking = true;
         if (holder_ && word_ends_ < 0)
-            holder_.reset(); // its last user has finished
+            holder_.reset(); // the master that kept the bus does not use it
         if (!holder_ && decides_at_ < 0)
             decides_at_ = now_ + w_.arbitration;
     }

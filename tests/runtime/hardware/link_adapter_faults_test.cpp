@@ -171,7 +171,8 @@ TEST_CASE("messages by an adapter can be given up at either end, and the next on
 TEST_CASE("a message to an adapter that is given up while its acknowledge waits leaves the next one alone") {
     for (Time given_up = microseconds{500}; given_up < microseconds{1500}; given_up += microseconds{20}) {
         CAPTURE(given_up.count());
-        Host host(32, LinkTiming{.bits_per_second = 10'000}); // the program reads faster than bytes arrive
+        Host host(32,
+                  LinkTiming{.bits_per_second = 10'000}); // slow: a byte is still arriving when the program has read it
         Channel<std::uint8_t> c("c", host.driver.from_link());
         Channel<Octets> other_way("other way", host.driver.to_link()); // acknowledges wait for bytes of this channel
         std::uint8_t message = 0;

@@ -143,7 +143,7 @@ public:
         first_ = first;
         for (std::int64_t t = first; t <= last; ++t) {
             fault_.*edge_ = in_ns(t);
-            BitModel model = ahead_; // until now the fault has no effect
+            BitModel model = ahead_; // until now the place of the edge makes no difference
             model.suffer({fault_});
             fates_.push_back(fate_of(model, fault_));
             check(fates_.back());

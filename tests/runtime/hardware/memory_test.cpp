@@ -42,7 +42,7 @@ using Bytes = Channel<MovedBlock>;
 
 constexpr std::int64_t twenty_megahertz = 20'000'000;
 
-/// A processor with a link, used at the same time by processes that take no time.
+/// A processor with a link, used at the same time by processes that are on no processor.
 struct OneLink {
     explicit OneLink(const Memory& memory, bool receives = true)
         : processor(simulation.add<Processor>("t", twenty_megahertz, Cycles{0}, memory)), link(simulation.add<Link>()) {
