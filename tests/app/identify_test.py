@@ -273,7 +273,7 @@ class Identification(unittest.TestCase):
 
     def test_help_names_every_choice(self):
         said = placedpar("identify", "--help").stdout
-        for words in ("service|thesis=service", "auto|none|INCHES", "areas|spool|servo", "6..52=10", "refuse|skip=refuse",
+        for words in ("service|thesis|whole=service", "auto|none|INCHES", "areas|spool|servo", "6..52", "refuse|skip=refuse",
                       "search over the first transient, as chapter 3"):
             self.assertIn(words, said)
         self.assertNotRegex(said, re.compile(r"TEXT|UINT|FLOAT"))

@@ -56,7 +56,7 @@ class Made(unittest.TestCase):
     def run_program(self, program):
         """Checks the examples' pages and the command line's tests with a program that knows the four pieces."""
         environment = {"PLACEDPAR": str(program), "PLACEDPAR_EXAMPLES": str(self.top / "examples")}
-        pages = [name for name in self.changed if name.startswith("examples/") and name.endswith("README.md")]
+        pages = [name for name in self.changed if name.startswith("examples/") and name.count("/") == 3 and name.endswith("README.md")]
         self.assertEqual(len(pages), len(MADE))
         for page in pages:
             done = self.succeeds("tests/docs/document.py", ".", self.programs, page, **environment)

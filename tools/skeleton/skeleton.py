@@ -78,7 +78,7 @@ PIECES = {
     "device": Piece(
         "machine",
         "@article@ @words@, which executes a process at a time, beside a transputer",
-        [Insertion("netlist/kinds/devices.hpp", "\n/// All of them.\n",
+        [Insertion("netlist/kinds/devices.hpp", "\n/// Lists all devices above.\n",
                    "/// Executes one process at a time: runtime/hardware/@snake@.hpp.\nDeviceKind @snake@();\n"),
          Insertion("netlist/kinds/devices.hpp", "};\n\n} // namespace placedpar", ", @snake@"),
          Insertion("docs/reference/netlist-language.md", "\n| attribute | of | meaning | default |",
