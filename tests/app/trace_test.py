@@ -198,7 +198,7 @@ class Traces(unittest.TestCase):
             for option in ("--trace-from", "--trace-until"):
                 run = placedpar("run", COMMSTIME, "--trace", self.folder / "t.json", f"{option}={text}")
                 self.assertEqual(run.returncode, 1, text)
-                self.assertIn(f'"{text}" is not a time: it takes a number and a unit of s, ms, us, ns or ps', run.stderr)
+                self.assertIn(f'"{text}" is not a time: expected a number and one of the units s, ms, us, ns or ps', run.stderr)
         for text, why in (("0.5ps", "finer than a picosecond"), ("1.0000000000001s", "finer than a picosecond"),
                           ("9223373s", "lasts for 106 days"), ("99999999999999999999ps", "lasts for 106 days")):
             run = placedpar("run", COMMSTIME, "--trace", self.folder / "t.json", "--trace-from", text)

@@ -69,7 +69,7 @@ class Restart(ServiceTest):
                 client.ask(**boom(i))
             code, errors = service.stop(number)
             self.assertEqual(code, 0)
-            self.assertIn(f"stopped; {state} is written", errors)
+            self.assertIn(f"stopped; the state was written to {state}", errors)
             self.assertEqual(client.receive()["type"], "closing")
             self.assertIsNone(client.receive())
             self.assertEqual([path.name for path in self.folder.glob(number.name + "*")], [number.name])
@@ -114,7 +114,7 @@ class Restart(ServiceTest):
         self.service("--state", self.state)
         for name, link in (("soft", os.symlink), ("hard", os.link)):
             link(self.state, self.folder / name)
-            self.assertIn("another placedpar monitor is using it", self.refusal("--state", self.folder / name))
+            self.assertIn("another placedpar monitor is using the file", self.refusal("--state", self.folder / name))
 
     def test_a_full_disk_does_not_end_the_diagnosis(self):
         service = self.service("--state", self.state)
@@ -176,7 +176,7 @@ class Restart(ServiceTest):
 
     def test_what_cannot_be_is_refused(self):
         service = self.service("--state", self.state, *UNSETTLED)
-        self.assertIn("another placedpar monitor is using it", self.refusal("--state", self.state))
+        self.assertIn("another placedpar monitor is using the file", self.refusal("--state", self.state))
         self.assertIn("Address already in use", self.refusal("--port", service.address[1]))
         service.stop()
         self.assertIn("--seed 1 ", self.refusal("--state", self.state, *UNSETTLED, "--seed", 2))
