@@ -8,8 +8,8 @@
 
 namespace placedpar {
 
-/// Checks that the slaves behind a pipeline form trees, and that each master receives its results from the pipeline to
-/// which it sends its tasks, has no other slaves, and sends each slave one task a generation.
+/// Checks that the slaves behind a pipeline form trees. Checks for each master that its results return from the
+/// pipeline to which its tasks go, that it has no other slaves, and that it sends each slave one task per generation.
 std::vector<Complaint> check_pipeline(const Network&, std::size_t process);
 
 } // namespace placedpar
