@@ -9,7 +9,8 @@ namespace placedpar {
 
 namespace {
 
-/// Adds all schemata that begin with `begun` and have `order` further fixed positions.
+/// Adds all schemata whose first `first` characters are those of `begun`, with `order` fixed positions among the
+/// others.
 void add_schemata(std::string& begun, std::size_t first, std::size_t order, std::vector<Schema>& all) {
     if (begun.size() - first < order)
         return;
