@@ -25,10 +25,10 @@ namespace placedpar {
 //     };
 //
 // and minimise(Sphere{}) makes it a SearchProblem. The argument of objective() depends on the representation: numbers
-// (std::span<const double>) for a ParameterCoding or a RealVector, the string itself (const Genome&) for a BitString, an
-// order (std::span<const std::size_t>) for a Permutation. A ParameterCoding can be searched as bits, or directly as the
-// real numbers that it codes: see gaprocs/policies/coding.hpp. An objective that is infinite or not a number is worse
-// than every other. A problem returns such an objective for an individual that is not allowed.
+// (std::span<const double>) for a ParameterCoding or a RealVector, the string itself (const Genome&) for a BitString,
+// an order (std::span<const std::size_t>) for a Permutation. A ParameterCoding can be searched as bits, or directly as
+// the real numbers that it codes: see gaprocs/policies/coding.hpp. An objective that is infinite or not a number is
+// worse than every other. A problem returns such an objective for an individual that is not allowed.
 
 /// The functions of an objective problem: the representation of its strings, and the objective of what a string decodes
 /// to. Optional are parameter_names() and parameter_units(), by default "x_1", "x_2", ... without a unit;
