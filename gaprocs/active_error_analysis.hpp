@@ -12,8 +12,8 @@
 
 namespace placedpar {
 
-/// Returns the errors of the best individual of each island at each sample of the longest window. REQUIRES: as many
-/// windows as individuals, and at least as many samples as the longest window needs.
+/// Returns the errors of the best individual of each island at each sample of the longest window. REQUIRES: the number
+/// of windows equals the number of individuals, and `samples` are enough for the longest window.
 ErrorsOfBest errors_of_best(const SearchProblem& problem, std::span<const Individual> bests,
                             std::span<const std::size_t> windows, std::span<const Sample> samples);
 
@@ -27,8 +27,8 @@ public:
                         RandomStream random);
 
     /// Chooses the answer. `bests`: the best individual of each island. `samples`: the samples of the record so far,
-    /// the newest last. Throws as the choice. REQUIRES: one best for each window, and at least as many samples as the
-    /// longest window needs.
+    /// the newest last. Throws as the choice. REQUIRES: one best for each window, and enough samples for the longest
+    /// window.
     void analyse(std::span<const Individual> bests, std::span<const Sample> samples);
 
     /// Returns the island that the last analyse() chose. REQUIRES: analyse() was called.

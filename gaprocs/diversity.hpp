@@ -18,10 +18,10 @@ namespace placedpar {
 //     real vectors     root of the mean square distance of their numbers, in widths of the ranges      1/sqrt(6)
 //     permutations     fraction of neighbours in one closed tour that are not neighbours in the other  1 - 2/(n - 1)
 //
-// For binary strings, with bits as sites, the diversity within a population is the nucleotide diversity of Nei and Li
-// (1979), and the diversity between two populations is their d_XY. For real vectors the root mean square was chosen. So
-// for all three kinds the diversity follows from the centre of each population and the distances from the centre,
-// without a loop over pairs.
+// For binary strings, diversity_within() is the nucleotide diversity of Nei and Li (1979), with bits as sites.
+// diversity_between() of two populations is their d_XY. For real vectors the root mean square was chosen. So for all
+// three kinds the diversity follows from the centre of each population and the distances from the centre, without a
+// loop over pairs.
 
 /// A population as points in space. For binary strings and permutations, the squared distance of two points is
 /// proportional to Representation::distance(); for real vectors, to its square.

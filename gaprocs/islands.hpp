@@ -33,8 +33,8 @@ struct IslandsSettings {
     Acceptance acceptance;
 
     /// Throws UserError as SearchSettings and as Topology::neighbours() do. Throws it also if an island has fewer
-    /// individuals than emigrants, if more immigrants come at once than it can accept, or if islands have different
-    /// numbers of generations per sample.
+    /// individuals than emigrants, or can accept fewer immigrants than come at once. Throws it also if islands have
+    /// different numbers of generations per sample.
     void validate_for(std::size_t record_length) const;
     /// Returns a warning about a topology that is allowed but probably unintended: some parts do not exchange with each
     /// other, or the individuals of some island never reach another. Returns "" if there is no warning. Throws as

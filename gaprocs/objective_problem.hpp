@@ -28,7 +28,7 @@ namespace placedpar {
 // (std::span<const double>) for a ParameterCoding or a RealVector, the string itself (const Genome&) for a BitString,
 // an order (std::span<const std::size_t>) for a Permutation. A ParameterCoding can be searched as bits, or directly as
 // the real numbers that it codes: see gaprocs/policies/coding.hpp. An objective that is infinite or not a number is
-// worse than every other. A problem returns such an objective for an individual that is not allowed.
+// worse than every other. A problem returns infinity for an individual that is not allowed.
 
 /// The functions of an objective problem: the representation of its strings, and the objective of what a string decodes
 /// to. Optional are parameter_names() and parameter_units(), by default "x_1", "x_2", ... without a unit;
@@ -39,7 +39,7 @@ concept StatesObjective = requires(const P& problem, const Genome& genome) {
     { problem.representation().bits() } -> std::convertible_to<std::size_t>;
 };
 
-/// The SearchProblem of such a struct.
+/// The SearchProblem that is made from an objective problem.
 template <StatesObjective P>
 class ObjectiveProblemOf final : public SearchProblem {
 public:

@@ -19,7 +19,7 @@ namespace placedpar {
 /// Sets sums[i] to the sum of individual i's terms over the samples, for several individuals at once.
 /// `parameters_from.operator()<width>(i)` returns the parameters of several individuals, from individual i on, as a
 /// container of Lanes. `terms(std::span<const T>)`, for any Lanes T, returns a function. This function is called with
-/// each sample in turn and returns the sample's terms. The sums are, bit for bit, those of a loop over single
+/// each sample in turn and returns the sample's terms. The sums have the same bits as in a loop over single
 /// individuals: every operation rounds in a lane as it does alone (runtime/vector_width.hpp).
 template <typename ParametersFrom, typename Samples, typename Terms>
 void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& samples, const Terms& terms,
@@ -42,7 +42,7 @@ void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& sam
 }
 
 /// Does the same as sum_in_lanes_from(), with parameters that are computed for one individual at a time.
-/// `parameters_of(i)` returns as many parameters for each individual.
+/// `parameters_of(i)` always returns the same number of parameters.
 template <typename ParametersOf, typename Samples, typename Terms>
 void sum_terms_in_lanes(const ParametersOf& parameters_of, const Samples& samples, const Terms& terms,
                         std::span<double> sums) {
@@ -138,8 +138,8 @@ void fitness_over(const P& problem, std::span<const Genome> population, const Sa
                        terms, fitness);
 }
 
-/// Computes the fitness of each string over the samples. The results are bit for bit those of evaluating one individual
-/// at a time. REQUIRES: strings of problem.bits(); fitness.size() == population.size().
+/// Computes the fitness of each string over the samples. The results have the same bits as if one individual were
+/// evaluated at a time. REQUIRES: strings of problem.bits(); fitness.size() == population.size().
 template <bool gray, typename P, typename Samples>
 void fitness_in_lanes(const P& problem, std::span<const Genome> population, const Samples& samples, double bias,
                       std::span<double> fitness) {

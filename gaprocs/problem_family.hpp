@@ -31,8 +31,8 @@ struct RecordToMake {
 /// record also state how the record is made.
 struct ProblemFamily {
     PolicyDescription description;
-    /// Makes the problem. REQUIRES: as many numbers as the description has, each in its range. Throws as the struct's
-    /// representation().
+    /// Makes the problem. REQUIRES: one number for each number of the description, each in its range. Throws as the
+    /// struct's representation().
     std::function<std::shared_ptr<const SearchProblem>(const std::vector<double>& numbers)> make;
     /// Returns a way to make the record. Null for objective problems. REQUIRES: as for `make`.
     std::function<RecordToMake(const std::vector<double>& numbers)> record = nullptr;

@@ -55,8 +55,9 @@ public:
     /// The thesis does not mention this case, in which all sectors of the roulette wheel are empty.
     std::uint64_t redraws() const { return redraws_; }
 
-    /// A function that is called for each evaluated generation before it breeds, with this search and the fitness.
-    /// Immigrants are then already in the population. Without a listener, nothing is computed for it.
+    /// A function that is called after the evaluation of each generation and before breeding. Its arguments are this
+    /// search and the fitness. Immigrants are then already in the population. Without a listener, nothing is computed
+    /// for it.
     using Listener = std::function<void(const Search&, std::span<const double> fitness)>;
     void listen(Listener listener) { listener_ = std::move(listener); }
 

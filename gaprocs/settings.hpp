@@ -44,9 +44,9 @@ struct SearchSettings {
     std::vector<Genome> initial = {};
     WindowSettings window;
 
-    /// Throws UserError if the population is below 2 or above largest_population, if the elite leaves no pair to be
-    /// bred, if there are more initial individuals than the population, or if a probability is outside 0 ... 1. Throws
-    /// also as WindowSettings::validate().
+    /// Throws UserError if the population is below 2 or above largest_population, or if the elite leaves no pair to be
+    /// bred. Throws it also if there are more initial individuals than the population, or if a probability is outside 0
+    /// ... 1. Throws also as WindowSettings::validate().
     void validate() const;
 };
 

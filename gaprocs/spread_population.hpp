@@ -14,8 +14,8 @@ namespace placedpar {
 /// hypercube sampling, M. McKay et al., 1979). Don't-care bits are 0. The strings are bred strings of `reading`. Draws
 /// at least `count` numbers for each field. REQUIRES: reading.validate() throws nothing.
 std::vector<Genome> spread_population(std::size_t count, const Recoding& reading, RandomStream& random);
-/// Returns such a population of the problem's own strings, in their coding. Throws UserError if they have no fields of
-/// bits.
+/// Returns a spread population of the problem's own strings, in the problem's coding. Throws UserError if they have no
+/// fields of bits.
 std::vector<Genome> spread_population(std::size_t count, const SearchProblem& problem, RandomStream& random);
 
 } // namespace placedpar

@@ -19,8 +19,7 @@ struct Estimate {
 };
 
 struct SearchResult {
-    std::vector<Estimate> estimates; ///< one for each sample, from the sample that makes the window
-                                     ///< SlidingWindow::ready()
+    std::vector<Estimate> estimates; ///< one for each sample; samples before SlidingWindow::ready() have none
     std::uint64_t generations = 0;
     std::uint64_t redraws = 0;
     std::vector<Genome> population; ///< population after the last generation, not yet evaluated

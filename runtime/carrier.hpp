@@ -48,7 +48,7 @@ public:
     /// (input).
     virtual bool give_up_output(AnyChannel&) { return false; }
     virtual bool give_up_input(AnyChannel&) { return false; }
-    /// Clear the end after its message was given up. Return how many bytes of the message were transferred there.
+    /// Clear the end after its message was given up. Return how many bytes of the message this end has transferred.
     /// REQUIRES: no process is in output (input) at this end.
     virtual std::uint64_t reset_output(AnyChannel&) { return 0; }
     virtual std::uint64_t reset_input(AnyChannel&) { return 0; }

@@ -131,7 +131,8 @@ public:
     /// Return whether the process in output (input) waits for ever, whatever its partner does.
     bool output_is_lost() const { return carrier_ && carrier_->output_is_lost(*this); }
     bool input_is_lost() const { return carrier_ && carrier_->input_is_lost(*this); }
-    /// Return whether the other end has given up a message in which this end still is (Carrier::output_must_be_reset).
+    /// Return whether the other end has given up a message that this end is still transferring
+    /// (Carrier::output_must_be_reset).
     bool output_must_be_reset() const { return carrier_ && carrier_->output_must_be_reset(*this); }
     bool input_must_be_reset() const { return carrier_ && carrier_->input_must_be_reset(*this); }
     /// Returns the other channels that keep the outputting process waiting (Carrier::held_up_by).
@@ -152,7 +153,7 @@ public:
     /// Hands the outputter's message to the inputter. REQUIRES: both processes are in the channel.
     void hand_over();
     /// Returns whether the messages that wait in both channels are equal. Returns nothing if messages of this protocol
-    /// cannot be compared (SameMessage). REQUIRES: both channels have a process in output.
+    /// cannot be compared (SameMessage). REQUIRES: a process is outputting on each of the two channels.
     std::optional<bool> has_message_of(const AnyChannel& other) const {
         return protocol() == other.protocol() ? are_same(message_, other.message_) : false;
     }

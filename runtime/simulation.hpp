@@ -24,8 +24,8 @@ struct RunResult {
     Time time{};                   ///< virtual time at the end of the work
     std::uint64_t fingerprint = 0; ///< fingerprint of the whole run
     std::uint64_t events = 0;      ///< number of events of the machine; they cost host time, as the processes do
-    /// The deadlock of a run that ended stuck: all processes that are left. If the run was stopped before its end, only
-    /// the processes that would never have continued.
+    /// The deadlock of a run that ended stuck, with all processes that are left. If the run was stopped before its end,
+    /// the deadlock has only processes that would never have continued.
     std::optional<Deadlock> deadlock;
     /// Processes that never had a turn, because other processes occupied their processor or the processor was halted.
     /// In the order of creation.
@@ -90,7 +90,7 @@ public:
 
 private:
     Kernel kernel_;
-    std::vector<std::shared_ptr<void>> devices_; ///< each is destroyed as an object of its own class
+    std::vector<std::shared_ptr<void>> devices_; ///< shared_ptr<void> destroys each device as an object of its class
     std::list<Process> processes_;
 };
 

@@ -8,7 +8,7 @@ namespace placedpar {
 
 /// Virtual time since the start of the simulation, in whole picoseconds. In this unit the cycles of 20 and 25 MHz
 /// clocks, and the bits of 5, 10 and 20 Mbit/s links, are exact. Virtual time lasts for 106 days. A later time is
-/// represented by Time::max(), which never comes: if a run has only such events left, it ends with an error.
+/// represented by Time::max(), which never comes: a run ends with an error if it has no earlier event left.
 using Time = std::chrono::duration<std::int64_t, std::pico>;
 
 /// Cycles of an executive's clock. This is a type of its own, so that cycles and times cannot be confused.

@@ -11,8 +11,8 @@ namespace placedpar {
 Time now();
 
 /// Makes the running process wait until the virtual time `due`. If `due` has passed already, other processes still get
-/// their turn first, so a polling process cannot starve them. A process that is not placed lets everything else of the
-/// current instant happen before it continues. A placed process pays for the instruction, so its timeslice passes.
+/// their turn first, so a polling process cannot starve them. A process that is not placed continues after all other
+/// events of the current instant. A placed process pays for the instruction, so its timeslice passes.
 void wait_until(Time due, const SourceLocation& = SourceLocation::current());
 /// Makes the running process wait for the given time. REQUIRES: how_long >= 0.
 void wait_for(Time how_long, const SourceLocation& = SourceLocation::current());
@@ -30,7 +30,7 @@ void wait_until_work_is_over(const SourceLocation& = SourceLocation::current());
 constexpr std::int32_t plus(std::int32_t a, std::int32_t b) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
 }
-/// Returns `a MINUS b`: the ticks from b to a, if there are fewer than half a round.
+/// Returns `a MINUS b`: the ticks from b to a, if they are fewer than half a round.
 constexpr std::int32_t minus(std::int32_t a, std::int32_t b) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
@@ -54,7 +54,7 @@ public:
     std::int32_t minus(std::int32_t a, std::int32_t b) const;
     bool is_after(std::int32_t a, std::int32_t b) const { return minus(a, b) > 0; }
     /// Returns the time at which the clock's reading becomes later than `ticks`. `timer ? AFTER ticks` waits until
-    /// then. If the reading is already later, the returned time is not in the future.
+    /// then. Returns a past or the present time if the reading is already later.
     Time moment_after(std::int32_t ticks) const;
     /// Waits as `timer ? AFTER ticks` does.
     void wait_after(std::int32_t ticks, const SourceLocation& = SourceLocation::current()) const;

@@ -21,8 +21,8 @@ class RandomStream;
 struct IslandPopulation {
     std::span<const Genome> strings;
     std::span<const double> fitness;
-    std::size_t elite = 0; ///< number of best individuals that are never replaced; among equals, those of higher index.
-                           ///< In a population that has just been bred, they are the first
+    std::size_t elite = 0; ///< number of best individuals that are never replaced; among equals, the individuals of
+                           ///< higher index. In a population that has just been bred, they are the first
     const Representation* representation = nullptr; ///< null: binary strings
 };
 

@@ -9,12 +9,12 @@
 
 namespace placedpar {
 
-// A coding says how a string codes the parameters of a problem, each in a field of bits. The number `dont_care` inserts
-// unused bits between every two neighbouring bits of the binary string, so that many strings code the same individual.
-// The thesis has one such bit in each gap (eq. 6.14 and 6.15).
+// A coding says how a string codes the parameters of a problem, each in a field of bits. Between every two neighbouring
+// bits of the string, `dont_care` unused bits are inserted. So many strings code the same individual. The thesis has
+// one such bit in each gap (eq. 6.14 and 6.15).
 
 /// Natural binary code, as in the thesis. The codes of neighbouring numbers may differ in every bit, as 0111 and 1000
-/// do, so a search cannot go from one to the other in small steps.
+/// do. A search cannot go from 0111 to 1000 in small steps.
 struct NaturalCoding {
     static constexpr std::string_view name = "natural", about = "fields in natural binary",
                                       source = "thesis eq. 1.5; don't-care bits: eq. 6.14 and 6.15";

@@ -29,8 +29,8 @@ struct OnePointCrossover {
     void operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit = 1) const;
 };
 
-/// Exchanges the characters between two cuts. The string counts as a closed ring, so there are as many places to cut as
-/// characters, and each pair of places is equally likely. Draws two numbers.
+/// Exchanges the characters between two cuts. The string counts as a closed ring, so a cut can be before each
+/// character. Each pair of cuts is equally likely. Draws two numbers.
 struct TwoPointCrossover {
     static constexpr std::string_view name = "two-point", about = "the characters between two cuts",
                                       source = "K. De Jong, 1975";
@@ -39,8 +39,9 @@ struct TwoPointCrossover {
     void operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit = 1) const;
 };
 
-/// Exchanges each character with probability 1/2 (G. Syswerda, "Uniform crossover in genetic algorithms", 1989). Draws
-/// one number for each 32 bits or part of them; for a real vector, one number for each of its numbers.
+/// Exchanges each character with probability 1/2 (G. Syswerda, "Uniform crossover in genetic algorithms", 1989). For
+/// binary strings, draws one number for each 32 bits, and one for the rest of the string. For real vectors, draws one
+/// for each number of the vector.
 struct UniformCrossover {
     static constexpr std::string_view name = "uniform", about = "each character with an even chance",
                                       source = "G. Syswerda, 1989";
@@ -108,7 +109,7 @@ public:
 
 /// The policy by which two parents produce two offspring. The mates are individuals 0 and 1, 2 and 3, and so on;
 /// reproduction has put the population in random order. With DifferenceCrossover, an individual's mate is the next
-/// unmated individual that differs in two bits or more, which is moved beside it.
+/// unmated individual that differs in two bits or more. The mate is moved beside the individual.
 class Crossover : public OneOf<Crossover, OnePointCrossover, TwoPointCrossover, UniformCrossover, DifferenceCrossover,
                                BlendCrossover, OrderCrossover, OwnCrossover> {
 public:

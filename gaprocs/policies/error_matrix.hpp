@@ -39,8 +39,7 @@ public:
         row,    ///< Error(w_i, A_i): the error of the individual that was bred in the same window
     };
 
-    /// REQUIRES: the errors of as many individuals as there are windows, each with at least as many errors as the
-    /// longest window has samples.
+    /// REQUIRES: there is one individual for each window, and it has an error for each sample of the longest window.
     ErrorMatrix(const ErrorsOfBest& bests, Sum sum);
 
     std::size_t islands() const { return islands_; }

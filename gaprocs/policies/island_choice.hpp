@@ -52,8 +52,8 @@ struct MeansChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// Divides each error by the error of the row's own island. Sw_i then states how much worse the other islands'
-/// individuals are than that of island i in its window. Means and sums give the same choice.
+/// Divides each error by the error of the row's own island. In the window of island i, Sw_i then states how much worse
+/// the other islands' individuals are than the individual of island i. Means and sums give the same choice.
 struct RowChoice {
     static constexpr std::string_view name = "row",
                                       about = "greatest Sw/SA, divided by the row's own error: of sums and of means "

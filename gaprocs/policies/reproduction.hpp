@@ -15,7 +15,7 @@ namespace placedpar {
 
 class RandomStream;
 
-/// The indices of the parents; nothing if no individual may become a parent, in which case no number is drawn.
+/// The indices of the parents. If no individual may become a parent, there are none, and no number is drawn.
 using Parents = std::optional<std::vector<std::size_t>>;
 
 /// Reproduction by roulette. Individual i is drawn, with replacement, with probability max(f_i, 0) / sum. So
@@ -47,8 +47,8 @@ struct UniversalReproduction {
 };
 
 /// Linear scaling (D. Goldberg, "Genetic Algorithms in Search, Optimization and Machine Learning", 1989, p. 76). The
-/// number of copies is a linear function of fitness: 1 for the mean fitness and `best` for the best individual. If this
-/// line is negative for the worst individual, it goes through 0 copies for the worst individual instead. Only
+/// number of copies is a linear function of fitness: 1 for the mean fitness and `best` for the best individual. If the
+/// worst individual would have fewer than 0 copies, the function is 1 for the mean and 0 for the worst. Only
 /// differences of fitness matter, so fitness may be negative. Sampled as UniversalReproduction.
 struct ScaledReproduction {
     static constexpr std::string_view name = "scaled", about = "linear scaling: `best` copies of the best on average",

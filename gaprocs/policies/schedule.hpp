@@ -84,7 +84,7 @@ public:
     /// Returns whether emigrants go to one neighbour after another; otherwise they go to all neighbours at each
     /// exchange.
     bool takes_turns() const { return std::holds_alternative<SequentialSchedule>(policy()); }
-    /// Returns whether the schedule is user-defined. Nothing is known about the turns of such a schedule.
+    /// Returns whether the schedule is user-defined. The turns of a user-defined schedule are unknown.
     bool is_own() const { return std::holds_alternative<OwnSchedule>(policy()); }
     /// Returns whether an exchange follows the evaluation of the given generation. Generations count from 1.
     bool is_due(std::uint64_t generation) const { return generation > 0 && generation % every() == 0; }

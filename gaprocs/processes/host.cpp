@@ -117,9 +117,8 @@ ProcessKind host_kind(const ProblemRegistry& problems) {
             .body = [&problems](ProcessEnvironment& environment) { Host(environment, problems).run(); },
             .check = [&problems](const Network& network,
                                  std::size_t process) { return check_host(network, process, problems); },
-            .is_determinate = [](const Network& network, std::size_t process) { // with an accuracy, the processes of
-                                                                                // the host read each other's estimates,
-                                                                                // so their order matters
+            .is_determinate = [](const Network& network,
+                                 std::size_t process) { // with an accuracy, the order of the host's processes matters
                 return std::get<double>(network.processes[process].parameters.at("accuracy")) == 0;
             }};
 }

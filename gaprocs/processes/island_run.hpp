@@ -10,7 +10,7 @@
 namespace placedpar {
 
 /// Returns the number of samples that an island needs before its first generation. If islands exchange in step, all
-/// islands of its part wait for the largest such number.
+/// islands of a part need the same number: the largest that any of them needs.
 std::size_t samples_awaited(const Network&, const Archipelago&, std::size_t island);
 /// Returns the number of samples that a ga.host sends to the process. For an objective, whose samples are empty, this
 /// is the number of generations. Returns nothing if the samples come from another kind of process, or if the problem
@@ -21,7 +21,7 @@ std::optional<std::size_t> samples_sent_to(const Network&, std::size_t process, 
 struct IslandRun {
     std::size_t samples; ///< samples received
     std::size_t first;   ///< samples received before the first generation
-    std::size_t trials;  ///< generations per sample, from the first generation on
+    std::size_t trials;  ///< generations per sample
 
     std::size_t generations() const { return samples < first ? 0 : (samples - first + 1) * trials; }
     /// Returns the number of samples received before the generation. Generations count from 1.

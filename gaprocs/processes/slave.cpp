@@ -102,8 +102,8 @@ private:
         to_master_.output(end_of_results());
     }
 
-    /// Passes on one round of results: channel by channel those of the slaves farther away, the farthest first, then
-    /// this slave's own result. Returns false at the end.
+    /// Passes on one round of results. It begins with the results of the slaves farther away, channel by channel and
+    /// the farthest first. It ends with this slave's own result. Returns false at the end.
     bool pass_round_on() {
         for (const Input<Fitnesses>& from : from_slaves_)
             for (bool last = false; !last;) {

@@ -22,12 +22,11 @@ struct Constant {
     double value;
     std::string_view unit;
     Provenance mark;
-    std::string_view source; ///< publication; for our own choices their meaning; for fitted constants the measured
-                             ///< figures
+    std::string_view source; ///< publication; meaning of our own choice; measured figures of a fit
 };
 
-/// Returns every timing constant that a netlist does not state. Their values are read from where the simulation uses
-/// them. The constants of a group are adjacent.
+/// Returns every timing constant that a netlist does not state. The simulation uses the same constants. The constants
+/// of a group are adjacent.
 std::vector<Constant> constants();
 
 } // namespace placedpar::hardware

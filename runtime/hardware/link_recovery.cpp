@@ -113,7 +113,7 @@ bool LinkDirection::give_up_output(AnyChannel& channel) {
     return true;
 }
 
-/// Takes the receiving end out of its message. If the sender is in a message, that message cannot continue.
+/// Takes the receiving end out of its message. The sender's current message cannot continue.
 void LinkDirection::receiver_leaves(LinkCourse::Touch& touch) {
     LinkState::Direction& direction = touch->directions[number_];
     const bool in_message = bytes_taken() > 0;

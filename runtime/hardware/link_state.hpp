@@ -37,7 +37,7 @@ struct LinkState {
         travels,          ///< a byte or an acknowledge is due, see `packets`
         delivered,        ///< the receiver has the last byte of the part; its acknowledge is due
         unnoticed,        ///< a byte travels that no receiver has asked for; it is noticed at the time `at`
-        owed,             ///< such a byte was noticed; its acknowledge is sent when a receiver asks
+        owed,             ///< a byte was noticed that no receiver has asked for; its acknowledge waits for a receiver
         restarts,         ///< the program that writes the bytes may write the next one from the time `at` on
         byte_lost,        ///< the last byte that was sent is lost; no packet follows
         acknowledge_lost, ///< the acknowledge of the last byte that was sent is lost; no packet follows
@@ -67,8 +67,8 @@ struct LinkState {
     bool may_lose_packets = false; ///< the link has faults, or leads through a device that may stop packets
     /// The times of arrivals; `never` if nothing will arrive. Each direction has four entries: first byte, last byte,
     /// last byte of the next part, end of sending. If they are simultaneous, they happen in this order. The next part
-    /// can begin before the last byte of the current part has arrived. The last two entries belong to the two wires:
-    /// each is the end of a packet that another packet waited for until it was withdrawn.
+    /// can begin before the last byte of the current part has arrived. The last two entries belong to the two wires. If
+    /// a packet that waits for its wire is withdrawn, the end of the packet on this wire is entered.
     static constexpr std::size_t arrivals_of_a_direction = 4, most_arrivals = 10;
     std::array<Time, most_arrivals> arrivals = {never, never, never, never, never, never, never, never, never, never};
 
@@ -123,20 +123,21 @@ struct LinkState {
     void drop_first_byte(std::size_t direction) { arrivals[first(direction)] = never; }
     bool expects_first_byte(std::size_t direction) const { return arrivals[first(direction)] != never; }
     void drop_last_bytes(std::size_t direction) { arrivals[last(direction)] = arrivals[last(direction) + 1] = never; }
-    /// Drops the arrival of the last byte of the current part. Keeps that of the previous part.
+    /// Drops the arrival of the last byte of the current part. Keeps the arrival for the previous part.
     void drop_last_byte(std::size_t direction);
     void drop_end_of_sending(std::size_t direction) { arrivals[end_of_sending(direction)] = never; }
     bool expects_end_of_sending(std::size_t direction) const { return arrivals[end_of_sending(direction)] != never; }
     bool expects_last_byte(std::size_t direction) const { return arrivals[last(direction)] != never; }
 
-    /// Returns whether the acknowledge of the last byte that began has not begun.
+    /// Returns whether the last byte that began still lacks its acknowledge.
     bool is_unacknowledged(std::size_t direction) const;
     /// Returns whether the receiver will certainly take a first byte that begins now. This is not certain while the
     /// receiver still waits for the end of the previous part.
     bool is_sure_of_receiver(std::size_t direction) const {
         return directions[direction].receiver == Receiver::waits && !expects_last_byte(direction);
     }
-    /// Returns a time. For packets that begin before it, this direction needs nothing but the times of the packets.
+    /// Returns a time up to which packets of this direction can be computed together: only their times must be
+    /// computed.
     Time runs_before(std::size_t direction, const PacketTimes&) const;
     /// Returns the index of the earliest entry of `arrivals`.
     std::size_t first_arrival() const;

@@ -153,8 +153,9 @@ struct BusProgram {
 /// A requester. It requests the bus for the processes of one executive, one after another.
 class VmeMaster {
 public:
-    /// REQUIRES: the bus outlives the master. Throws std::logic_error for a level outside 0 to 3, a slot outside 1 to
-    /// 21, a slot of another master, and a level other than 3 on a bus with a single level.
+    /// REQUIRES: the bus outlives the master. Throws std::logic_error for a level outside 0 to 3 and for a slot outside
+    /// 1 to 21. Throws it also if the slot belongs to another master, or if the level is not 3 on a bus with a single
+    /// level.
     VmeMaster(Kernel&, std::string name, VmeBus&, const VmePlace& = {}, const BusProgram& = {});
     VmeMaster(const VmeMaster&) = delete;
     VmeMaster& operator=(const VmeMaster&) = delete;
