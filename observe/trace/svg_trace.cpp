@@ -164,7 +164,7 @@ public:
         for (const auto& [from, to] : messages)
             pen_.line(from, to, {{"class", "message"}, {"marker-end", "url(#message)"}});
         print_legend();
-        double width = left_ + time_width + 2 * border, height = bottom_ + axis_height + legend_height + border;
+        double width = left_ + time_width + 3 * border, height = bottom_ + axis_height + legend_height + border;
         return pen_.document({{width / 2 - border, height / 2 - border / 2}, width, height}, style, head_of_messages);
     }
 
@@ -181,7 +181,7 @@ private:
         Unit unit = unit_for(span_ps_);
         double from = static_cast<double>(begin_.count()) / unit.picoseconds, span = span_ps_ / unit.picoseconds;
         double step = step_for(span);
-        for (double at = std::ceil(from / step - 1e-9) * step; at <= from + span * (1 + 1e-9); at += step) {
+        for (double at = std::ceil(from / step - 1e-9) * step + 0.0; at <= from + span * (1 + 1e-9); at += step) {
             double column = left_ + time_width * (at - from) / span;
             pen_.line({column, title_height}, {column, bottom_}, {{"class", "grid"}});
             pen_.text({column, bottom_ + 12}, "tick", fmt::format("{:g} {}", at, unit.name));
@@ -240,7 +240,7 @@ void SvgTrace::finish(Time begin, Time end, const std::string& why) {
     std::vector<std::pair<At, At>> messages;
     for (const Message& message : messages_)
         if (At from = drawing.at(message.from, message.left), to = drawing.at(message.to, message.arrived);
-            from.y != to.y && message.left >= begin && message.arrived <= end)
+            from.y != to.y && (message.left > begin || begin == Time{}))
             messages.emplace_back(from, to);
     Unit unit = unit_for(static_cast<double>((end - begin).count()));
     auto shown = [unit](Time time) { return static_cast<double>(time.count()) / unit.picoseconds; };
