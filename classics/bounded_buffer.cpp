@@ -65,12 +65,13 @@ std::string asking_in_promela(const PromelaProcess& self) {
 ProcessKind buffer() {
     using namespace description;
     return {.name = "csp.buffer",
-            .about = "Holds a limited number of packets, first in, first out.",
-            .ports = {packets_in(), packets_in("request", "requests for the next packet"), packets_out()},
+            .about =
+                "Holds packets, first in, first out, up to its capacity. A csp.customer asks for them, at `request`.",
+            .ports = {packets_in(), packets_in("request", "asks for the next packet"), packets_out()},
             .parameters = {packet_count(),
                            integer("capacity", {.unit = "packets", .by_default = 10, .least = 1, .most = 1e9},
-                                   "most packets held")},
-            .measurements = {{"most_held", "packets", "packets held at the same time"}},
+                                   "packets that the buffer holds at most")},
+            .measurements = {{"most_held", "packets", "at once"}},
             .body = hold,
             .promela = holding_in_promela};
 }
@@ -78,8 +79,8 @@ ProcessKind buffer() {
 ProcessKind customer() {
     using namespace description;
     return {.name = "csp.customer",
-            .about = "Requests packets from a buffer and outputs them; connects the buffer to a consumer.",
-            .ports = {packets_out("request", "requests for the next packet"), packets_in(), packets_out()},
+            .about = "Asks a csp.buffer for packets and outputs them: it stands between the buffer and a consumer.",
+            .ports = {packets_out("request", "asks for the next packet"), packets_in(), packets_out()},
             .parameters = {packet_count()},
             .body = ask_and_consume,
             .promela = asking_in_promela};

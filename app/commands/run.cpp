@@ -227,7 +227,7 @@ void add_searches(Options& command, RunOptions& options) {
 
 void add_trace(Options& command, RunOptions& options) {
     Option trace = add_file(command, "--trace", options.recorded.trace,
-                            "writes a timeline for ui.perfetto.dev (.json) or GTKWave (.vcd)");
+                            "writes a timeline for ui.perfetto.dev (.json) or GTKWave (.vcd), or draws it (.svg)");
     command.add("--trace-from", options.recorded.window.from, "begins the timeline or page at this simulated time");
     command.add("--trace-until", options.recorded.window.until, "ends the timeline or page at this simulated time");
     add_count(command, "--trace-limit", options.recorded.window.most_entries,
