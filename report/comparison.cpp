@@ -264,12 +264,11 @@ JudgedCells count_judged(const std::vector<Comparison>& comparisons) {
 }
 
 std::string print_judged(const JudgedCells& cells) {
-    return fmt::format(
-        "cells judged against the thesis: {}{}; {}against own figures: {}; not judged: {}\n", cells.thesis,
-        cells.set_from_thesis ? fmt::format(" (constants were set to give {} of these cells)", cells.set_from_thesis)
-                              : "",
-        cells.published ? fmt::format("against published figures: {}; ", cells.published) : "", cells.own,
-        cells.not_judged);
+    return fmt::format("cells judged against the thesis: {}{}; {}against own figures: {}; not judged: {}\n",
+                       cells.thesis,
+                       cells.set_from_thesis ? fmt::format(" ({} of them set constants)", cells.set_from_thesis) : "",
+                       cells.published ? fmt::format("against published figures: {}; ", cells.published) : "",
+                       cells.own, cells.not_judged);
 }
 
 std::string print_comparison(const Comparison& comparison) {

@@ -457,8 +457,8 @@ TEST_CASE("real numbers without a floating-point unit are a warning, once, unles
     for (const char* without : {"T414", "T425", "T400", "T212", "B404_T425"}) {
         CHECK(said_on(without, ", cycles_per_error = 9000").empty());
         std::string said = said_on(without, "");
-        CHECK(says(said, "warning: \"master\" computes with real numbers, and \"t\", a T"));
-        CHECK(says(said, "has no floating-point unit: cycles_per_error = 1440 is a T800's"));
+        CHECK(says(said, "warning: \"master\" computes with real numbers, but \"t\", a T"));
+        CHECK(says(said, "has no floating-point unit: cycles_per_error = 1440 is the workload on a T800"));
         CHECK(said.find("warning", said.find("warning") + 1) == std::string::npos);
     }
 }

@@ -188,7 +188,7 @@ TEST_CASE("a channel end that is placed and connected counts once") {
 TEST_CASE("wrong overrides are refused") {
     CHECK(refused("val n 1;", {{"m", "1"}}) == "the netlist has no val, attribute or parameter \"m\"");
     CHECK(refused("val n 1;", {{"n", ""}}) == "the value is missing");
-    CHECK(refused("val n 1;", {{"n", "1 2"}}).starts_with("illegal token behind an expression"));
+    CHECK(refused("val n 1;", {{"n", "1 2"}}).starts_with("illegal token after an expression"));
     CHECK(refused("val n 1;", {{"n", "\"a\""}}).starts_with("wrong type for the val"));
     CHECK(refused("val n 1;", {{"", "5"}}).starts_with("the name of a val, an attribute or a parameter is missing"));
     CHECK(refused("val n 1;", {{"n n", "5"}}).starts_with("\"=\" is missing"));

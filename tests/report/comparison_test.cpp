@@ -154,7 +154,7 @@ TEST_CASE("cells are counted by their judge; a table that does not decide judges
         published{.name = "second", .cells = {judged, shown}, .against = "publ.", .judged = true},
         reading{.name = "third", .cells = {judged, judged}};
     CHECK(print_judged(count_judged({first, reading})) ==
-          "cells judged against the thesis: 2 (constants were set to give 1 of these cells); against own figures: 1; "
+          "cells judged against the thesis: 2 (1 of them set constants); against own figures: 1; "
           "not judged: 3\n");
     CHECK(print_judged(count_judged({published, reading})) ==
           "cells judged against the thesis: 0; against published figures: 1; against own figures: 0; not judged: 3\n");

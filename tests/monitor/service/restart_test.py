@@ -125,7 +125,7 @@ class Restart(ServiceTest):
             client.send(**boom(i))
             self.assertEqual(client.receive_type("estimates")["samples"], i + 1)
         _, errors = service.stop(signal.SIGKILL)
-        self.assertEqual(errors.count("the service continues, but a restart would lose what was not written"), 1)
+        self.assertEqual(errors.count("the service continues, but a restart would lose the unwritten state"), 1)
         again = self.service("--state", self.state)
         known = self.client(again, "digger").welcome["samples"]
         self.assertGreater(known, 10)
@@ -182,7 +182,7 @@ class Restart(ServiceTest):
         self.assertIn("--seed 1 ", self.refusal("--state", self.state, *UNSETTLED, "--seed", 2))
         self.state.write_text("rubbish")
         self.assertIn(f"{self.state}: this state file cannot be used", self.refusal("--state", self.state, *UNSETTLED))
-        self.assertIn("cannot be made", self.refusal("--state", self.folder / "none" / "state"))
+        self.assertIn("cannot be created", self.refusal("--state", self.folder / "none" / "state"))
         self.assertIn("--address nowhere", self.refusal("--address", "nowhere"))
         self.assertIn("population", self.refusal("--population", 1))
         self.assertIn("bits", self.refusal("--bits", 40))

@@ -185,9 +185,10 @@ TEST_CASE("packets that need more than a processor's stated memory give a warnin
     CHECK(said_with(4, "(memory = 4K)").find("\"b\" has 4096 bytes of memory") != std::string::npos);
     std::string said = said_with(8, "(memory = 8K)"); // 4 packets of 260 bytes each, in 8192 bytes
     for (const char* node : {"a", "b", "c"})
-        CHECK(said.find("warning: \"" + std::string(node) +
-                        "\" has 8192 bytes of memory; the packets of the 8 channels that lead there or through it "
-                        "need 8320\n") != std::string::npos);
+        CHECK(said.find(
+                  "warning: \"" + std::string(node) +
+                  "\" has 8192 bytes of memory, but the packets of the 8 channels that end at it or pass through it "
+                  "need 8320 bytes\n") != std::string::npos);
 }
 
 TEST_CASE("a channel placed on a wire uses that wire") {
