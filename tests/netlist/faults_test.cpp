@@ -242,7 +242,7 @@ TEST_CASE("two hogging masters take two slots, and a printed network with one lo
     CHECK(report.faults[1].held_since);
     auto refused = [](const std::string& text) { return render(read_netlist_text(text, csp())); };
     CHECK(refused(bus_of_two("fault vme hogged (until = 1ms, level = 2);", "SGL"))
-              .find("\"vme\" has the arbiter SGL: there is only level 3") != std::string::npos);
+              .find("\"vme\" has the arbiter SGL, which has only level 3") != std::string::npos);
     CHECK(refused(bus_of_two("fault vme hogged;")).find("needs the attribute \"until\"") != std::string::npos);
     CHECK(refused(bus_of_two("fault vme hogged (from = 2ms, until = 1ms);")).find("over before it begins") !=
           std::string::npos);
