@@ -55,7 +55,7 @@ std::vector<Claim> maximisation_claims(const std::vector<TaskStudy>& studies) {
                               ratio(study.taken.back(), study.taken.front()),
                               {},
                               1.1,
-                              Verdict::fails});
+                              ClaimVerdict::fails});
     return claims;
 }
 

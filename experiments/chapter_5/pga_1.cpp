@@ -36,7 +36,7 @@ std::vector<Claim> claims_of(const SequentialStudies& studies, double noise) {
     auto deviation = [](const PlantStudy& study) { return study.of(0, Tracking::deviation_after); };
     return {{"deviation, distributed by traditional", "",
              ratio(deviation(studies.distributed), deviation(studies.traditional)), 0.67, 0.99,
-             noise > 0 ? Verdict::fails : Verdict::holds},
+             noise > 0 ? ClaimVerdict::fails : ClaimVerdict::holds},
             {"delay, traditional less distributed",
              "generations",
              less(delay(studies.traditional), delay(studies.distributed)),

@@ -45,21 +45,25 @@ std::vector<Claim> claims_of(const PlantStudy& study, const std::string& rule) {
     auto less_delay = [&](const std::string& choice) {
         return less(of(choice, Tracking::delay_20), of(rule, Tracking::delay_20));
     };
-    std::vector<Claim> claims{
-        {rule + ": delay, window 30 less the rule", "generations", less_delay(longest_window), 40, {}, Verdict::fails},
-        {rule + ": error during, random island less the rule",
-         "",
-         less(of("random", Tracking::error_during), of(rule, Tracking::error_during)),
-         0.001,
-         {},
-         rule == "row" ? Verdict::holds : Verdict::fails}};
+    std::vector<Claim> claims{{rule + ": delay, window 30 less the rule",
+                               "generations",
+                               less_delay(longest_window),
+                               40,
+                               {},
+                               ClaimVerdict::fails},
+                              {rule + ": error during, random island less the rule",
+                               "",
+                               less(of("random", Tracking::error_during), of(rule, Tracking::error_during)),
+                               0.001,
+                               {},
+                               rule == "row" ? ClaimVerdict::holds : ClaimVerdict::fails}};
     if (study.islands.plant.noise > 0)
         claims.push_back({rule + ": deviation, the rule by window 30",
                           "",
                           ratio(of(rule, Tracking::deviation_after), of(longest_window, Tracking::deviation_after)),
                           {},
                           1.33,
-                          rule == "row" && study.islands.plant.noise == 1 ? Verdict::fails : Verdict::holds});
+                          rule == "row" && study.islands.plant.noise == 1 ? ClaimVerdict::fails : ClaimVerdict::holds});
     return claims;
 }
 

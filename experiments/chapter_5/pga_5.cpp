@@ -41,7 +41,7 @@ void add_claims(std::vector<Claim>& claims, const RivalStudies& studies, const s
                 const PlantStudy& rival) {
     const bool is_row = rule == "row", is_of_equal_cost = &rival == &studies.equal_cost;
     const double too_noisy = is_of_equal_cost ? 1 : 0.3;
-    auto holds_if = [](bool expected) { return expected ? Verdict::holds : Verdict::fails; };
+    auto holds_if = [](bool expected) { return expected ? ClaimVerdict::holds : ClaimVerdict::fails; };
     std::size_t answer = studies.islands.answer(rule);
     auto of = [&](Tracking figure) { return studies.islands.of(answer, figure); };
     claims.push_back({"lag, " + rival.islands.name + " less islands, " + rule,

@@ -48,7 +48,7 @@ void set_bounds(Cell& cell, const Claim& claim, Interval interval) {
     cell.interval = interval;
     cell.at_least = claim.at_least;
     cell.at_most = claim.at_most;
-    if (claim.expected != Verdict::fails)
+    if (claim.expected != ClaimVerdict::fails)
         return;
     cell.at_least = claim.at_most;
     cell.at_most = claim.at_most ? std::nullopt : claim.at_least;
@@ -69,17 +69,17 @@ void add_interval(Comparison& comparison, const Claim& claim, Judge by) {
 
 } // namespace
 
-const char* name_of(Verdict verdict) {
+const char* name_of(ClaimVerdict verdict) {
     constexpr std::array names{"holds", "does not hold", "undecided"};
     return names[static_cast<std::size_t>(verdict)];
 }
 
-Verdict verdict_of(const Claim& claim) {
+ClaimVerdict verdict_of(const Claim& claim) {
     Interval interval = median_interval(claim.values);
     bool low = agrees(claim, interval.low), high = agrees(claim, interval.high);
     if (low && high)
-        return Verdict::holds;
-    return low || high || agrees(claim, median(claim.values)) ? Verdict::undecided : Verdict::fails;
+        return ClaimVerdict::holds;
+    return low || high || agrees(claim, median(claim.values)) ? ClaimVerdict::undecided : ClaimVerdict::fails;
 }
 
 Comparison claims_comparison(std::string name, const std::vector<Claim>& claims, Judge judge) {

@@ -8,10 +8,10 @@
 
 namespace placedpar {
 
-enum class Verdict { holds, fails, undecided };
+enum class ClaimVerdict { holds, fails, undecided };
 
 /// Returns "holds", "does not hold" or "undecided".
-const char* name_of(Verdict);
+const char* name_of(ClaimVerdict);
 
 /// A statement of the thesis as a number: the median over seeds is at least or at most a bound.
 struct Claim {
@@ -20,13 +20,13 @@ struct Claim {
     std::optional<double> at_least, at_most;
     /// The verdict that the page of the experiment states: `holds`, also where it is undecided, or `fails`. A claim
     /// with two bounds fails by a figure above both.
-    Verdict expected = Verdict::holds;
+    ClaimVerdict expected = ClaimVerdict::holds;
 
     std::optional<double> bound() const { return at_least ? at_least : at_most; }
 };
 
 /// Returns `holds` if the whole 95 % interval of the median is on the claimed side, `fails` if none of it is.
-Verdict verdict_of(const Claim&);
+ClaimVerdict verdict_of(const Claim&);
 
 /// Returns the medians with their intervals as cells, and the verdicts as notes. The table is judged: a claim that is
 /// expected to fail misses if it holds, and any other if it fails. `judge` states who makes the claims.

@@ -25,7 +25,7 @@ std::vector<double> from_1_to(int last) {
     return values;
 }
 
-Claim expected(Verdict verdict, Claim claim) {
+Claim expected(ClaimVerdict verdict, Claim claim) {
     claim.expected = verdict;
     return claim;
 }
@@ -35,14 +35,14 @@ bool misses(const Claim& claim) { return !claims_comparison("claims", {claim}).w
 } // namespace
 
 TEST_CASE("a claim holds where the whole interval of the median is on its side, and is undecided where a part is") {
-    CHECK(verdict_of(claim_of({6, 6, 6, 6}, 5)) == Verdict::holds);
-    CHECK(verdict_of(claim_of({6, 6, 6, 6}, 6)) == Verdict::holds); // the bound itself counts
-    CHECK(verdict_of(claim_of({4, 4, 4, 4}, 5)) == Verdict::fails);
-    CHECK(verdict_of(claim_of({4, 4, 4, 4}, {}, 5)) == Verdict::holds);
-    CHECK(verdict_of(claim_of(from_1_to(40), 20)) == Verdict::undecided);
-    CHECK(verdict_of(claim_of(from_1_to(40), 1, 40)) == Verdict::holds);
-    CHECK(verdict_of(claim_of(from_1_to(40), 20, 21)) == Verdict::undecided); // only the median lies between
-    CHECK(verdict_of(claim_of({4, 4, 4, 4}, 5, 6)) == Verdict::fails);
+    CHECK(verdict_of(claim_of({6, 6, 6, 6}, 5)) == ClaimVerdict::holds);
+    CHECK(verdict_of(claim_of({6, 6, 6, 6}, 6)) == ClaimVerdict::holds); // the bound itself counts
+    CHECK(verdict_of(claim_of({4, 4, 4, 4}, 5)) == ClaimVerdict::fails);
+    CHECK(verdict_of(claim_of({4, 4, 4, 4}, {}, 5)) == ClaimVerdict::holds);
+    CHECK(verdict_of(claim_of(from_1_to(40), 20)) == ClaimVerdict::undecided);
+    CHECK(verdict_of(claim_of(from_1_to(40), 1, 40)) == ClaimVerdict::holds);
+    CHECK(verdict_of(claim_of(from_1_to(40), 20, 21)) == ClaimVerdict::undecided); // only the median lies between
+    CHECK(verdict_of(claim_of({4, 4, 4, 4}, 5, 6)) == ClaimVerdict::fails);
 }
 
 TEST_CASE("a table of claims has the median, its interval and the bound, with as many decimals as that needs") {
@@ -65,7 +65,7 @@ TEST_CASE("a table of claims has the median, its interval and the bound, with as
 }
 
 TEST_CASE("a claim misses only if its verdict is the contrary of the expected one") {
-    using enum Verdict;
+    using enum ClaimVerdict;
     const Claim clear = claim_of({6, 6, 6}, 5), wrong = claim_of({4, 4, 4}, 5), open = claim_of(from_1_to(40), 20);
     CHECK_FALSE(misses(expected(holds, clear)));
     CHECK(misses(expected(holds, wrong)));
