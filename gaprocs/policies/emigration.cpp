@@ -57,7 +57,7 @@ std::vector<std::size_t> OwnEmigration::operator()(std::span<const double> fitne
     return tried([&] {
         std::vector<std::size_t> chosen = choose_(fitness, random);
         require(chosen.size() == count && are_different(chosen, 0, fitness.size()),
-                "those who leave are not as many different individuals as its count says");
+                "it must choose `count` different individuals");
         return chosen;
     });
 }

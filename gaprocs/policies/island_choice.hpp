@@ -26,11 +26,11 @@ class RandomStream;
 
 /// Chooses the greatest Sw_i / SA_i exactly as eq. 5.3, 5.4 and 5.7 are printed, with the squared errors of eq. 5.1.
 struct PrintedChoice {
-    static constexpr std::string_view name = "printed",
-                                      about = "greatest Sw/SA as printed, squared errors: where these do not depend "
-                                              "on the window, never the shortest before the longest, which it nearly "
-                                              "always chooses",
-                                      source = "thesis eq. 5.1 and 5.3 to 5.7";
+    static constexpr std::string_view
+        name = "printed",
+        about = "greatest Sw/SA as printed, with squared errors; if errors do not depend on the window, never prefers "
+                "the shortest window to the longest, which it nearly always chooses",
+        source = "thesis eq. 5.1 and 5.3 to 5.7";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
@@ -56,8 +56,8 @@ struct MeansChoice {
 /// the other islands' individuals are than the individual of island i. Means and sums give the same choice.
 struct RowChoice {
     static constexpr std::string_view name = "row",
-                                      about = "greatest Sw/SA, divided by the row's own error: of sums and of means "
-                                              "the same",
+                                      about =
+                                          "greatest Sw/SA, divided by the row's own error; the same for sums and means",
                                       source = "a reading of thesis eq. 5.3 and 5.4";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
@@ -77,7 +77,7 @@ struct FixedChoice {
 
 /// Chooses an island at random, as a baseline for the other policies. Draws one number.
 struct RandomChoice {
-    static constexpr std::string_view name = "random", about = "an island drawn anew each time",
+    static constexpr std::string_view name = "random", about = "an island drawn at random each time",
                                       source = "a control: not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream& random) const;
@@ -99,8 +99,9 @@ class IslandChoice : public OneOf<IslandChoice, PrintedChoice, PlainSumChoice, M
                                   RandomChoice, OwnChoice> {
 public:
     using OneOf::OneOf;
-    static constexpr std::string_view noun = "choice",
-                                      about = "of islands with windows of different lengths, whose best is the answer";
+    static constexpr std::string_view
+        noun = "choice",
+        about = "which island's best is the answer, among islands with windows of different lengths";
 
     /// Throws UserError if the policy names an island that does not exist.
     void validate_for(std::size_t islands) const;

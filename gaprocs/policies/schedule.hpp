@@ -31,7 +31,7 @@ struct BroadcastSchedule {
 /// the first again. In a hypercube of two dimensions the neighbours are i xor 1 and i xor 2 (thesis 5.3.2).
 struct SequentialSchedule {
     static constexpr std::string_view name = "sequential",
-                                      about = "every `every` generations to one neighbour, each in its turn",
+                                      about = "every `every` generations to one neighbour, each in turn",
                                       source = "thesis 5.2.1 and 5.3.2";
     std::size_t every = 3;
     static constexpr auto numbers() {
@@ -44,7 +44,7 @@ struct SequentialSchedule {
 /// each neighbour only the last ones. Which have arrived depends on the simulated times, and is the same in every run.
 struct AsynchronousSchedule {
     static constexpr std::string_view name = "asynchronous",
-                                      about = "every `every` generations to all neighbours, waiting for none",
+                                      about = "every `every` generations to all neighbours, without waiting for them",
                                       source = "not in the thesis";
     std::size_t every = 3;
     static constexpr auto numbers() {

@@ -79,7 +79,7 @@ LinkDirection::LinkDirection(Kernel& kernel, std::string name, const PacketTimes
 
 void LinkDirection::move_messages_of(LinkEngineMemory& memory) {
     if (memories_[1])
-        throw std::logic_error(fmt::format("{}: a link has two ends, which have a processor each already", name_));
+        throw std::logic_error(fmt::format("{}: both ends of the link already have a processor", name_));
     memories_[memories_[0] ? 1 : 0] = &memory;
 }
 
