@@ -99,7 +99,7 @@ private:
     bool has_objective() const { return recorded_ && recorded_->problem()->objective(); }
     bool given(const std::string& parameter) const { return network_.processes[process_].given.contains(parameter); }
 
-    /// Returns whether an earlier process names the same problem, in which case that process has reported the error.
+    /// Returns whether an earlier process names the same problem. That process has reported the error.
     bool refused_before() const {
         auto first = network_.processes.begin(), self = first + static_cast<std::ptrdiff_t>(process_);
         return std::any_of(first, self, [&](const ProcessInstance& other) {
