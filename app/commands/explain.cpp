@@ -39,10 +39,10 @@ struct ExplainOptions {
     std::array<std::filesystem::path, 3> outputs() const { return {json, recorded.trace, recorded.page}; }
 };
 
-/// Throws UserError for a value change dump, which has waveforms only.
+/// Throws UserError for a value change dump, which has waveforms only, and for a drawing.
 void require_path_format(const std::filesystem::path& path) {
     require_trace_format(path);
-    if (lower_case(path.extension().string()) == ".vcd")
+    if (std::string ending = lower_case(path.extension().string()); ending == ".vcd" || ending == ".svg")
         throw UserError(
             fmt::format("{}: a critical path can be drawn in .json only, for ui.perfetto.dev", path.string()));
 }

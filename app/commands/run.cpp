@@ -223,8 +223,9 @@ void add_searches(Options& command, RunOptions& options) {
 }
 
 void add_trace(Options& command, RunOptions& options) {
-    Option trace = add_file(command, "--trace", options.recorded.trace,
-                            "writes a timeline, by its ending for ui.perfetto.dev (.json) or GTKWave (.vcd)");
+    Option trace =
+        add_file(command, "--trace", options.recorded.trace,
+                 "writes a timeline, by its ending for ui.perfetto.dev (.json) or GTKWave (.vcd), or draws it (.svg)");
     command.add("--trace-from", options.recorded.window.from,
                 "begins the timeline, or the page, at this moment of the machine's time");
     command.add("--trace-until", options.recorded.window.until, "ends the timeline, or the page, at this moment");

@@ -1,6 +1,7 @@
 #include "observe/trace/trace_file.hpp"
 
 #include "observe/trace/perfetto_trace.hpp"
+#include "observe/trace/svg_trace.hpp"
 #include "observe/trace/vcd_trace.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
@@ -14,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-enum class TraceFormat { json, vcd };
+enum class TraceFormat { json, vcd, svg };
 
 TraceFormat trace_format(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
@@ -24,14 +25,27 @@ TraceFormat trace_format(const std::filesystem::path& path) {
         return TraceFormat::json;
     if (ending == ".vcd")
         return TraceFormat::vcd;
-    throw UserError(fmt::format("{}: the ending says what a trace is for: .json for ui.perfetto.dev, .vcd for GTKWave",
+    if (ending == ".svg")
+        return TraceFormat::svg;
+    throw UserError(fmt::format("{}: the ending says what a trace is for: .json for ui.perfetto.dev, .vcd for "
+                                "GTKWave, .svg for a drawing",
                                 path.string()));
 }
 
 std::unique_ptr<TraceWriter> make_writer(TraceFormat format, OutputFile& file, const Tracks& tracks) {
-    if (format == TraceFormat::vcd)
-        return std::make_unique<VcdTrace>(file, tracks);
+    switch (format) {
+    case TraceFormat::vcd: return std::make_unique<VcdTrace>(file, tracks);
+    case TraceFormat::svg: return std::make_unique<SvgTrace>(file, tracks);
+    case TraceFormat::json: break;
+    }
     return std::make_unique<PerfettoTrace>(file, tracks);
+}
+
+/// Returns the window with no more entries than a file of this format can show.
+TraceWindow window_for(const std::filesystem::path& path, TraceWindow window) {
+    if (trace_format(path) == TraceFormat::svg)
+        window.most_entries = std::min(window.most_entries, SvgTrace::most_entries);
+    return window;
 }
 
 } // namespace
@@ -39,8 +53,8 @@ std::unique_ptr<TraceWriter> make_writer(TraceFormat format, OutputFile& file, c
 void require_trace_format(const std::filesystem::path& path) { trace_format(path); }
 
 TraceFile::TraceFile(const std::filesystem::path& path, const Network& network, const TraceWindow& window)
-    : path_(path), window_(require_time_in(window)), file_((require_trace_format(path), path)), tracks_(network),
-      writer_(make_writer(trace_format(path), file_, tracks_)), timeline_(tracks_, window, *writer_) {}
+    : path_(path), window_(window_for(path, require_time_in(window))), file_(path), tracks_(network),
+      writer_(make_writer(trace_format(path), file_, tracks_)), timeline_(tracks_, window_, *writer_) {}
 
 std::string TraceFile::finish(const RunResult& result, std::span<const PathPart> critical_path) {
     writer_->draw_path(critical_path);

@@ -9,6 +9,7 @@ import subprocess
 import tempfile
 import time
 import unittest
+import xml.etree.ElementTree
 
 from program import CLUSTER, EXAMPLES, FIGURE_E2, PROGRAM, fingerprint, placedpar
 from trace_reader import JsonTrace, VcdTrace, measure
@@ -242,17 +243,28 @@ class Traces(unittest.TestCase):
         for name in ("trace", "trace.txt", "trace.json.gz", "vcd"):
             run = placedpar("run", COMMSTIME, "--set", "count=5", "--trace", self.folder / name)
             self.assertEqual(run.returncode, 1, name)
-            self.assertIn(".json for ui.perfetto.dev, .vcd for GTKWave", run.stderr)
+            self.assertIn(".json for ui.perfetto.dev, .vcd for GTKWave, .svg for a drawing", run.stderr)
             self.assertEqual(os.listdir(self.folder), [])
         for name, read in (("a.JSON", JsonTrace), ("a.VCD", VcdTrace)):
             run = placedpar("run", COMMSTIME, "--set", "count=5", "--trace", self.folder / name)
             self.assertEqual(run.returncode, 0, run.stderr)
             read(self.folder / name)
 
+    def test_a_drawing_has_a_row_for_each_process_and_ends_before_it_is_unreadable(self):
+        run, _, path = self.run_traced(CLUSTER, "--trace-until", "40ms", ending="svg")
+        rows = [text.text for text in xml.etree.ElementTree.parse(path).iter("{http://www.w3.org/2000/svg}text")
+                if text.get("class") == "row"]
+        self.assertEqual([row for row in rows if row in ("host", "master", "slave[0]", "slave[1]", "slave[2]")],
+                         ["master", "slave[0]", "slave[1]", "slave[2]", "host"])
+        self.assertEqual(run.stderr, "")
+        run, _, path = self.run_traced(FIGURE_E2, ending="svg")
+        self.assertIn("with 20000 entries", run.stderr)
+        self.assertLess(path.stat().st_size, 2_000_000)
+
     def test_tracing_does_not_change_the_run(self):
         for netlist in (COMMSTIME, CLUSTER, FIGURE_E2, self.netlist(SHARED_LINK)):
             plain = placedpar("run", netlist)
-            for ending in ("json", "vcd"):
+            for ending in ("json", "vcd", "svg"):
                 for part in ([], ["--trace-from", "1ms", "--trace-until", "5ms"]):
                     run, _, _ = self.run_traced(netlist, *part, ending=ending)
                     self.assertEqual(run.stdout, plain.stdout)

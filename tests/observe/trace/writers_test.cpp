@@ -3,6 +3,7 @@
 #include "on_one_node.hpp"
 
 #include "observe/trace/perfetto_trace.hpp"
+#include "observe/trace/svg_trace.hpp"
 #include "observe/trace/vcd_trace.hpp"
 
 #include <doctest/doctest.h>
@@ -154,4 +155,40 @@ TEST_CASE("VCD: what follows at once, and what waits for components, changes not
                                 {0, Activity::executing, Time{2000}, Time{3000}, false, "q"},
                                 {1, Activity::joining, Time{1000}, Time{3000}, false}});
     CHECK(has(text, "$end\n#1000\n1!\n#3000\n0!\n#9000\n"));
+}
+
+TEST_CASE("SVG: a slice is a bar from its beginning to its end, in the look of its activity") {
+    Tracks tracks(on_one_node({"p"}));
+    // The axis has 860 pixels for 9000 ps and begins 60 pixels to the right of the edge.
+    std::string text = written<SvgTrace>(tracks, [](TraceWriter& writer) {
+        writer.write(Slice{1, Activity::computing, Time{0}, Time{4500}, false});
+        writer.write(waiting(Activity::inputting));
+    });
+    CHECK(has(text, R"(<path class="compute" d="M60 52.5h430v11h-430z"/>)"));
+    CHECK(has(text, R"(<path class="wait" d="M155.6 57.2h191.1v1.6h-191.1z"/>)"));
+    CHECK(has(text, R"(<text class="title" x="0" y="14">0 to 9 ns: completed</text>)"));
+}
+
+TEST_CASE("SVG: a processor names what it executes where the bar has room, and a row without slices is left out") {
+    Tracks tracks(on_one_node({"p"}));
+    std::string text = written<SvgTrace>(tracks, [](TraceWriter& writer) {
+        writer.write(Slice{0, Activity::executing, Time{0}, Time{4500}, false, "p"});
+        writer.write(Slice{0, Activity::executing, Time{5000}, Time{5040}, false, "q"});
+    });
+    CHECK(has(text, R"( y="61.5">processor</text>)"));
+    CHECK(has(text, R"( y="61">p</text>)"));
+    CHECK(!has(text, ">q</text>"));
+    CHECK(!has(text, R"( y="61.5">p</text>)"));
+}
+
+TEST_CASE("SVG: bars that touch are joined, and a message is an arrow between two rows") {
+    Tracks tracks(on_one_node({"p", "q"}));
+    std::string text = written<SvgTrace>(tracks, [](TraceWriter& writer) {
+        writer.write(Slice{1, Activity::computing, Time{0}, Time{900}, false});
+        writer.write(Slice{1, Activity::computing, Time{901}, Time{1800}, false});
+        writer.write(Slice{2, Activity::computing, Time{4500}, Time{9000}, false});
+        writer.write(MessageArrow{"c", 1, 2, Time{900}, Time{4500}});
+    });
+    CHECK(has(text, R"(<path class="compute" d="M60 52.5h172v11h-172z"/>)"));
+    CHECK(has(text, R"(x1="146" y1="58" x2="490" y2="74")"));
 }
