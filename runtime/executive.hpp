@@ -92,8 +92,8 @@ public:
     // The next functions are for the kernel.
     virtual void make_ready(Process&) = 0;
     /// Called when the process that has the executive waits or has ended. If `successor` is not null, it must be made
-    /// ready now. The successor is the component of a PAR that the process runs in its own place, or the parent of a
-    /// PAR whose last component has ended.
+    /// ready now. At the start of a PAR, the successor is the component that the process runs in its own place. At the
+    /// end of a PAR, it is the parent.
     virtual void leave(Process&, Process* successor) = 0;
 
 protected:

@@ -30,8 +30,8 @@ struct ReplaySession {
 /// guards that its alternations chose, and the times that its clocks showed.
 ///
 /// A process can repeat its history with other messages and without a machine. Its alternations choose the same guards,
-/// and its clocks show the same times, as in the original run. If all processes do exactly what their histories say, a
-/// run on the machine with these messages would have taken the same course, event for event. The reason is that the
+/// and its clocks show the same times, as in the original run. Suppose that all processes do exactly what their
+/// histories say. Then a run on the machine with these messages would have had the same events. The reason is that the
 /// machine and the kernel know nothing else of a program: by induction over the events, each process would have seen
 /// what it saw in the original run. If a process acts differently, the run has departed from its history. (T. LeBlanc
 /// and J. Mellor-Crummey, Debugging parallel programs with Instant Replay, IEEE Transactions on Computers C-36(4),

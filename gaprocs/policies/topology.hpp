@@ -122,8 +122,8 @@ public:
     Neighbours neighbours(std::size_t islands) const;
 };
 
-/// Returns for each island the number of exchanges after which individuals from the island `from` can have reached it,
-/// if each island sends to all its neighbours. The number is 0 for `from` itself, and absent if individuals never
+/// Returns for each island its distance from the island `from`: the number of exchanges in which individuals reach it,
+/// if each island sends to all its neighbours. The distance is 0 for `from` itself, and absent if individuals never
 /// arrive. REQUIRES: from < neighbours.size().
 std::vector<std::optional<std::size_t>> distances(const Neighbours& neighbours, std::size_t from);
 
