@@ -14,7 +14,7 @@ class RandomStream;
 
 // Active error analysis (thesis 5.3.2) has islands with windows of different lengths. Each policy chooses the island
 // whose best individual is the answer. Ratios are Sw_i / SA_i of eq. 5.7; among equal ratios the first island is
-// chosen. REQUIRES of every policy: as ErrorMatrix, and at least one island.
+// chosen. REQUIRES of every policy: at least one island, and the requirements of ErrorMatrix.
 //
 // The rule as printed cannot do what the thesis says. Windows are nested: the newest ten samples are among the newest
 // thirty. So with squared errors, Error(w_i, A_j) never decreases when w_i grows. If w_1 >= w_2 >= ... >= w_n, and no
@@ -43,8 +43,8 @@ struct PlainSumChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// Chooses as PrintedChoice does, but with mean errors instead of sums, so that a longer window has no greater error
-/// for its length alone.
+/// Chooses as PrintedChoice does, but with mean errors instead of sums. So the length of a window alone does not
+/// increase its error.
 struct MeansChoice {
     static constexpr std::string_view name = "means", about = "greatest Sw/SA of mean squared errors",
                                       source = "a reading of thesis eq. 5.3 and 5.4";
@@ -52,8 +52,8 @@ struct MeansChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// Divides each error by the error of the row's own island. In the window of island i, Sw_i then states how much worse
-/// the other islands' individuals are than the individual of island i. Means and sums give the same choice.
+/// Divides each error by the error of the row's own island. Sw_i then compares all islands in the window of island i:
+/// the error of each island's best is divided by the error of island i's best. Means and sums give the same choice.
 struct RowChoice {
     static constexpr std::string_view name = "row",
                                       about =

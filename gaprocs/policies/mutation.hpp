@@ -38,9 +38,9 @@ struct BitMutation {
     void operator()(std::span<Genome> population, RandomStream& random) const;
 };
 
-/// Flips bits with the same distribution as BitMutation. Draws the distance from each flipped bit to the next, which
-/// has a geometric distribution: one number for each flip, and one for the end of the population. REQUIRES: all strings
-/// have the same length.
+/// Flips bits with the same distribution as BitMutation. Draws the distance from each flipped bit to the next flipped
+/// bit. This distance has a geometric distribution. Draws one number for each flip, and one for the end of the
+/// population. REQUIRES: all strings have the same length.
 struct DistanceMutation {
     static constexpr std::string_view name = "distance",
                                       about = "as bit, by drawing the distance to the next flipped bit",
@@ -104,8 +104,8 @@ struct SwapMutation {
                     RandomStream& random) const;
 };
 
-/// Reverses the order of the places from this place to another. If the other place comes first, the reversed part
-/// continues from the end of the string to its beginning. In a closed tour this changes two edges. Draws one number.
+/// Reverses the order of the places from this place to another. If the other place comes first, the reversed part runs
+/// through the end of the string and its beginning. In a closed tour this changes two edges. Draws one number.
 struct InversionMutation {
     static constexpr std::string_view name = "inversion", about = "the places from one to another are reversed",
                                       source = "the 2-opt step of G. Croes, 1958";
