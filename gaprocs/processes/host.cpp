@@ -80,7 +80,7 @@ private:
 
 std::vector<MeasurementDescription> host_measurements() {
     std::vector<MeasurementDescription> all{
-        {"estimates", "", "how many came back"},
+        {"estimates", "", "number of estimates that came back"},
         {"response", "ms", "mean time from when a master took a sample until its estimate arrived"},
         {"longest_response", "ms", "the longest response"},
         {"accurate_after", "ms",
@@ -97,30 +97,31 @@ std::vector<MeasurementDescription> host_measurements() {
 ProcessKind host_kind(const ProblemRegistry& problems) {
     using namespace search_description;
     using namespace description;
-    return {.name = "ga.host",
-            .about = "The host computer's part: sends each sample of the problem's record to every master, as fast as "
-                     "they take it, and takes the estimates that come back.",
-            .ports = {output<HostMessage>("to_masters", "host message", "an array: one end for each master"),
-                      optional(input<EstimateMessage>("from_masters", "estimate",
-                                                      "an array: one end for each master whose estimates come back"))},
-            .parameters = {problem(),
-                           integer("samples", {.unit = "samples", .by_default = 0, .least = 0, .most = 1e9},
-                                   "how many samples of the record are sent; 0: all"),
-                           integer("generations", {.unit = "generations", .by_default = 100, .least = 1, .most = 1e7},
-                                   "how long a problem without a record is searched; each is asked for by an empty "
-                                   "sample"),
-                           bytes_in_message("sample_bytes", 16, "a sample in a message"),
-                           real("accuracy", {.by_default = 0, .least = 0, .most = 1},
-                                "greatest relative error of an accurate estimate, against the true parameters of a "
-                                "simulated record; 0: not checked")},
-            .measurements = host_measurements(),
-            .body = [&problems](ProcessEnvironment& environment) { Host(environment, problems).run(); },
-            .check = [&problems](const Network& network,
-                                 std::size_t process) { return check_host(network, process, problems); },
-            .is_determinate = [](const Network& network,
-                                 std::size_t process) { // with an accuracy, the order of the host's processes matters
-                return std::get<double>(network.processes[process].parameters.at("accuracy")) == 0;
-            }};
+    return {
+        .name = "ga.host",
+        .about = "The host computer's process: sends each sample of the problem's record to every master, as fast as "
+                 "the masters take it, and receives the estimates that come back.",
+        .ports = {output<HostMessage>("to_masters", "host message", "an array: one end for each master"),
+                  optional(input<EstimateMessage>("from_masters", "estimate",
+                                                  "an array: one end for each master whose estimates come back"))},
+        .parameters =
+            {problem(),
+             integer("samples", {.unit = "samples", .by_default = 0, .least = 0, .most = 1e9},
+                     "how many samples of the record are sent; 0: all"),
+             integer("generations", {.unit = "generations", .by_default = 100, .least = 1, .most = 1e7},
+                     "number of generations for a problem without a record; the host requests each by an empty sample"),
+             bytes_in_message("sample_bytes", 16, "a sample in a message"),
+             real("accuracy", {.by_default = 0, .least = 0, .most = 1},
+                  "greatest relative error of an accurate estimate, against the true parameters of a "
+                  "simulated record; 0: not checked")},
+        .measurements = host_measurements(),
+        .body = [&problems](ProcessEnvironment& environment) { Host(environment, problems).run(); },
+        .check = [&problems](const Network& network,
+                             std::size_t process) { return check_host(network, process, problems); },
+        .is_determinate = [](const Network& network,
+                             std::size_t process) { // with an accuracy, the order of the host's processes matters
+            return std::get<double>(network.processes[process].parameters.at("accuracy")) == 0;
+        }};
 }
 
 } // namespace placedpar

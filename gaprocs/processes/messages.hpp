@@ -44,7 +44,7 @@ struct Task : SizedMessage {
     std::size_t address = 0; ///< 0: the task is for the receiving slave; otherwise for a slave behind it, numbered from
                              ///< 1 as in SlaveRoutes
     Share share;
-    std::vector<Genome> strings; ///< individuals of which the share has evaluations
+    std::vector<Genome> strings; ///< all individuals that have evaluations in the share
     Window window;               ///< the measurements; null if the slave has received them before
     double bias = 0;
     Coding coding = Coding::natural; ///< coding of the strings
@@ -86,7 +86,7 @@ struct EstimateMessage : SizedMessage {
     Individual best;
 };
 
-/// Carries the point around which the fine search is to search. The coarse search sends it.
+/// Carries the bias point from the coarse search to the fine search, which searches around it.
 struct BiasPoint : SizedMessage {
     Genome string; ///< a string of the problem, in natural binary
 };
