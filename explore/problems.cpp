@@ -70,8 +70,8 @@ std::vector<ProblemFamily>& own_problems() {
 
 /// Throws UserError for a name that is taken.
 [[noreturn]] void refuse_taken(const char* what, const std::string& name) {
-    throw UserError(fmt::format("this program adds a {0} \"{1}\", but that name is taken: give the {0} another, such "
-                                "as \"own.{2}\"",
+    throw UserError(fmt::format("this program adds a {0} \"{1}\", but the name is taken: choose another name, "
+                                "such as \"own.{2}\"",
                                 what, name, name.substr(name.rfind('.') + 1)));
 }
 
@@ -93,15 +93,15 @@ void add_own_kind(Catalogue& catalogue, const ProcessKind& kind) {
 void add_own_device(Catalogue& catalogue, const DeviceKind& kind) {
     auto refuse = [](const std::string& name) {
         throw UserError(
-            fmt::format("this program adds a device \"{}\", but that name is taken: give it another", name));
+            fmt::format("this program adds a device \"{}\", but the name is taken: choose another name", name));
     };
     if (catalogue.devices().contains(kind.name))
         refuse(kind.name);
     for (const DeviceModel& model : kind.models)
         if (!can_be_a_name(model.name))
             throw UserError(
-                fmt::format("this program adds a device \"{}\", which no netlist could declare: its name must be "
-                            "one word that is not reserved",
+                fmt::format("this program adds a device \"{}\", but no netlist can use this name: choose one "
+                            "word that is not reserved",
                             model.name));
         else if (catalogue.node_types().contains(model.name))
             refuse(model.name);

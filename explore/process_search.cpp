@@ -84,12 +84,12 @@ std::optional<Difference> first_difference(const Network& network, const Setting
 [[noreturn]] void refuse(const Difference& difference) {
     const auto& [process, name, ours] = difference;
     Diagnostic diagnostic;
-    diagnostic.message = fmt::format("{} = {} for \"{}\", but identify searches with {}", name,
+    diagnostic.message = fmt::format("{} = {} in the netlist for \"{}\", but identify searches with {}", name,
                                      expression(process->parameters.at(name)), process->name, expression(ours));
     auto place = process->given.find(name);
     diagnostic.location = place == process->given.end() ? process->declared : place->second;
     diagnostic.hint =
-        "use the same value in both: change the netlist, or --set it, or give identify the matching option";
+        "use the same value for both: change the netlist, use --set, or give identify the matching option";
     throw RefusedInput(render(diagnostic));
 }
 
@@ -127,8 +127,8 @@ std::vector<Sample> searched_samples(const ComplianceSearch& prepared) {
     std::vector<Sample> record;
     for (const hydraulics::CircuitSample& sample : prepared.samples) {
         if (sample.stretch != prepared.samples.front().stretch)
-            throw UserError(fmt::format("--on: the record has a gap before {:.3f} s, after which the search "
-                                        "begins a new window; processes know no gaps. --samples {} ends before it",
+            throw UserError(fmt::format("--on: the record has a gap before {:.3f} s, which the netlist's "
+                                        "processes cannot handle; --samples {} ends before the gap",
                                         sample.time_s, record.size()));
         record.push_back(sample.values());
     }
@@ -140,7 +140,8 @@ std::string searching_process(const Network& network, const std::filesystem::pat
     auto count = std::ranges::count_if(network.processes, searches);
     if (count != 1)
         throw UserError(
-            fmt::format("--on {}: {} processes search, expected one: ga.traditional, or ga.master with its slaves",
+            fmt::format("--on {}: {} processes of the netlist search, expected one: ga.traditional, or ga.master "
+                        "with its slaves",
                         netlist.string(), count));
     return first->name;
 }

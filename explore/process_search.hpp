@@ -31,11 +31,11 @@ struct ProcessSearch {
     std::vector<double> compliances(const RunReport& report) const;
 };
 
-/// Passes the settings of the identification to the netlist: to parameters that its processes leave to their defaults,
-/// and to vals of the same name (population, elite) unless an override sets them. The processes handle neither gaps nor
-/// the gate, so the samples sent to them end where the gate froze the search for good. Throws UserError if the netlist
-/// cannot make the same search: it does not have exactly one searching process, the output is an included file, the
-/// netlist fixes a setting to another value, or the record has a gap.
+/// Passes the settings of the identification to the netlist. It sets the parameters that processes leave to their
+/// defaults, and the vals of the same name (population, elite) unless an override sets them. The processes handle
+/// neither gaps nor the gate, so they get only the samples before the gate freezes the search for good. Throws
+/// UserError if the netlist cannot make the same search. It then lacks a single searching process, the output is an
+/// included file, the netlist fixes a setting to another value, or the record has a gap.
 ProcessSearch search_by_processes(const NetlistAsked& netlist, const identification::ComplianceSearch& prepared,
                                   const identification::IdentificationWay& way, const WarningSink&);
 

@@ -45,8 +45,8 @@ IdentificationWay way_of(const IdentifyOptions& options, IdentificationWay way) 
     way.usable.rising = options.rising;
     way.search.validate();
     if (std::size_t needed = samples_for_first_generation(way); way.usable.count < needed)
-        throw UserError(
-            fmt::format("--samples {}: expected at least {}, for the first generation", way.usable.count, needed));
+        throw UserError(fmt::format("--samples {}: expected at least {}, which the first generation needs",
+                                    way.usable.count, needed));
     return way;
 }
 
@@ -69,7 +69,7 @@ struct Case {
 
 std::string print_calibration(const std::optional<SpoolOffset>& found) {
     if (!found)
-        return "spool offset: not calibrated, for the record has no second of steady motion\n";
+        return "spool offset: not calibrated, because the record has no second of steady motion\n";
     return fmt::format("spool offset: {:+.5f} in, standard error {:.5f}, from {} samples of steady motion\n",
                        found->offset_in, found->deviation_in, found->samples);
 }
@@ -104,8 +104,8 @@ Case read_case(const IdentifyOptions& options, const IdentificationWay& way) {
         asked.loaded.record = averaged(asked.loaded.record, asked.sampling);
     if (!uses_spool(asked.loaded.record, asked.question)) {
         if (asked.question.spool_offset_in)
-            throw UserError(fmt::format("--offset {}: the areas of these links do not come from the boom's "
-                                        "spool, so that it has no effect",
+            throw UserError(fmt::format("--offset {}: the option has no effect, because no area is computed from "
+                                        "the boom's spool",
                                         options.offset));
     } else if (automatic) {
         calibrate(asked);
@@ -123,9 +123,10 @@ ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, s
         return exit_code_of(report.result.ending);
     std::vector<double> here = native.estimates.back().compliance_in3_per_psi, there = search.compliances(report);
     for (std::size_t j = 0; j < native.links.size(); ++j)
-        print_out(fmt::format("C_{}i: {:.5f} in^3/psi natively, {:.5f} by the processes: {}\n",
+        print_out(fmt::format("C_{}i: {:.5f} in^3/psi by the direct search, {:.5f} by the netlist's processes: "
+                              "{}\n",
                               symbol_of(native.links[j].link), here[j], there[j],
-                              here[j] == there[j] ? "the same" : "not the same"));
+                              here[j] == there[j] ? "equal" : "different"));
     json["by_processes"] = boost::json::array(there.begin(), there.end());
     return here == there ? ExitCode::success : ExitCode::missed_tolerance;
 }
@@ -134,15 +135,16 @@ ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, s
 std::string print_whole(const Identified& identified, const ComplianceSearch& prepared, const WholeWay& whole,
                         const SearchCost& cost) {
     std::string text = fmt::format(
-        "\nsettings for {}: {} rounds of {}, {} for each compliance in {} code, an elite of {}\n"
-        "after each round, the missing flows are weighed by their scatter at the best individual\n"
-        "limit that the noise of these samples leaves (Cramer-Rao):",
+        "\nsettings for {}: {} rounds of {}, {} for each compliance in {} code, an elite of {}\nafter each "
+        "round, each link's flow error is weighed by its scatter at the best individual\nleast possible standard "
+        "error with the noise of these samples (Cramer-Rao limit):",
         counted(identified.links.size(), "link"), whole.rounds, counted(whole.way.search.window.trials, "generation"),
         counted(whole.way.bits, "bit"), whole.way.coding == Coding::gray ? "Gray" : "natural", whole.way.search.elite);
     for (const LinkIdentified& link : identified.links)
         text += fmt::format("{} {} {:.1f} %", &link == &identified.links.front() ? "" : ",", name_of(link.link),
                             100 * link.standard_error / link.compliance_in3_per_psi);
-    return text + fmt::format("\ncost: {:.0f} individuals at {}; {:.0f} s on one T800 of 20 MHz, {:.0f} s on 16\n",
+    return text + fmt::format("\ncost: {:.0f} individuals, evaluated at {}; {:.0f} s on one T800 of 20 MHz, "
+                              "{:.0f} s on 16 T800s\n",
                               cost.individuals, counted(prepared.samples.size(), "sample"), cost.seconds,
                               cost.seconds_on_16);
 }

@@ -162,8 +162,9 @@ std::vector<TrackRow> rows_of_all(const std::vector<PlantStudy>& studies) {
     return rows;
 }
 
-/// Judges the exact optimum. Least squares over the same window is the optimum of what the genetic algorithms search.
-/// Without noise they cannot follow sooner, and least squares finds the plant before the change to the last bits.
+/// Judges the exact optimum. Least squares over the same window is the optimum of the genetic algorithms' fitness.
+/// Without noise the genetic algorithms cannot follow sooner, and before the change least squares finds the plant to
+/// the last bits.
 Comparison judged_optimum(const std::vector<PlantStudy>& exact, const std::vector<PlantStudy>& searched) {
     Comparison comparison{.name = "least squares as the exact optimum, noiseless", .against = "known"};
     const PlantStudy& optimum = exact[1];

@@ -76,7 +76,7 @@ Replay replay_pga_1(const ReplayContext& context) {
 
 extern const Experiment pga_1_experiment{
     .name = "pga-1",
-    .about = "islands that exchange in turns: what different windows and populations give (Figure 5.3)",
+    .about = "islands that exchange in turns, with different windows and populations (Figure 5.3)",
     .chapter = "5",
     .number = 1,
     .run = replay_pga_1,

@@ -117,7 +117,7 @@ Replay replay_pga_2(const ReplayContext& context) {
 
 extern const Experiment pga_2_experiment{
     .name = "pga-2",
-    .about = "islands that broadcast in every generation: what protects their diversity (Figure 5.4)",
+    .about = "diversity of islands that broadcast in every generation (Figure 5.4)",
     .chapter = "5",
     .number = 2,
     .run = replay_pga_2,

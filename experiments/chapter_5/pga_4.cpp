@@ -114,7 +114,7 @@ Replay replay_pga_4(const ReplayContext& context) {
 
 extern const Experiment pga_4_experiment{
     .name = "pga-4",
-    .about = "active error analysis: the printed rule, readings of it, and an island at random (Figure 5.6)",
+    .about = "active error analysis: the printed rule, its interpretations, and a random island (Figure 5.6)",
     .chapter = "5",
     .number = 4,
     .run = replay_pga_4,

@@ -361,8 +361,9 @@ Replay replay_ray_farm(const ReplayContext& context) {
         [&] { context.progress(fmt::format("{} of {} runs of a farm", ended.load(), runs.size())); });
     Comparison comparison{
         .name = "a farm on 73 transputers",
-        .notes = "What the real program printed at its host for each patch is not simulated, so that the calibrated\n"
-                 "cycles of a packet may stand for that, too. Which cards had 17, 35 and 53 workers is not known.\n",
+        .notes = "The real program printed a line at its host for each patch. The simulation leaves this out, so "
+                 "the calibrated cycles\nof a packet may include it. The source does not say which cards had 17, "
+                 "35 and 53 workers.\n",
         .against = "publ.",
         .judged = true,
         .names_origins = true};
@@ -381,7 +382,7 @@ Replay replay_ray_farm(const ReplayContext& context) {
 
 extern const Experiment ray_farm_experiment{
     .name = "ray-farm",
-    .about = "a farm on 73 transputers whose channels are routed, beside the times that were published",
+    .about = "a farm with routed channels on 73 transputers, beside published times",
     .chapter = "machine",
     .number = 4,
     .run = replay_ray_farm,

@@ -63,7 +63,7 @@ const std::vector<Form> forms{
     {"farm", "chain", "each slave behind another; it passes on the messages of the slaves farther away",
      "connect master.to_slaves to slave[0].from_master; connect slave[0].to_slaves to slave[1].from_master;",
      "thesis, appendix E, Figure E.2", "run examples/genetic/farms/farm.cfs"},
-    {"farm", "star", "a channel from the master to each slave",
+    {"farm", "star", "the master has a channel to each slave",
      "connect master.to_slaves[0] to slave[0].from_master; connect master.to_slaves[1] to slave[1].from_master;",
      "thesis, appendix E, which computes .4 ms for a star", "run examples/genetic/farms/farm.cfs --set links=3"},
     {"farm", "tree", "any other tree, with several slaves behind the master or behind a slave",
@@ -108,7 +108,8 @@ std::vector<Noun> policy_nouns() {
         {"distributed-fitness", "whether islands have the same window and population", {"population"}},
         noun_of<IslandChoice>({"active-error-analysis", "error-matrix"}),
         {"coarse-fine",
-         "two searches instead of one: one over a coarse grid, one around its best",
+         "two searches: the coarse search covers a coarse grid, the fine search the surroundings of its best "
+         "point",
          {"coarse/fine", "pair"}},
         {"farm",
          "how a master divides its population among slaves (thesis, algorithm A); the netlist connects the slaves in a "

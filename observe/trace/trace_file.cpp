@@ -27,8 +27,8 @@ TraceFormat trace_format(const std::filesystem::path& path) {
         return TraceFormat::vcd;
     if (ending == ".svg")
         return TraceFormat::svg;
-    throw UserError(fmt::format("{}: the ending says what a trace is for: .json for ui.perfetto.dev, .vcd for "
-                                "GTKWave, .svg for a drawing",
+    throw UserError(fmt::format("{}: unknown kind of trace: the name must end in .json for ui.perfetto.dev, .vcd for "
+                                "GTKWave, or .svg for a drawing",
                                 path.string()));
 }
 
@@ -65,8 +65,8 @@ std::string TraceFile::finish(const RunResult& result, std::span<const PathPart>
 
 std::string TraceFile::warnings() const {
     if (std::optional<Time> full = timeline_.full_at())
-        return fmt::format("{}: the trace is full at {}, with {} entries; the rest of the run is not in it. Choose a "
-                           "part of the run with --trace-from and --trace-until, or more with --trace-limit\n",
+        return fmt::format("{}: the trace ends at {}, where it is full with {} entries; choose a part of the run "
+                           "with --trace-from and --trace-until, or raise --trace-limit\n",
                            shown_output(path_), to_string(*full), window_.most_entries);
     if (std::string why = timeline_.why_empty(); !why.empty())
         return fmt::format("{}: the trace is empty: {}\n", shown_output(path_), why);

@@ -248,7 +248,7 @@ class OtherNames(unittest.TestCase):
 
     def test_a_shell_that_is_not_known(self):
         said = refusal("completion", "fish")
-        self.assertIn('there is nothing for the shell "fish": it is one of bash, zsh', said)
+        self.assertIn('no completion for the shell "fish"; expected bash or zsh', said)
         self.assertNotIn("words", said)
 
     def test_what_is_near_to_nothing_is_told_where_to_look(self):

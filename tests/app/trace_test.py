@@ -199,7 +199,7 @@ class Traces(unittest.TestCase):
             for option in ("--trace-from", "--trace-until"):
                 run = placedpar("run", COMMSTIME, "--trace", self.folder / "t.json", f"{option}={text}")
                 self.assertEqual(run.returncode, 1, text)
-                self.assertIn(f'"{text}" is not a time: it takes a number and a unit of s, ms, us, ns or ps', run.stderr)
+                self.assertIn(f'"{text}" is not a time: expected a number and one of the units s, ms, us, ns or ps', run.stderr)
         for text, why in (("0.5ps", "finer than a picosecond"), ("1.0000000000001s", "finer than a picosecond"),
                           ("9223373s", "lasts for 106 days"), ("99999999999999999999ps", "lasts for 106 days")):
             run = placedpar("run", COMMSTIME, "--trace", self.folder / "t.json", "--trace-from", text)
@@ -207,7 +207,7 @@ class Traces(unittest.TestCase):
             self.assertIn(why, run.stderr)
         run = placedpar("run", COMMSTIME, "--trace", self.folder / "t.json", "--trace-from", "3ms", "--trace-until", "2ms")
         self.assertEqual(run.returncode, 1)
-        self.assertIn("the trace would end at 2.000000 ms, and begin at 3.000000 ms", run.stderr)
+        self.assertIn("the trace would begin at 3.000000 ms but end at 2.000000 ms", run.stderr)
         run = placedpar("run", COMMSTIME, "--trace-from", "3ms")
         self.assertEqual(run.returncode, 1)
         self.assertIn("--trace", run.stderr)
@@ -215,7 +215,7 @@ class Traces(unittest.TestCase):
 
     def test_a_part_after_the_run_is_empty_and_says_so(self):
         run, report, trace = self.trace(COMMSTIME, "--set", "count=5", "--trace-from", "1s")
-        self.assertIn("the trace is empty: the run was over at ", run.stderr)
+        self.assertIn("the trace is empty: the run ended at ", run.stderr)
         self.assertEqual(sum(len(s) for s in trace.slices.values()), 0)
         self.assertEqual(report["outcome"], "completed")
 
@@ -225,7 +225,7 @@ class Traces(unittest.TestCase):
             run, report, path = self.run_traced(COMMSTIME, "--trace-limit", 1000)
             texts.append(path.read_text(encoding="utf-8"))
             trace = JsonTrace(path)
-            self.assertIn("the trace is full at ", run.stderr)
+            self.assertIn("the trace ends at ", run.stderr)
             self.assertIn("--trace-from and --trace-until", run.stderr)
             entries = sum(len(s) for s in trace.slices.values()) + len(trace.arrows)
             self.assertTrue(1000 <= entries < 1000 + 2 * len(trace.tracks), entries)
@@ -235,7 +235,7 @@ class Traces(unittest.TestCase):
 
     def test_a_long_run_is_limited_without_being_asked(self):
         run, _, path = self.run_traced(COMMSTIME, "--set", "count=150000")
-        self.assertIn("the trace is full at ", run.stderr)
+        self.assertIn("the trace ends at ", run.stderr)
         self.assertIn("2000000 entries", run.stderr)
         self.assertLess(path.stat().st_size, 500_000_000)
 
@@ -243,7 +243,7 @@ class Traces(unittest.TestCase):
         for name in ("trace", "trace.txt", "trace.json.gz", "vcd"):
             run = placedpar("run", COMMSTIME, "--set", "count=5", "--trace", self.folder / name)
             self.assertEqual(run.returncode, 1, name)
-            self.assertIn(".json for ui.perfetto.dev, .vcd for GTKWave, .svg for a drawing", run.stderr)
+            self.assertIn(".json for ui.perfetto.dev, .vcd for GTKWave, or .svg for a drawing", run.stderr)
             self.assertEqual(os.listdir(self.folder), [])
         for name, read in (("a.JSON", JsonTrace), ("a.VCD", VcdTrace)):
             run = placedpar("run", COMMSTIME, "--set", "count=5", "--trace", self.folder / name)

@@ -71,12 +71,12 @@ TEST_CASE("a run that took no time has no shares") {
     CHECK(text.find("\nt" + std::string(32, ' ') + "-") != text.npos);
 }
 
-TEST_CASE("a path that was not kept says why, and what to do") {
+TEST_CASE("the report says why a path was not kept, and what to do") {
     CHECK(says(half_busy(), "critical path: not kept: it has more than"));
     CHECK(says(half_busy(), "--until"));
 }
 
-TEST_CASE("what a change gains is shown, and what makes hardly a difference is counted") {
+TEST_CASE("the gain of a change is shown; changes of little effect are only counted") {
     Explanation explanation = half_busy();
     explanation.answers = {answer_of(Change::Of::all, "all processors", "twice as fast", 5ms),
                            answer_of(Change::Of::all, "all links", "10 % faster", 9'999'999us / 1000),
@@ -86,7 +86,7 @@ TEST_CASE("what a change gains is shown, and what makes hardly a difference is c
     CHECK(says(explanation, "2 more make a difference of less than 0.1 %\n"));
 }
 
-TEST_CASE("what is slower says by what, and that this can be") {
+TEST_CASE("a slower run is shown with its loss and with a reason why this is possible") {
     Explanation explanation = half_busy();
     Answer slower = answer_of(Change::Of::alone, "processor t[0]", "twice as fast", 12ms);
     slower.why = "+2.000 ms p waits";
@@ -96,7 +96,7 @@ TEST_CASE("what is slower says by what, and that this can be") {
     CHECK(says(explanation, "Graham's anomaly"));
 }
 
-TEST_CASE("a change that is refused or does not end is said to be") {
+TEST_CASE("the report says that a change was refused or did not complete") {
     Explanation explanation = half_busy();
     Answer refused = answer_of(Change::Of::constant, "bytes", "none", 0ms), stuck = refused;
     refused.refused = "out of range";
@@ -106,7 +106,7 @@ TEST_CASE("a change that is refused or does not end is said to be") {
     CHECK(says(explanation, "refused  bytes none"));
 }
 
-TEST_CASE("at the top stand the best change of everything, of a part and of the links, the greatest gain first") {
+TEST_CASE("the report begins with the best changes of everything, of a part and of the links, by gain") {
     Explanation explanation = half_busy();
     explanation.path = {{Activity::computing, "p on t[0]", "t[0]", Time{0}, Time{7ms}},
                         {Activity::carrying, "p.out -> q.in", "", Time{7ms}, Time{10ms}}};
@@ -130,7 +130,7 @@ TEST_CASE("at the top stand the best change of everything, of a part and of the 
                                          "  one more of rows: 5 instead of 4: 10.0 % less time");
 }
 
-TEST_CASE("changes that were not tried are counted, or said not to have been wanted to end well") {
+TEST_CASE("untried changes are counted, or the report says why no change was tried") {
     Explanation explanation = half_busy();
     explanation.answers = {answer_of(Change::Of::all, "all processors", "twice as fast", 4ms)};
     explanation.left_out = 3;
@@ -139,7 +139,7 @@ TEST_CASE("changes that were not tried are counted, or said not to have been wan
     CHECK(says(explanation, "what if: no change was tried: the run did not complete\n"));
 }
 
-TEST_CASE("for machines the same figures are picoseconds") {
+TEST_CASE("the JSON document has the same figures in picoseconds") {
     Explanation explanation = half_busy();
     explanation.answers = {answer_of(Change::Of::all, "all processors", "twice as fast", 4ms)};
     Network network;

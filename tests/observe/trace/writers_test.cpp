@@ -63,12 +63,12 @@ TEST_CASE("Perfetto: a slice has a place, a beginning and a length in microsecon
           R"({"ph":"X","name":"computes","cat":"compute","pid":1,"tid":3,"ts":0.001000,"dur":0.001500})");
 }
 
-TEST_CASE("Perfetto: one that goes on begins and does not end") {
+TEST_CASE("Perfetto: an open slice has a beginning and no end") {
     CHECK(shown({1, Activity::computing, Time{1000}, Time{2500}, true}) ==
           R"({"ph":"B","name":"computes","cat":"compute","pid":1,"tid":3,"ts":0.001000})");
 }
 
-TEST_CASE("Perfetto: a wait says for whom, and on which channel") {
+TEST_CASE("Perfetto: a wait names its partner and channel") {
     CHECK(name_shown(waiting(Activity::inputting, {{"c", "q"}})) == "inputs from q");
     CHECK(name_shown(waiting(Activity::inputting, {{"c", ""}})) == "inputs from c");
     CHECK(name_shown(waiting(Activity::inputting)) == "waits for packets to send");
@@ -80,7 +80,7 @@ TEST_CASE("Perfetto: a wait says for whom, and on which channel") {
     CHECK(has(shown(waiting(Activity::inputting, {{"c", ""}})), R"("args":{"channel":"c","partner":"none yet"})"));
 }
 
-TEST_CASE("Perfetto: an alternation names a few partners, and counts many") {
+TEST_CASE("Perfetto: an alternation names few partners and counts many") {
     CHECK(name_shown(waiting(Activity::alternating, {{"c", "q"}, {"d", "r"}})) == "alternates: input from q or r");
     CHECK(name_shown(waiting(Activity::alternating, {{"c", "q"}}, true)) == "alternates: input from q, or its timer");
     CHECK(name_shown(waiting(Activity::alternating, {{"a", ""}, {"b", ""}, {"c", ""}, {"d", ""}})) ==
@@ -98,7 +98,7 @@ TEST_CASE("Perfetto: a message is a flow from slice to slice") {
     CHECK(has(text, R"({"ph":"f","bp":"e","name":"c","cat":"message","id":1,"pid":1,"tid":4,"ts":0.000020})"));
 }
 
-TEST_CASE("Perfetto: the critical path stands above all, whole and by place") {
+TEST_CASE("Perfetto: the critical path is shown above all, whole and by processor and link") {
     Tracks tracks(on_one_node({"p"}));
     const PathPart path[] = {{Activity::computing, "p on t", "t", Time{0}, Time{5}},
                              {Activity::delayed, "p", "", Time{5}, Time{9}}};
@@ -109,7 +109,7 @@ TEST_CASE("Perfetto: the critical path stands above all, whole and by place") {
     CHECK(has(text, R"("args":{"name":"via processor t"})"));
 }
 
-TEST_CASE("Perfetto: the end says why, and every track has its name") {
+TEST_CASE("Perfetto: the end has its reason, and every track its name") {
     Tracks tracks(on_one_node({"p"}));
     std::string text = written<PerfettoTrace>(tracks, [](TraceWriter&) {});
     CHECK(text.starts_with("{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n"));
@@ -133,7 +133,7 @@ std::string changes(const std::vector<Slice>& slices) {
 
 } // namespace
 
-TEST_CASE("VCD: a node is a scope, a processor a wire, and a process has a wire for each thing that it can do") {
+TEST_CASE("VCD: a node is a scope, a processor a wire, and a process has a wire for each activity") {
     Tracks tracks(on_one_node({"p[0]"}));
     std::string text = written<VcdTrace>(tracks, [](TraceWriter&) {});
     CHECK(text.starts_with("$version PlacedPar $end\n$timescale 1 ps $end\n$comment completed at 9.000 ns $end\n"
@@ -150,7 +150,7 @@ TEST_CASE("VCD: a wire is 1 while a slice lasts") {
     CHECK(has(text, "$end\n#1000\n1!\n#2000\n0!\n#5000\n1!\n#9000\n"));
 }
 
-TEST_CASE("VCD: what follows at once, and what waits for components, changes nothing") {
+TEST_CASE("VCD: an immediate successor and a wait for components change no wire") {
     std::string text = changes({{0, Activity::executing, Time{1000}, Time{2000}, false, "p"},
                                 {0, Activity::executing, Time{2000}, Time{3000}, false, "q"},
                                 {1, Activity::joining, Time{1000}, Time{3000}, false}});

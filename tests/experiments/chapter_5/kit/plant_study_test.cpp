@@ -40,7 +40,7 @@ std::size_t errors_a_generation(const PlantIslands& islands) {
 
 } // namespace
 
-TEST_CASE("a study of a pole has the figures of each seed, in their order, and every fifth pole") {
+TEST_CASE("a study of a pole keeps the figures of each seed in order, and every fifth pole") {
     test::ReplayInMemory replay(3);
     const PlantStudy study = late_study(replay.context);
     CHECK(study.lags() == std::vector<double>{0, 10, 20});
@@ -52,7 +52,7 @@ TEST_CASE("a study of a pole has the figures of each seed, in their order, and e
     CHECK_THROWS_WITH_AS(study.answer("fittest"), "late has no answer by fittest", std::invalid_argument);
 }
 
-TEST_CASE("runs of a plant with other noise are other runs of the study, and are told apart by name") {
+TEST_CASE("runs with different noise have different names in a study") {
     test::ReplayInMemory replay(1);
     PlantExperiment coloured;
     coloured.noise = 0.3;
@@ -64,7 +64,7 @@ TEST_CASE("runs of a plant with other noise are other runs of the study, and are
     CHECK(std::ranges::count(replay.told, "late, sigma = 0.3, c1 = 0.5, c2 = 0.25: 0 of 1 seeds") == 1);
 }
 
-TEST_CASE("a choice's answer is a track behind those of the islands") {
+TEST_CASE("the answer of an island choice is a track after those of the islands") {
     PlantStudy study;
     study.islands = traditional_pga("broadcast(every = 12)", 0);
     study.islands.choices = {"fittest", "random"};
@@ -81,7 +81,8 @@ TEST_CASE("figures of the same seeds are compared one by one; a quotient of noth
     CHECK(by[2] == doctest::Approx(1001)); // not infinite
 }
 
-TEST_CASE("the configurations of Table 5.3 have as many individuals, and one search of equal cost as many errors") {
+TEST_CASE("the configurations of Table 5.3 have equal numbers of individuals, and the search of equal cost equal "
+          "evaluations") {
     const PlantIslands distributed = distributed_pga("sequential(every = 3)", 0.3);
     CHECK(errors_a_generation(distributed) == 2580);
     CHECK(errors_a_generation(equal_cost_ga(0.3)) == errors_a_generation(distributed));
@@ -97,7 +98,7 @@ TEST_CASE("the configurations of Table 5.3 have as many individuals, and one sea
     CHECK(noise_name(0.3) == "sigma = 0.3");
 }
 
-TEST_CASE("a row of a table of tracks has medians over the seeds, and how many found the pole in the end") {
+TEST_CASE("a row of a table of tracks has medians over the seeds and the share that found the pole") {
     test::ReplayInMemory replay(3);
     const PlantStudy study = late_study(replay.context);
     const Comparison table = tracks_comparison("tracks", {{"late", &study}});
