@@ -35,7 +35,7 @@ void require_places(const IslandsSettings& settings, const Neighbours& neighbour
     }
 }
 
-/// Throws UserError for errors that do not depend on the record.
+/// Checks the settings that do not depend on the record. Throws UserError.
 void validate_islands(const IslandsSettings& settings) {
     settings.topology.require_numbers_in_range();
     settings.schedule.require_numbers_in_range();
@@ -50,7 +50,7 @@ void validate_islands(const IslandsSettings& settings) {
     require_places(settings, neighbours);
 }
 
-/// Returns for each island the islands that begin at the same time.
+/// Returns for each island all islands that begin at the same time as it.
 std::vector<std::vector<std::size_t>> islands_in_step(const Schedule& schedule, const Neighbours& neighbours) {
     std::vector<std::vector<std::size_t>> together(neighbours.size());
     auto parts = separate_parts(schedule.in_step() ? neighbours : Neighbours(neighbours.size()));
@@ -190,7 +190,7 @@ std::vector<Migration> Islands::emigrants(std::size_t from) {
     return all;
 }
 
-/// Sends the emigrants and replaces earlier ones that the neighbour has not accepted yet.
+/// Sends the emigrants. They replace earlier emigrants from the same island that the neighbour has not accepted yet.
 void Islands::send_by_mail(std::size_t from) {
     auto leaving = emigrants(from);
     for (const Migration& each : leaving)

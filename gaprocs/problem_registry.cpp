@@ -83,7 +83,7 @@ const RecordedProblem& ProblemRegistry::find(std::string_view name) const {
                                 guess.empty() ? "" : "; " + guess));
 }
 
-/// Makes a problem. A refusal names the problem by the text that was asked for.
+/// Makes a problem. An error names the problem by the text that the caller asked for.
 const RecordedProblem& ProblemRegistry::make(const ProblemFamily& family, std::string_view text) const {
     std::vector<double> numbers = read_policy(text, {family.description}).numbers;
     std::string full = family.description.text(numbers);

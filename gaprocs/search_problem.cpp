@@ -11,10 +11,10 @@ namespace placedpar {
 
 namespace {
 
-/// A problem whose string has don't-care bits between every two bits of the original.
+/// A problem whose string has don't-care bits between every two bits of the original string.
 class StuffedProblem final : public SearchProblem {
 public:
-    /// REQUIRES: its strings are binary.
+    /// REQUIRES: the strings of `plain` are binary.
     StuffedProblem(std::shared_ptr<const SearchProblem> plain, Coding coding)
         : plain_(std::move(plain)), coding_(coding) {}
 

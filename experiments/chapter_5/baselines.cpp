@@ -208,7 +208,8 @@ Replay replay_baselines(const ReplayContext& context) {
         plot.panels.push_back(pole_panel("estimates, " + std::string(scenario.name), others));
         rows.insert(rows.end(), others.begin(), others.end());
         comparisons.push_back(tracks_comparison(std::string("medians, ") + scenario.name, rows));
-        comparisons.push_back(claims_comparison(std::string("claims, ") + scenario.name, claims_of(exact, searched)));
+        comparisons.push_back(
+            claims_comparison(std::string("claims, ") + scenario.name, claims_of(exact, searched), Judge::own));
     }
     return replay_of(std::move(comparisons), {{"baselines", plot}});
 }

@@ -54,7 +54,8 @@ std::vector<Claim> maximisation_claims(const std::vector<TaskStudy>& studies) {
                               "",
                               ratio(study.taken.back(), study.taken.front()),
                               {},
-                              1.1});
+                              1.1,
+                              ClaimVerdict::fails});
     return claims;
 }
 

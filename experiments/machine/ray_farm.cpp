@@ -348,15 +348,17 @@ Cell farm_cell(const RayFarmRun& run) {
 
 Replay replay_ray_farm(const ReplayContext& context) {
     std::vector<RayFarmRun> runs = ray_farm_runs();
-    context.progress(fmt::format("{} runs of a farm", runs.size()));
-    std::atomic<std::size_t> next = 0;
+    std::atomic<std::size_t> next = 0, ended = 0;
     on_workers(
         count_cores(),
         [&](std::size_t) {
-            for (std::size_t i = next++; i < runs.size(); i = next++)
-                runs[runs.size() - 1 - i].result = RayFarm(runs[runs.size() - 1 - i].settings).run(); // longest first
+            for (std::size_t i = next++; i < runs.size(); i = next++) {
+                RayFarmRun& run = runs[runs.size() - 1 - i]; // the longest run first
+                run.result = RayFarm(run.settings).run();
+                ++ended;
+            }
         },
-        [&context] { end_if_requested(context.interruption); });
+        [&] { context.progress(fmt::format("{} of {} runs of a farm", ended.load(), runs.size())); });
     Comparison comparison{
         .name = "a farm on 73 transputers",
         .notes = "What the real program printed at its host for each patch is not simulated, so that the calibrated\n"

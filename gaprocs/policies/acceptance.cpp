@@ -16,8 +16,8 @@ namespace placedpar {
 
 namespace {
 
-/// Gives each immigrant the place that choose(immigrant, candidates left) points at. `candidates` begin with the least
-/// fit.
+/// Gives each immigrant the place at the index choose(immigrant, remaining candidates). `candidates`: places that may
+/// be replaced, the least fit individual first.
 template <class Choose>
 Places give_places(const IslandPopulation& island, std::span<const Individual> immigrants,
                    std::vector<std::size_t> candidates, bool only_if_better, Choose choose) {

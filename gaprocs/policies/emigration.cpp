@@ -15,8 +15,8 @@ namespace placedpar {
 
 namespace {
 
-/// Calls choose(those left) `count` times; each result is an index into those left, from which the chosen one is
-/// removed.
+/// Chooses `count` different individuals. Each is at the index choose(remaining individuals), and is then removed from
+/// the remaining individuals.
 template <class Choose>
 std::vector<std::size_t> choose_different(std::size_t population, std::size_t count, Choose choose) {
     std::vector<std::size_t> left(population), chosen;

@@ -19,7 +19,7 @@ namespace placedpar {
 
 namespace {
 
-/// The columns are those of Form: noun, name, what it is, how a netlist says it, source, example.
+/// The columns are the members of Form.
 const std::vector<Form> forms{
     {"representation", "permutation",
      "an order of so many places, each of them once, where that is what the problem asks for",
@@ -79,7 +79,7 @@ Noun noun_of(std::vector<std::string> also_called = {}) {
             .printed = [](const std::string& text) { return Step::named(text).text(); }};
 }
 
-/// Describes an operator, each policy of which says on which strings it can work.
+/// Describes an operator. Each of its policies states the strings on which it works.
 template <class Step>
 Noun noun_of_operator(std::vector<std::string> also_called) {
     Noun noun = noun_of<Step>(std::move(also_called));

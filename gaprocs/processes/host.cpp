@@ -29,7 +29,7 @@ std::size_t samples_to_send(const ProcessEnvironment& environment, std::size_t r
     return wanted == 0 ? recorded : wanted;
 }
 
-/// Returns the samples of the record; for an objective problem, an empty sample for each generation.
+/// Returns the samples of the record. For an objective, returns one empty sample for each generation.
 std::vector<Sample> samples_of(const ProcessEnvironment& environment, const RecordedProblem& recorded) {
     if (recorded.problem()->objective())
         return empty_record(static_cast<std::size_t>(environment.integer("generations")));
@@ -37,7 +37,8 @@ std::vector<Sample> samples_of(const ProcessEnvironment& environment, const Reco
     return {first, first + static_cast<std::ptrdiff_t>(samples_to_send(environment, recorded.samples()))};
 }
 
-/// The host sends each sample to every master, as fast as they take them, and takes every estimate that comes back.
+/// The host computer's process. Sends every sample to each master, as soon as the master takes it, and receives the
+/// estimates.
 class Host {
 public:
     Host(ProcessEnvironment& environment, const ProblemRegistry& problems)
@@ -96,30 +97,30 @@ std::vector<MeasurementDescription> host_measurements() {
 ProcessKind host_kind(const ProblemRegistry& problems) {
     using namespace search_description;
     using namespace description;
-    return {
-        .name = "ga.host",
-        .about = "The host computer's part: sends each sample of the problem's record to every master, as fast as "
-                 "they take it, and takes the estimates that come back.",
-        .ports = {output<HostMessage>("to_masters", "host message", "an array: one end for each master"),
-                  optional(input<EstimateMessage>("from_masters", "estimate",
-                                                  "an array: one end for each master whose estimates come back"))},
-        .parameters = {problem(),
-                       integer("samples", {.unit = "samples", .by_default = 0, .least = 0, .most = 1e9},
-                               "how many samples of the record are sent; 0: all"),
-                       integer("generations", {.unit = "generations", .by_default = 100, .least = 1, .most = 1e7},
-                               "how long a problem without a record is searched; each is asked for by an empty "
-                               "sample"),
-                       bytes_in_message("sample_bytes", 16, "a sample in a message"),
-                       real("accuracy", {.by_default = 0, .least = 0, .most = 1},
-                            "greatest relative error of an accurate estimate, against the true parameters of a "
-                            "simulated record; 0: not checked")},
-        .measurements = host_measurements(),
-        .body = [&problems](ProcessEnvironment& environment) { Host(environment, problems).run(); },
-        .check = [&problems](const Network& network,
-                             std::size_t process) { return check_host(network, process, problems); },
-        .is_determinate = [](const Network& network, std::size_t process) { // else components look at others' estimates
-            return std::get<double>(network.processes[process].parameters.at("accuracy")) == 0;
-        }};
+    return {.name = "ga.host",
+            .about = "The host computer's part: sends each sample of the problem's record to every master, as fast as "
+                     "they take it, and takes the estimates that come back.",
+            .ports = {output<HostMessage>("to_masters", "host message", "an array: one end for each master"),
+                      optional(input<EstimateMessage>("from_masters", "estimate",
+                                                      "an array: one end for each master whose estimates come back"))},
+            .parameters = {problem(),
+                           integer("samples", {.unit = "samples", .by_default = 0, .least = 0, .most = 1e9},
+                                   "how many samples of the record are sent; 0: all"),
+                           integer("generations", {.unit = "generations", .by_default = 100, .least = 1, .most = 1e7},
+                                   "how long a problem without a record is searched; each is asked for by an empty "
+                                   "sample"),
+                           bytes_in_message("sample_bytes", 16, "a sample in a message"),
+                           real("accuracy", {.by_default = 0, .least = 0, .most = 1},
+                                "greatest relative error of an accurate estimate, against the true parameters of a "
+                                "simulated record; 0: not checked")},
+            .measurements = host_measurements(),
+            .body = [&problems](ProcessEnvironment& environment) { Host(environment, problems).run(); },
+            .check = [&problems](const Network& network,
+                                 std::size_t process) { return check_host(network, process, problems); },
+            .is_determinate = [](const Network& network,
+                                 std::size_t process) { // with an accuracy, the order of the host's processes matters
+                return std::get<double>(network.processes[process].parameters.at("accuracy")) == 0;
+            }};
 }
 
 } // namespace placedpar

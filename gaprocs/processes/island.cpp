@@ -62,11 +62,12 @@ ProcessKind with_exchange(ProcessKind searching, const ProblemRegistry& problems
                                                                              std::size_t process) {
         auto first = std::ranges::find(network.processes, "ga.island", &ProcessInstance::kind);
         if (first - network.processes.begin() != static_cast<std::ptrdiff_t>(process))
-            return std::vector<Complaint>(); // the first island's check is of all, which are looked at together
+            return std::vector<Complaint>(); // the first island checks all islands together
         return check_islands(network, problems, [&](std::size_t island) { return check_search(network, island); });
     };
     searching.is_determinate = [](const Network& network,
-                                  std::size_t process) { // else by mail, which lies where others put it
+                                  std::size_t process) { // an asynchronous island depends on the time at which letters
+                                                         // arrive
         return schedule_of(network.processes[process]).in_step();
     };
     return searching;

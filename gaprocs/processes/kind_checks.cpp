@@ -71,7 +71,8 @@ public:
         for (const char* port : {"from_master", "to_master"})
             check_single(port);
         auto circle = circle_of(network_, process_);
-        if (circle.empty() || *std::ranges::min_element(circle) != process_) // said once
+        if (circle.empty() || *std::ranges::min_element(circle) != process_) // only the first slave of a circle reports
+                                                                             // it
             return;
         std::string names;
         for (auto each = circle.rbegin(); each != circle.rend(); ++each)
@@ -98,7 +99,7 @@ private:
     bool has_objective() const { return recorded_ && recorded_->problem()->objective(); }
     bool given(const std::string& parameter) const { return network_.processes[process_].given.contains(parameter); }
 
-    /// Returns whether an earlier process has the same problem, so that an error in the problem was already reported.
+    /// Returns whether an earlier process names the same problem, in which case that process has reported the error.
     bool refused_before() const {
         auto first = network_.processes.begin(), self = first + static_cast<std::ptrdiff_t>(process_);
         return std::any_of(first, self, [&](const ProcessInstance& other) {
@@ -113,7 +114,7 @@ private:
         complaints_.push_back({process, std::move(about), std::move(message), std::move(hint)});
     }
 
-    /// Checks a port that must not be an array.
+    /// Checks that the port is a single channel and not an array.
     void check_single(const char* port) {
         for (const PortBinding& binding : network_.processes[process_].ports)
             if (base_name(binding.port) == port && binding.port != port)
@@ -127,7 +128,7 @@ private:
         complaints_.push_back({process_, std::move(about), std::move(message), std::move(hint), true});
     }
 
-    /// Warns of settings that do not suit the record. Of several processes with the same setting, only the first warns.
+    /// Warns of settings that do not suit the record. Among processes with the same setting, only the first warns.
     void warn_of_advice() {
         const RecordAdvice& advice = recorded_->advice();
         if (advice.trials != 0 && std::cmp_not_equal(integer("trials"), advice.trials) && !is_as_before("trials"))
@@ -181,7 +182,8 @@ private:
                        hint);
     }
 
-    /// Checks that estimates go to the host of the samples, which knows when each sample was taken.
+    /// Checks that each estimate comes from a search that takes its samples from this host. The host measures response
+    /// times and must know when each sample was taken.
     void check_estimates() {
         for (const Peer& search : peers_at(network_, process_, "from_masters")) {
             auto host = search.process == nowhere ? std::nullopt : other_end(network_, search.process, "from_host");
@@ -202,7 +204,7 @@ private:
                    "for each");
     }
 
-    /// A crossover or a mutation that does not fit the strings of the problem.
+    /// Checks that a crossover or a mutation fits the strings of the problem.
     void check_operator(const char* parameter, void (*set)(SearchSettings&, const std::string&)) {
         if (!coded_problem_ || text(parameter) == search_description::usual)
             return;
@@ -257,7 +259,7 @@ private:
 
     void check_host(std::size_t host) {
         check_problem(host, process_);
-        auto sent = integer_of(host, "samples"); // 0: all that there are
+        auto sent = integer_of(host, "samples"); // 0: all samples
         auto first = static_cast<std::int64_t>(samples_needed(network_.processes[process_]));
         if (recorded_ && !has_objective() && sent > 0 && sent < first)
             refuse(
@@ -329,7 +331,7 @@ private:
     const ProblemRegistry& problems_;
     const RecordedProblem* recorded_ = nullptr;
     std::shared_ptr<const SearchProblem>
-        coded_problem_; ///< the problem in this process's coding; null if it cannot be coded so
+        coded_problem_; ///< the problem in this process's coding; null if the problem does not allow this coding
     std::vector<Complaint> complaints_;
 };
 

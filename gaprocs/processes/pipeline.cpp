@@ -46,8 +46,8 @@ private:
             to.output(Task{});
     }
 
-    /// Passes on a master's tasks of one generation, one for each slave; other masters wait until the last is sent.
-    /// Returns false when the master has ended.
+    /// Passes on a master's tasks of one generation, one task for each slave. Other masters wait until the last task
+    /// has been sent. Returns false when the master has ended.
     bool pass_generation_on(std::size_t master) {
         for (std::size_t sent = 0; sent < slaves_; ++sent) {
             Task task = from_masters_[master].input();

@@ -35,7 +35,7 @@ Parameters population_parameters() {
     };
 }
 
-/// Checks that the text names an existing file or a policy; "" stands for the first policy.
+/// Checks that the text is the name of a file or of a policy. An empty text selects the first policy.
 void check_initial(const std::string& text) {
     if (text.empty() || std::filesystem::exists(text))
         return;

@@ -179,16 +179,23 @@ ProcessKind prefix_kind() {
             }};
 }
 
+/// Returns the kind with a port `out` that is described as an array.
+ProcessKind with_outputs(ProcessKind kind) {
+    kind.ports.back() = packets_out("out", "packets go out; an array of one element or more");
+    return kind;
+}
+
 ProcessKind delta_kind() {
-    return relay_kind("csp.delta", "Outputs what it inputs to each of its outputs, an array, in order.", delta);
+    return with_outputs(
+        relay_kind("csp.delta", "Outputs what it inputs to each of its outputs, an array, in order.", delta));
 }
 
 /// Has no model in Promela, where its components would be processes of their own.
 ProcessKind par_delta_kind() {
-    ProcessKind kind = relay_kind("csp.par_delta",
-                                  "Outputs what it inputs to all of its outputs, an array, at once: in a PAR. On "
-                                  "channels that are placed on a bus it is a broadcast.",
-                                  par_delta);
+    ProcessKind kind = with_outputs(relay_kind("csp.par_delta",
+                                               "Outputs what it inputs to all of its outputs, an array, at once: in a "
+                                               "PAR. On channels that are placed on a bus it is a broadcast.",
+                                               par_delta));
     kind.promela = {};
     return kind;
 }

@@ -68,8 +68,8 @@ std::vector<Constant> of_processors() {
     };
 }
 
-/// The members of OperationCosts are named one by one, so that none can be left out. What a word outside takes longer
-/// is among the accesses of the processor.
+/// Lists the members of OperationCosts. They are named one by one, so that the compiler reports a missing one. The
+/// additional time of a word outside the chip is listed among the processor's memory accesses.
 std::vector<Constant> of_instructions() {
     constexpr std::string_view group = "instructions of a T8";
     const auto& [soft, soft_word, hard, word_outside, copied_word, bytes_in_a_word, start, run, end, read, wait,

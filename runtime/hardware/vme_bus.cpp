@@ -55,7 +55,7 @@ void VmeBus::asked_by(VmeMaster& master) {
     end_block_after(std::min(words_moved() + 1, holder_->blocks_.front()->words));
 }
 
-/// Returns how many words of the block under way have been moved.
+/// Returns how many words of the current block have been moved.
 std::uint64_t VmeBus::words_moved() const {
     return static_cast<std::uint64_t>((kernel_.now() - block_began_) / holder_->blocks_.front()->each);
 }
@@ -65,7 +65,7 @@ void VmeBus::end_block_after(std::uint64_t words) {
     kernel_.future().schedule(end_block_, later(block_began_, all), EventQueue::arrival, first_rank_);
 }
 
-/// Whether the holder gives up the bus after the present word.
+/// Returns whether the holder gives up the bus after the current word.
 bool VmeBus::must_yield() const {
     return std::ranges::any_of(masters_, [&](const VmeMaster* other) {
         if (other == holder_ || !other->asks_)
@@ -98,7 +98,7 @@ bool VmeBus::is_nearer(const VmeMaster& master, const VmeMaster& than) const {
     return std::pair(turn_of(master), master.place().slot) < std::pair(turn_of(than), than.place().slot);
 }
 
-/// Returns the master's place in the order of turns; 0 goes first.
+/// Returns the position of the master's request level in the order of turns; position 0 goes first.
 int VmeBus::turn_of(const VmeMaster& master) const {
     int first = arbitration_ == Arbitration::round_robin ? last_level_ - 1 : levels - 1;
     return (first - master.place().level + levels) % levels;
@@ -111,7 +111,7 @@ void VmeBus::grant(VmeMaster& master) {
     move_block();
 }
 
-/// Moves the holder's first block, until another master must have the bus.
+/// Moves the holder's first block. The block ends early if another master must get the bus.
 void VmeBus::move_block() {
     VmeMaster::Block& block = *holder_->blocks_.front();
     block_began_ = kernel_.now();

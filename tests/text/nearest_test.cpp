@@ -42,6 +42,12 @@ TEST_CASE("a word that is cut short means the only name that begins with it") {
     CHECK(nearest_name("exc", {"excavator", "excavator"}) == "excavator");
 }
 
+TEST_CASE("a name without its group means the name with it") {
+    CHECK(nearest_name("worker", {"csp.coworker", "works", "csp.worker", "ga.worker"}) == "csp.worker");
+    CHECK(nearest_name("orker", {"csp.worker"}).empty());
+    CHECK(nearest_name("", {"csp."}).empty());
+}
+
 TEST_CASE("as a hint") {
     CHECK(did_you_mean("mastr", {"slave", "master"}) == "did you mean \"master\"?");
     CHECK(did_you_mean("island", {"slave", "master"}).empty());

@@ -189,6 +189,7 @@ TEST_CASE("shares add up what parts have in common, the longest first, and array
     CHECK(texts_of(shares_of(path)) ==
           Lines{"computing: slave[0] on t[0] 4", "communicating: a[0] -> b 2", "computing: slave[1] on t[1] 1"});
     CHECK(texts_of(shares_by_array(path)) == Lines{"computing: slave[] on t[] 5", "communicating: a[] -> b 2"});
+    CHECK(texts_of(shares_by_activity(path)) == Lines{"computing 5", "communicating 2"});
 }
 
 TEST_CASE("of equal shares those of computing come before those of a wait, whatever they are called") {

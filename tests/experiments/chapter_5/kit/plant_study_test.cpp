@@ -1,4 +1,4 @@
-// Tests studies of the changing plant: their claims and texts, and the configurations of Table 5.3.
+// Tests studies of the changing plant: their figures and texts, and the configurations of Table 5.3.
 
 #include "experiments/chapter_5/kit/plant_study.hpp"
 
@@ -15,17 +15,6 @@
 using namespace placedpar;
 
 namespace {
-
-Claim claim_of(std::vector<double> values, std::optional<double> at_least, std::optional<double> at_most = {}) {
-    return {
-        .text = "lag", .unit = "generations", .values = std::move(values), .at_least = at_least, .at_most = at_most};
-}
-
-std::vector<double> from_1_to(int last) {
-    std::vector<double> values(static_cast<std::size_t>(last));
-    std::iota(values.begin(), values.end(), 1.0);
-    return values;
-}
 
 /// Returns the ramp's true pole, delayed by `late` generations.
 std::vector<Pole> pole_late_by(int late) {
@@ -50,36 +39,6 @@ std::size_t errors_a_generation(const PlantIslands& islands) {
 }
 
 } // namespace
-
-TEST_CASE("a claim holds where the whole interval of the median is on its side, and is undecided where a part is") {
-    CHECK(verdict(claim_of({6, 6, 6, 6}, 5)) == "holds");
-    CHECK(verdict(claim_of({6, 6, 6, 6}, 6)) == "holds"); // the bound itself counts
-    CHECK(verdict(claim_of({4, 4, 4, 4}, 5)) == "does not hold");
-    CHECK(verdict(claim_of({4, 4, 4, 4}, {}, 5)) == "holds");
-    CHECK(verdict(claim_of(from_1_to(40), 20)) == "undecided");
-    CHECK(verdict(claim_of(from_1_to(40), 1, 40)) == "holds");
-    CHECK(verdict(claim_of(from_1_to(40), 20, 21)) == "undecided"); // only the median lies between
-    CHECK(verdict(claim_of({4, 4, 4, 4}, 5, 6)) == "does not hold");
-}
-
-TEST_CASE("a table of claims has the median, its interval and the bound, with as many decimals as that needs") {
-    const Comparison table =
-        claims_comparison("claims", {claim_of({6, 6, 6}, 5), claim_of({0.02, 0.02}, 0.0125), claim_of({6, 6}, 5, 7)});
-    REQUIRE(table.cells.size() == 9);
-    CHECK(table.against == "claim");
-    CHECK(table.cells[0].simulated == 6);
-    CHECK(table.cells[0].reference == 5.0);
-    CHECK(table.cells[0].decimals == 2);
-    CHECK(table.cells[1].simulated == 6); // from
-    CHECK(table.cells[2].simulated == 6); // to
-    CHECK(table.cells[3].decimals == 4);
-    CHECK_FALSE(table.cells[3].reference_to);
-    CHECK(table.cells[6].reference_to == 7.0);
-    CHECK(table.notes == "lag: claimed at least 5: holds\n"
-                         "lag: claimed at least 0.0125: holds\n"
-                         "lag: claimed at least 5 and at most 7: holds\n");
-    CHECK(std::ranges::none_of(table.cells, &Cell::is_judged));
-}
 
 TEST_CASE("a study of a pole has the figures of each seed, in their order, and every fifth pole") {
     test::ReplayInMemory replay(3);
