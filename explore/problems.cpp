@@ -10,6 +10,7 @@
 #include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/language/parser.hpp"
 #include "problems/benchmark/benchmark.hpp"
+#include "problems/plant/coefficients.hpp"
 #include "problems/plant/plant_family.hpp"
 #include "runtime/random.hpp"
 #include "text/user_error.hpp"
@@ -124,6 +125,7 @@ ProblemRegistry known_problems(std::uint64_t seed, const std::function<ProblemFa
     ProblemRegistry problems;
     add_boom(problems, seed);
     problems.add(plant_family(seed));
+    problems.add(maximised<Coefficients>());
     add_benchmark_problems(problems);
     for (const ProblemFamily& family : own_problems())
         add_own_problem(problems, around(guarded(family)));
