@@ -41,7 +41,7 @@ const ExcavatorMotion& motion_of_boom() {
 
 /// The boom of chapter 3 in the motion of scenario A, measured with the lowest of the noise levels studied. The valve
 /// stays open to the end of the motion, so that the record has as many samples as are asked for.
-void add_boom(ProblemRegistry& problems, std::uint64_t seed) {
+void add_boom(ProblemRegistry& problems, const char* name, AreasFrom from, std::uint64_t seed) {
     ExcavatorScenario scenario = single_boom_scenario();
     SimulatedCircuit boom{CircuitProblem(boom_circuit(), scenario.flow),
                           {scenario.links.front().mechanics.inlet_compliance_in3_per_psi}};
@@ -49,9 +49,9 @@ void add_boom(ProblemRegistry& problems, std::uint64_t seed) {
     auto make = [=] {
         RandomStream noise(seed, "record of the boom");
         return boom_record(
-            motion_of_boom(), scenario, low_noise, [&] { return noise.uniform(); }, usable);
+            motion_of_boom(), scenario, low_noise, [&] { return noise.uniform(); }, usable, from);
     };
-    problems.add_to_make("boom", make_search_problem(std::move(boom)), {usable.count, make});
+    problems.add_to_make(name, make_search_problem(std::move(boom)), {usable.count, make});
 }
 
 std::vector<ProcessKind>& own_kinds() {
@@ -123,7 +123,8 @@ void add_own_problems(std::vector<ProblemFamily> problems) {
 
 ProblemRegistry known_problems(std::uint64_t seed, const std::function<ProblemFamily(const ProblemFamily&)>& around) {
     ProblemRegistry problems;
-    add_boom(problems, seed);
+    add_boom(problems, "boom", AreasFrom::spool, seed);
+    add_boom(problems, "boom-by-voltage", AreasFrom::servo, seed);
     problems.add(plant_family(seed));
     problems.add(maximised<Coefficients>());
     add_benchmark_problems(problems);
