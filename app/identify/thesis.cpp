@@ -76,7 +76,8 @@ std::string print_calibration(const std::optional<SpoolOffset>& found) {
 
 /// Calibrates the offset from the record's own steady motion.
 void calibrate(Case& asked) {
-    asked.calibrates = asked.loaded.record.has(Link::boom, Sensor::spool);
+    asked.calibrates = asked.loaded.record.has(Link::boom, Sensor::spool) &&
+                       asked.loaded.record.has(Link::boom, Sensor::inlet_pressure);
     if (asked.calibrates)
         asked.calibration = calibrate_spool_offset(asked.loaded.record, link_calibrations(asked.machine),
                                                    flow_constants(asked.machine));
@@ -92,7 +93,8 @@ Case read_case(const IdentifyOptions& options, const IdentificationWay& way) {
     Case asked;
     asked.way = way_of(options, way);
     const LinkSet links = links_asked(options);
-    asked.question = {*configuration_named(options.configuration), links, std::nullopt, areas_asked(options)};
+    asked.question = {*configuration_named(options.configuration), links, std::nullopt, areas_asked(options),
+                      side_asked(options)};
     bool automatic = options.offset.empty() || options.offset == "auto";
     if (!automatic && options.offset != "none")
         asked.question.spool_offset_in = offset_asked(options.offset);
@@ -123,8 +125,8 @@ ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, s
         return exit_code_of(report.result.ending);
     std::vector<double> here = native.estimates.back().compliance_in3_per_psi, there = search.compliances(report);
     for (std::size_t j = 0; j < native.links.size(); ++j)
-        print_out(fmt::format("C_{}i: {:.5f} in^3/psi natively, {:.5f} by the processes: {}\n",
-                              symbol_of(native.links[j].link), here[j], there[j],
+        print_out(fmt::format("{}: {:.5f} in^3/psi natively, {:.5f} by the processes: {}\n",
+                              compliance_name(native.circuit[j]), here[j], there[j],
                               here[j] == there[j] ? "the same" : "not the same"));
     json["by_processes"] = boost::json::array(there.begin(), there.end());
     return here == there ? ExitCode::success : ExitCode::missed_tolerance;
@@ -157,7 +159,7 @@ boost::json::object cost_json(const SearchCost& cost) {
 } // namespace
 
 ExitCode identify_over_whole(const IdentifyOptions& options, boost::json::object& json) {
-    WholeWay whole = whole_way(links_of(links_asked(options)).size());
+    WholeWay whole = whole_way(links_of(links_asked(options)).size(), side_asked(options));
     const Case asked = read_case(options, whole.way);
     whole.way = asked.way;
     json["warnings"] = warnings_json(asked.loaded.warnings);

@@ -39,12 +39,13 @@ void declare_question(Options& command, IdentifyOptions& options) {
 
 void declare_way(Options& command, IdentifyOptions& options) {
     command
-        .add("--way", options.way,
-             "service: all movements of the record, as placedpar monitor identifies and judges them; thesis: one "
-             "search over the first transient, as chapter 3 describes it; whole: one search for several links over the "
-             "whole movement, with the missing flows weighed by their scatter")
-        .one_of({"service", "thesis", "whole"})
-        .show_default();
+        .add(
+            "--way", options.way,
+            "service: all movements of the record, as placedpar monitor identifies and judges them; thesis: one "
+            "search over the first transient, as chapter 3 describes it; whole: one search for several links over the "
+            "whole movement, with the missing flows weighed by their scatter; service if not given, with --side outlet "
+            "whole")
+        .one_of({"service", "thesis", "whole"});
     // With fewer bits the compliance of a sound machine is within about a step of the lower bound.
     add_number(command, "--bits", options.bits, 6, 52, "of a compliance; 10 if not given, with --way whole 12");
     add_number(command, "--elite", options.elite, 0, a_million,
@@ -64,7 +65,14 @@ void declare_thesis_way(Options& command, IdentifyOptions& options) {
     const char* group = "With --way thesis or whole";
     add_number(command, "--samples", options.samples, 1, a_million,
                "that are used, from the valve's opening on; 20 if not given, the thesis's 0.4 s; with "
-               "--way whole all up to 1,024")
+               "--way whole all up to 1,024 on the inlet side")
+        .group(group);
+    command
+        .add("--side", options.side,
+             "of the boom's cylinder: inlet, C_i from the pump's flow; outlet, C_o from the flow to the tank, which "
+             "needs outlet_pressure (equation 3.4)")
+        .one_of({"inlet", "outlet"})
+        .show_default()
         .group(group);
     command.add_flag("--rising", options.rising, "uses nothing from the first falling pressure on (thesis)")
         .group(group);
