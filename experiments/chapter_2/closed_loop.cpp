@@ -227,7 +227,7 @@ Panel lag_panel(std::string title, const std::vector<LoopFault>& faults, std::ui
 Panel compliance_panel(const LoopRuns& sound, const std::vector<LoopRuns>& leaks) {
     Panel panel{"Identified compliance, median and 95 % interval",
                 {"leak [0.001 in³/(s psi)]", -0.5, 4.5},
-                {"C_BOi [0.001 in³/psi]", 8, 12},
+                {"C_BOi [0.001 in³/psi]", 8, 13},
                 {}};
     for (bool closed : {true, false}) {
         Series series{closed ? "closed loop" : "open loop", {}, Stroke::points, closed ? 0 : 1};

@@ -6,6 +6,7 @@
 #include "runtime/time.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -29,8 +30,10 @@ public:
     void note_taken(std::size_t process);
     /// Receives the estimates of one search until the search ends. Call it for each search in a process of its own,
     /// parallel to the processes that send samples: a search takes no further sample until its estimate has been
-    /// received.
-    void receive(std::size_t search);
+    /// received. Calls `received` after each estimate, with the number of samples that it followed.
+    void receive(std::size_t search, const std::function<void(std::size_t samples)>& received);
+    /// Returns the parameters of the fittest of the last estimates. REQUIRES: an estimate has been received.
+    std::vector<double> fittest_values() const { return values_of(fittest()); }
     /// Reports, as measurements, the number of estimates, the response times, and the fittest of the searches' last
     /// estimates. Does nothing if no search sends estimates.
     void report() const;
