@@ -75,7 +75,8 @@ std::string print_calibration(const std::optional<SpoolOffset>& found) {
 
 /// Calibrates the offset from the record's own steady motion.
 void calibrate(Case& asked) {
-    asked.calibrates = asked.loaded.record.has(Link::boom, Sensor::spool);
+    asked.calibrates = asked.loaded.record.has(Link::boom, Sensor::spool) &&
+                       asked.loaded.record.has(Link::boom, Sensor::inlet_pressure);
     if (asked.calibrates)
         asked.calibration = calibrate_spool_offset(asked.loaded.record, link_calibrations(asked.machine),
                                                    flow_constants(asked.machine));
@@ -91,7 +92,8 @@ Case read_case(const IdentifyOptions& options, const IdentificationWay& way) {
     Case asked;
     asked.way = way_of(options, way);
     const LinkSet links = links_asked(options);
-    asked.question = {*configuration_named(options.configuration), links, std::nullopt, areas_asked(options)};
+    asked.question = {*configuration_named(options.configuration), links, std::nullopt, areas_asked(options),
+                      side_asked(options)};
     bool automatic = options.offset.empty() || options.offset == "auto";
     if (!automatic && options.offset != "none")
         asked.question.spool_offset_in = offset_asked(options.offset);
@@ -140,7 +142,7 @@ boost::json::object cost_json(const SearchCost& cost) {
 } // namespace
 
 ExitCode identify_over_whole(const IdentifyOptions& options, boost::json::object& json) {
-    WholeWay whole = whole_way(links_of(links_asked(options)).size());
+    WholeWay whole = whole_way(links_of(links_asked(options)).size(), side_asked(options));
     const Case asked = read_case(options, whole.way);
     whole.way = asked.way;
     json["warnings"] = warnings_json(asked.loaded.warnings);
@@ -183,7 +185,8 @@ ExitCode identify_by_thesis(const IdentifyOptions& options, boost::json::object&
     print_out(print_identified(identified, prepared, asked.way));
     for (auto& [key, value] : identified_json(identified, prepared))
         json[key] = value;
-    ExitCode ended = processes ? run_on_machine(*processes, identified, prepared, options.seed, json) : ExitCode::success;
+    ExitCode ended =
+        processes ? run_on_machine(*processes, identified, prepared, options.seed, json) : ExitCode::success;
     bool doubted = options.strict && identified.flagged();
     return ended == ExitCode::success && doubted ? ExitCode::missed_tolerance : ended;
 }

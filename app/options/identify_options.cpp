@@ -43,9 +43,8 @@ void declare_way(Options& command, IdentifyOptions& options) {
         .add("--way", options.way,
              "service: identifies and judges every movement, as placedpar monitor does; thesis: one search over "
              "the first transient, as in chapter 3; whole: one search for several links over the whole movement, "
-             "which weighs each link's flow error by its scatter")
-        .one_of({"service", "thesis", "whole"})
-        .show_default();
+             "which weighs each link's flow error by its scatter; default: service, with --side outlet whole")
+        .one_of({"service", "thesis", "whole"});
     // With fewer bits the compliance of a sound machine is within about a step of the lower bound.
     add_number(command, "--bits", options.bits, 6, 52, "bits of a compliance; default: 10, with --way whole 12");
     add_number(command, "--elite", options.elite, 0, a_million,
@@ -65,7 +64,15 @@ void declare_thesis_way(Options& command, IdentifyOptions& options) {
     const char* group = "With --way thesis or whole";
     add_number(command, "--samples", options.samples, 1, a_million,
                "number of samples to use, from the valve's opening on; default: 20, the thesis's 0.4 s; with "
-               "--way whole all, up to 1,024")
+               "--way whole all, on the inlet side up to 1,024")
+        .group(group);
+    command
+        .add("--side", options.side,
+             "side of the boom's cylinder: inlet identifies C_i from the pump's flow; outlet identifies C_o from the "
+             "flow "
+             "to the tank, and needs outlet_pressure (equation 3.4)")
+        .one_of({"inlet", "outlet"})
+        .show_default()
         .group(group);
     command.add_flag("--rising", options.rising, "with --way thesis: uses only samples before the pressure first falls")
         .group(group);

@@ -4,6 +4,7 @@
 #include "gaprocs/search.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "runtime/protocol.hpp"
+#include "runtime/time.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -29,6 +30,7 @@ struct SizedMessage {
 struct HostMessage : SizedMessage {
     bool end = false;
     Sample sample;
+    Time read_at{}; ///< when sensors read it (ga.sensors)
     bool operator==(const HostMessage& other) const {
         return bytes == other.bytes && end == other.end && sample == other.sample;
     }
@@ -84,6 +86,14 @@ struct EstimateMessage : SizedMessage {
     std::uint64_t generation = 0;
     std::size_t samples = 0; ///< samples that the search has received so far
     Individual best;
+};
+
+/// Reports the fittest estimate after a sample, from a host to its alarm.
+struct Finding : SizedMessage {
+    bool end = false;
+    std::size_t sample = 0;         ///< counted from 1
+    Time read_at{}, sent_at{};      ///< when the sensors read the sample, and when the host had the finding
+    std::vector<double> parameters; ///< decoded
 };
 
 /// Carries the bias point from the coarse search to the fine search, which searches around it.

@@ -15,7 +15,7 @@ import sys
 import document
 
 SEEDS = 20
-FEWER_SEEDS = {"faults": 3, "links-at-once": 3, "logger-rates": 3}  # whose runs take seconds each
+FEWER_SEEDS = {"faults": 3, "links-at-once": 3, "drain-side": 10, "closed-loop": 6, "logger-rates": 3}  # whose runs take seconds each
 FIGURE = re.compile(r"[+-]?(\d[\d.,]*|\.\d+)(e[+-]?\d+)?%?!?")
 FINGERPRINT = re.compile(r"fingerprint: [0-9a-f]{16}")
 JUDGED = re.compile(r"every judged cell of the first reading is within its tolerance|"
