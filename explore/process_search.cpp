@@ -107,9 +107,10 @@ std::vector<std::string> searching_processes(const Network& network, const Netli
         if (!searches(process))
             continue;
         if (breeds_recoded(process))
-            throw UserError(fmt::format("--on {}: \"{}\" is one of a pair, which identify has no settings for; expected "
-                                        "ga.traditional, ga.master or ga.island",
-                                        netlist.path.string(), process.name));
+            throw UserError(
+                fmt::format("--on {}: \"{}\" is one of a pair, which identify has no settings for; expected "
+                            "ga.traditional, ga.master or ga.island",
+                            netlist.path.string(), process.name));
         names.push_back(process.name);
     }
     if (names.empty())
@@ -166,7 +167,8 @@ std::vector<Sample> searched_samples(const ComplianceSearch& prepared) {
     return record;
 }
 
-/// Returns the individuals of all searches together. Throws UserError if they are not as many as identify searches with.
+/// Returns the individuals of all searches together. Throws UserError if they are not as many as identify searches
+/// with.
 std::size_t whole_population(const Network& network, const NetlistAsked& netlist, std::size_t wanted) {
     std::int64_t sum = 0;
     for (const ProcessInstance& process : network.processes)

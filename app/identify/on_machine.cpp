@@ -66,9 +66,9 @@ std::string print_course(const SearchAnswers& answers, std::span<const SampleAns
     text += '\n';
     for (const SampleAnswers& row : rows)
         text += print_row(answers, row, parameter);
-    return text + (names.size() > most_columns ? fmt::format("the first {} of {} searches are shown\n", most_columns,
-                                                             names.size())
-                                               : "");
+    return text + (names.size() > most_columns
+                       ? fmt::format("the first {} of {} searches are shown\n", most_columns, names.size())
+                       : "");
 }
 
 /// Prints the last answer beside the native one.
@@ -76,9 +76,8 @@ std::string print_answer(const SearchAnswers& answers, const Identified& native,
     const std::size_t last = answers.generations() - 1, best = answers.fittest(last);
     const double here = native.estimates.back().compliance_in3_per_psi[parameter];
     const double there = answers.of(best, last).values[parameter];
-    std::string text =
-        fmt::format("{}: {:.5f} in^3/psi natively, {:.5f} by ", answers.problem().parameter_names()[parameter], here,
-                    there);
+    std::string text = fmt::format("{}: {:.5f} in^3/psi natively, {:.5f} by ",
+                                   answers.problem().parameter_names()[parameter], here, there);
     if (answers.searches().size() == 1)
         return text + fmt::format("the processes: {}\n", here == there ? "the same" : "not the same");
     return text + fmt::format("{}, the fittest of {} searches, which differ by up to {:.5f}\n",
@@ -131,7 +130,8 @@ ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, c
         print_out("the processes answered nothing: their islands begin later than the record's last sample\n");
         return ExitCode::missed_tolerance;
     }
-    const std::vector<double>& there = answers.of(answers.fittest(rows.back().generation), rows.back().generation).values;
+    const std::vector<double>& there =
+        answers.of(answers.fittest(rows.back().generation), rows.back().generation).values;
     for (std::size_t i = 0; i < there.size(); ++i)
         print_out(print_course(answers, rows, i) + print_answer(answers, native, i));
     print_out(print_time(report, rows, answers, prepared.samples));

@@ -182,7 +182,8 @@ ExitCode identify_by_thesis(const IdentifyOptions& options, boost::json::object&
     print_out(print_identified(identified, prepared, asked.way));
     for (auto& [key, value] : identified_json(identified, prepared))
         json[key] = value;
-    ExitCode ended = processes ? run_on_machine(*processes, identified, prepared, options.seed, json) : ExitCode::success;
+    ExitCode ended =
+        processes ? run_on_machine(*processes, identified, prepared, options.seed, json) : ExitCode::success;
     bool doubted = options.strict && identified.flagged();
     return ended == ExitCode::success && doubted ? ExitCode::missed_tolerance : ended;
 }

@@ -71,9 +71,11 @@ void declare_thesis_way(Options& command, IdentifyOptions& options) {
     command.add("--coding", options.coding, "of the bits; natural if not given, with --way whole gray")
         .one_of({"natural", "gray"})
         .group(group);
-    Option netlist = add_file(
-        command, "--on", options.netlist,
-        "searches as the processes of this netlist, too (thesis); exit code 3 if they do not find the same", "NETLIST");
+    Option netlist = add_file(command, "--on", options.netlist,
+                              "searches as the processes of this netlist, too, one or several islands (thesis); exit "
+                              "code 3 if a single search "
+                              "does not find the same",
+                              "NETLIST");
     netlist.group(group);
     command.add_list("--set", options.set, "NAME=VALUE", "sets a val, an attribute or a parameter of that netlist")
         .needs(netlist)

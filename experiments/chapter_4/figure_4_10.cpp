@@ -5,9 +5,9 @@ namespace placedpar {
 namespace {
 
 Replay replay_figure_4_10(const ReplayContext& context) {
-    return replay_parallel_identification(context, {"figure-4-10",
-                                                    "Figure 4.10: experiment 2 on 16 T800s, areas from the servo-valve's voltage",
-                                                    hydraulics::AreasFrom::servo});
+    return replay_parallel_identification(
+        context, {"figure-4-10", "Figure 4.10: experiment 2 on 16 T800s, areas from the servo-valve's voltage",
+                  hydraulics::AreasFrom::servo});
 }
 
 } // namespace

@@ -5,9 +5,9 @@ namespace placedpar {
 namespace {
 
 Replay replay_figure_4_9(const ReplayContext& context) {
-    return replay_parallel_identification(context, {"figure-4-9",
-                                                    "Figure 4.9: experiment 1 on 16 T800s, areas from the measured spool",
-                                                    hydraulics::AreasFrom::spool});
+    return replay_parallel_identification(
+        context, {"figure-4-9", "Figure 4.9: experiment 1 on 16 T800s, areas from the measured spool",
+                  hydraulics::AreasFrom::spool});
 }
 
 } // namespace

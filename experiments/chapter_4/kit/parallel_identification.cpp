@@ -49,9 +49,7 @@ struct MachineSearch {
     SearchAnswers answers;
 
     std::size_t last() const { return answers.generations() - 1; }
-    double answer(std::size_t island, std::size_t generation) const {
-        return answers.of(island, generation).values[0];
-    }
+    double answer(std::size_t island, std::size_t generation) const { return answers.of(island, generation).values[0]; }
 };
 
 MachineSearch search_on(const ReplayContext& context, const Overrides& set, const ComplianceSearch& prepared,
@@ -181,8 +179,8 @@ Comparison difference_table(const RecordedBoom& machine, const std::vector<Figur
         .against = "claim",
         .judged = true};
     for (std::size_t way = pga_fittest; way < boom_ways; ++way)
-        for (Cell& cell :
-             cells_of_difference({truth, found_by_way(runs, ga_alone), found_by_way(runs, way)}, names_of_boom_ways[way]))
+        for (Cell& cell : cells_of_difference({truth, found_by_way(runs, ga_alone), found_by_way(runs, way)},
+                                              names_of_boom_ways[way]))
             add_with_ends(comparison, std::move(cell));
     return comparison;
 }
@@ -215,8 +213,9 @@ std::vector<std::pair<double, std::size_t>> generations_by_time(const BothSearch
 }
 
 /// Returns one curve of each search over the time of the samples.
-std::vector<Series> curves_of_searches(const BothSearches& both,
-                           const std::function<double(const MachineSearch&, std::size_t, std::size_t)>& value) {
+std::vector<Series>
+curves_of_searches(const BothSearches& both,
+                   const std::function<double(const MachineSearch&, std::size_t, std::size_t)>& value) {
     std::vector<Series> series{{"GA", {}}};
     for (const std::string& island : both.islands.answers.searches())
         series.push_back({island, {}, Stroke::plain});
@@ -232,8 +231,7 @@ std::vector<Series> curves_of_searches(const BothSearches& both,
 double window_error(const MachineSearch& run, std::size_t island, std::size_t generation) {
     const WindowSettings window = rising_way().search.window;
     const std::size_t samples = std::min(run.search.first + generation / run.search.trials, window.length);
-    const double mean_square =
-        window.bias - run.answers.of(island, generation).fitness / static_cast<double>(samples);
+    const double mean_square = window.bias - run.answers.of(island, generation).fitness / static_cast<double>(samples);
     return std::max(std::sqrt(std::max(mean_square, 0.0)), 0.01);
 }
 
@@ -244,9 +242,10 @@ Plot plot_of_both(const ReplayContext& context, const ParallelExperiment& experi
     const BothSearches both = search_both(context, data, experiment.from, seed);
     Plot plot = plot_of_identification({experiment.title, data, both.model, both.natively, {}}, plotted_s);
     Panel &compliance = plot.panels[3], &error = plot.panels[4];
-    compliance.series = curves_of_searches(both, [](const MachineSearch& run, std::size_t island, std::size_t generation) {
-        return 1000 * run.answer(island, generation);
-    });
+    compliance.series =
+        curves_of_searches(both, [](const MachineSearch& run, std::size_t island, std::size_t generation) {
+            return 1000 * run.answer(island, generation);
+        });
     error.series = curves_of_searches(both, window_error);
     compliance.title = "c: estimated C_BOi, best individual of each generation";
     error.title = "d: Error of the best individual, rms over the window";
