@@ -14,9 +14,9 @@ struct ParallelExperiment {
     hydraulics::AreasFrom from;
 };
 
-/// Identifies the boom of chapter 3's records on the sixteen transputers of Figure E.2, and by the traditional algorithm
-/// on one of them, for as many seeds as the context says. Judges the thesis's "the parameter convergence rate and the
-/// estimated C_BOi from PGA are almost identical to that from traditional GA" (4.3).
+/// Identifies the boom of chapter 3's records on the sixteen transputers of Figure E.2, and by the traditional
+/// algorithm on one of them, for as many seeds as the context says. Judges the thesis's "the parameter convergence rate
+/// and the estimated C_BOi from PGA are almost identical to that from traditional GA" (4.3).
 Replay replay_parallel_identification(const ReplayContext& context, const ParallelExperiment& experiment);
 
 /// What one way of searching found in one record.
