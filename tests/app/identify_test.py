@@ -209,7 +209,7 @@ class Identification(unittest.TestCase):
         self.assertIn("samples = 15", self.refused(STEP, "--on", CLUSTER, "--set", "samples=15"))
 
     def test_sixteen_transputers_identify_a_record_by_spool_and_by_voltage(self):
-        record = self.record("scenario-a", "--noise", "low", "--seed", 5)
+        record = self.record("excavator", "--noise", "low", "--seed", 5)
         for source in ("spool", "servo"):
             machine = self.result(record, "--on", FIGURE_E2, "--areas-from", source)["on_machine"]
             self.assertEqual(machine["searches"], [f"master[{i}]" for i in range(4)])
