@@ -243,7 +243,7 @@ class Identification(unittest.TestCase):
         self.assertIn("unknown search problem 'plant'", self.refused(STEP, "--on", pair))
         text = pair.read_text(encoding="utf-8")
         for was, becomes in (('"plant"', '"boom"'), ('"2 5 5 5 5 5"', '"5"'), ('"2 7 7 7 7 7"', '"10"'),
-                             ('"../../', f'"{EXAMPLES}/')):
+                             ('"../../', f'"{EXAMPLES}/'), ("window = 30", "window = 10")):
             text = text.replace(was, becomes)
         self.assertIn("is one of a pair", self.refused(STEP, "--on", self.file("pair.cfs", text)))
 
@@ -257,7 +257,7 @@ class Identification(unittest.TestCase):
             place host on sun; place master on t;""")
         run = by_thesis(STEP, "--population", 20, "--on", other)
         self.assertEqual(run.returncode, 3, run.stderr)
-        self.assertTrue(run.stdout.endswith("by the processes: not the same\n"))
+        self.assertIn("by the processes: not the same\n", run.stdout)
 
     def test_processes_that_cannot_search_as_natively_are_refused(self):
         gap = self.rows(lambda row: None if 0.39 < float(row[0]) < 0.45 else row)
