@@ -69,8 +69,7 @@ void declare_thesis_way(Options& command, IdentifyOptions& options) {
     command
         .add("--side", options.side,
              "side of the boom's cylinder: inlet identifies C_i from the pump's flow; outlet identifies C_o from the "
-             "flow "
-             "to the tank, and needs outlet_pressure (equation 3.4)")
+             "flow to the tank, and needs outlet_pressure (equation 3.4)")
         .one_of({"inlet", "outlet"})
         .show_default()
         .group(group);
@@ -79,11 +78,11 @@ void declare_thesis_way(Options& command, IdentifyOptions& options) {
     command.add("--coding", options.coding, "coding of a compliance as bits; default: natural, with --way whole gray")
         .one_of({"natural", "gray"})
         .group(group);
-    Option netlist =
-        add_file(command, "--on", options.netlist,
-                 "with --way thesis: also runs the search as the processes of this netlist; exit code 3 if the answers "
-                 "differ",
-                 "NETLIST");
+    Option netlist = add_file(
+        command, "--on", options.netlist,
+        "with --way thesis: also runs the search as the processes of this netlist, one search or several islands; "
+        "exit code 3 if a single search gives another answer",
+        "NETLIST");
     netlist.group(group);
     command.add_list("--set", options.set, "NAME=VALUE", "sets a val, an attribute or a parameter of the netlist")
         .needs(netlist)

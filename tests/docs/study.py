@@ -21,7 +21,7 @@ FINGERPRINT = re.compile(r"fingerprint: [0-9a-f]{16}")
 JUDGED = re.compile(r"every judged cell of the first reading is within its tolerance|"
                     r"a cell of the first reading misses its tolerance")
 BOUND = re.compile(r"[<>]= #")  # other seeds may change whether a cell is judged
-VERDICT = re.compile(r"\b(holds under this reading|does not hold|holds|undecided)\b")
+VERDICT = re.compile(r"\b(holds under this reading|does not hold|holds|undecided|shown|refuted)\b")
 
 
 def without_figures(line):
