@@ -39,13 +39,12 @@ void declare_question(Options& command, IdentifyOptions& options) {
 
 void declare_way(Options& command, IdentifyOptions& options) {
     command
-        .add(
-            "--way", options.way,
-            "service: all movements of the record, as placedpar monitor identifies and judges them; thesis: one "
-            "search over the first transient, as chapter 3 describes it; whole: one search for several links over the "
-            "whole movement, with the missing flows weighed by their scatter; service if not given, with --side outlet "
-            "whole")
-        .one_of({"service", "thesis", "whole"});
+        .add("--way", options.way,
+             "service: all movements of the record, as placedpar monitor identifies and judges them; thesis: one "
+             "search over the first transient, as chapter 3 describes it; whole: one search for several links over the "
+             "whole movement, with the missing flows weighed by their scatter")
+        .one_of({"service", "thesis", "whole"})
+        .show_default();
     // With fewer bits the compliance of a sound machine is within about a step of the lower bound.
     add_number(command, "--bits", options.bits, 6, 52, "of a compliance; 10 if not given, with --way whole 12");
     add_number(command, "--elite", options.elite, 0, a_million,
@@ -70,7 +69,7 @@ void declare_thesis_way(Options& command, IdentifyOptions& options) {
     command
         .add("--side", options.side,
              "of the boom's cylinder: inlet, C_i from the pump's flow; outlet, C_o from the flow to the tank, which "
-             "needs outlet_pressure (equation 3.4)")
+             "needs outlet_pressure (equation 3.4) and is searched for by --way whole unless --way thesis is given")
         .one_of({"inlet", "outlet"})
         .show_default()
         .group(group);
