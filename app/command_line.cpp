@@ -111,7 +111,7 @@ void refuse_repeated(const CLI::App& app) {
         for (const CLI::Option* option : command->get_options())
             if (option->get_items_expected_max() > 0 &&
                 option->results().size() > static_cast<std::size_t>(option->get_items_expected_max()))
-                throw UserError(fmt::format("{} is given {} times ({}), and takes one value", option->get_name(),
+                throw UserError(fmt::format("{} takes one value, but was given {} times ({})", option->get_name(),
                                             option->results().size(), fmt::join(option->results(), ", ")));
 }
 
@@ -147,8 +147,7 @@ ExitCode read(CLI::App& app, int argc, char** argv) {
 }
 
 ExitCode report_defect(const std::string& what) {
-    print_error(fmt::format("{} defect of PlacedPar: {}\n"
-                            "please report it, with the command and the files that it was given\n",
+    print_error(fmt::format("{} defect of PlacedPar: {}\nplease report it, with the command and its input files\n",
                             painted(Paint::error, program_name() + ":"), what));
     return ExitCode::defect;
 }
@@ -163,13 +162,13 @@ std::string why_it_is_terminated() {
     try {
         return std::current_exception() ? what_was_thrown() : "std::terminate was called";
     } catch (...) {
-        return "it communicated, computed or waited while it was ended";
+        return "the process communicated, computed or waited while it was being ended";
     }
 }
 
 /// Reports an exception that left a destructor or a noexcept function, so that no handler can be reached.
 [[noreturn]] void report_termination() {
-    const char* left = std::current_exception() ? "; it left a destructor or a function that is noexcept" : "";
+    const char* left = std::current_exception() ? "; the exception left a destructor or a noexcept function" : "";
     std::string what = fmt::format("{}: {}{}", what_is_running(), why_it_is_terminated(), left);
     if (program_name() == "placedpar")
         std::_Exit(static_cast<int>(report_defect(what)));
@@ -234,9 +233,9 @@ int carry_out(Program program, int argc, char** argv, const std::function<void()
     declare_all(app, program.commands, typed(argc, argv), chosen);
     app.set_version_flag("-v,-V,--version", version_of_program());
     app.footer( // set last: a new subcommand inherits the footer that its parent has
-        "The name of a file can be -: standard input or output.\n"
-        "exit codes: 0 success, 1 wrong use or bad input, 2 deadlock, 3 a comparison missed its tolerance,\n"
-        "            70 a defect of PlacedPar, 130 interrupted");
+        "The file name - stands for standard input or standard output.\nexit codes: 0 success, 1 wrong use or "
+        "bad input, 2 deadlock, 3 a comparison missed its tolerance,\n            70 a defect of PlacedPar, 130 "
+        "interrupted");
     try {
         begin();
         ExitCode parsed = read(app, argc, argv);

@@ -65,11 +65,12 @@ std::string asking_in_promela(const PromelaProcess& self) {
 ProcessKind buffer() {
     using namespace description;
     return {.name = "csp.buffer",
-            .about = "Holds up to so many packets, first in, first out.",
+            .about =
+                "Holds packets, first in, first out, up to its capacity. A csp.customer asks for them, at `request`.",
             .ports = {packets_in(), packets_in("request", "asks for the next packet"), packets_out()},
             .parameters = {packet_count(),
                            integer("capacity", {.unit = "packets", .by_default = 10, .least = 1, .most = 1e9},
-                                   "held at the most")},
+                                   "packets that the buffer holds at most")},
             .measurements = {{"most_held", "packets", "at once"}},
             .body = hold,
             .promela = holding_in_promela};
@@ -78,7 +79,7 @@ ProcessKind buffer() {
 ProcessKind customer() {
     using namespace description;
     return {.name = "csp.customer",
-            .about = "Asks a buffer for packets and outputs them: what stands between it and a consumer.",
+            .about = "Asks a csp.buffer for packets and outputs them: it stands between the buffer and a consumer.",
             .ports = {packets_out("request", "asks for the next packet"), packets_in(), packets_out()},
             .parameters = {packet_count()},
             .body = ask_and_consume,

@@ -105,24 +105,25 @@ void work_on_tasks(ProcessEnvironment& environment) {
 ProcessKind balancer() {
     using namespace description;
     return {.name = "csp.balancer",
-            .about = "Deals out tasks to workers, passes on their results as they come, and ends the workers.",
+            .about = "Deals out tasks to workers, passes on their results in order of arrival, and ends the "
+                     "workers.",
             .ports = {packets_in("in", "tasks"), packets_out("out", "results"),
-                      packets_out("to_worker", "an array: tasks, then an end"),
+                      packets_out("to_worker", "an array: tasks, then an end message"),
                       packets_in("from_worker", "an array: results")},
             .parameters = {packet_count("tasks"), text("deal", {.by_default = "idle", .choices = {"idle", "turn"}},
-                                                       "to a worker that is idle, or to each in turn")},
+                                                       "each task goes to an idle worker, or to all workers in turn")},
             .body = balance};
 }
 
 ProcessKind worker() {
     using namespace description;
     return {.name = "csp.worker",
-            .about = "Computes for each task, and returns it as its result, until the end comes.",
+            .about = "Computes for each task and returns it as the result, until the end message arrives.",
             .ports = {packets_in("in", "tasks"), packets_out("out", "results")},
-            .parameters = {packet_cycles("workload: a task, in the mean"),
+            .parameters = {packet_cycles("workload: cycles of a task, mean"),
                            real("spread", {.by_default = 0, .least = 0, .most = 1},
-                                "tasks take between 1 - spread and 1 + spread times as long")},
-            .measurements = {{"tasks", "", "that it has done"}},
+                                "tasks take from 1 - spread to 1 + spread times the mean")},
+            .measurements = {{"tasks", "", "tasks done"}},
             .body = work_on_tasks};
 }
 

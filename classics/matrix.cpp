@@ -46,7 +46,7 @@ void collect_column(ProcessEnvironment& environment) {
 }
 
 ParameterDescription rows() {
-    return description::integer("rows", {.by_default = 3, .least = 1, .most = 1e6}, "vectors that are multiplied");
+    return description::integer("rows", {.by_default = 3, .least = 1, .most = 1e6}, "number of vectors to multiply");
 }
 
 ParameterDescription element(std::string name, std::string about) {
@@ -65,18 +65,18 @@ ProcessKind vector_source() {
     return {.name = "csp.vector",
             .about = "Outputs one element of each vector: first, first + step, and so on.",
             .ports = {to("out", "elements")},
-            .parameters = {rows(), element("first", "element"), element("step", "from one to the next")},
+            .parameters = {rows(), element("first", "element"), element("step", "step from one element to the next")},
             .body = output_vector};
 }
 
 ProcessKind cell() {
     using namespace description;
     return {.name = "csp.cell",
-            .about = "Adds its element of the matrix times what comes from the west to what comes from the "
-                     "north, and sends the sum south; what came from the west goes on to the east.",
+            .about = "Multiplies the input from the west by its matrix element, adds the input from the north, "
+                     "and sends the sum south; passes the input from the west on to the east.",
             .ports = {from("west", "elements of vectors"), from("north", "sums"), to("south", "sums"),
                       optional(to("east", "elements of vectors"))},
-            .parameters = {rows(), element("element", "of the matrix"),
+            .parameters = {rows(), element("element", "element of the matrix"),
                            integer("cycles", {.unit = "cycles", .by_default = 40, .least = 0, .most = 1e9},
                                    "workload: a multiplication and an addition")},
             .body = multiply};
@@ -84,7 +84,7 @@ ProcessKind cell() {
 
 ProcessKind column() {
     return {.name = "csp.column",
-            .about = "Takes in a column of the product and measures it.",
+            .about = "Inputs a column of the product and measures it.",
             .ports = {from("in", "sums")},
             .parameters = {rows()},
             .measurements = {{"row[0] and so on", "", "the elements of the column"}},

@@ -116,9 +116,10 @@ ProcessKind philosopher_kind() {
             .about = "Thinks, picks up the fork on the left, then the one on the right, eats, puts them down.",
             .ports = {signals("left", "picks up and puts down"), signals("right", "picks up and puts down"),
                       optional(signals("butler", "sits down and gets up"))},
-            .parameters = {meals("before the philosopher leaves"), work("thinking", "workload: before each meal"),
-                           work("eating", "workload: each meal")},
-            .measurements = {{"time", "ms", "when the last meal was over"}},
+            .parameters = {meals("meals before the philosopher leaves"),
+                           work("thinking", "workload: thinking before each meal"),
+                           work("eating", "workload: eating a meal")},
+            .measurements = {{"time", "ms", "end of the last meal"}},
             .body = dine,
             .promela = dining_in_promela};
 }
@@ -126,24 +127,26 @@ ProcessKind philosopher_kind() {
 ProcessKind fork_kind() {
     using namespace description;
     return {.name = "csp.fork",
-            .about = "Is picked up by one of its neighbours, and put down by the same, before another can have it.",
+            .about = "One neighbour picks it up and puts it down before the other can pick it up.",
             .ports = {input<Signal>("hand", "signal", "an array: the neighbours")},
             .parameters = {integer("uses", {.by_default = 20, .least = 1, .most = 1e9},
-                                   "how often it is picked up before it ends: twice the meals of a philosopher")},
+                                   "number of times it is picked up before it ends: twice the meals of a "
+                                   "philosopher")},
             .body = serve_as_fork,
             .promela = fork_in_promela};
 }
 
 ProcessKind butler_kind() {
     using namespace description;
-    return {.name = "csp.butler",
-            .about = "Lets only so many philosophers sit at the table at once: with one fewer than there are, one of "
-                     "them can always eat.",
-            .ports = {input<Signal>("philosopher", "signal", "an array: the philosophers")},
-            .parameters = {integer("seats", {.by_default = 4, .least = 1, .most = 1e6}, "sitting at once"),
-                           meals("of each philosopher")},
-            .body = wait_on_table,
-            .promela = butler_in_promela};
+    return {
+        .name = "csp.butler",
+        .about = "Limits the number of philosophers at the table: with one fewer than all, some philosopher "
+                 "can always eat.",
+        .ports = {input<Signal>("philosopher", "signal", "an array: the philosophers")},
+        .parameters = {integer("seats", {.by_default = 4, .least = 1, .most = 1e6}, "most philosophers at the table"),
+                       meals("meals of each philosopher")},
+        .body = wait_on_table,
+        .promela = butler_in_promela};
 }
 
 } // namespace

@@ -60,7 +60,7 @@ void sieve(ProcessEnvironment& environment) {
 ProcessKind numbers() {
     using namespace description;
     return {.name = "csp.numbers",
-            .about = "Outputs 2, 3, 4 and so on, then an end.",
+            .about = "Outputs 2, 3, 4 and so on, then an end message.",
             .ports = {packets_out("out", "numbers")},
             .parameters = {integer("last", {.by_default = 100, .least = 2, .most = 1e9}, "number")},
             .body = count_up};
@@ -69,11 +69,11 @@ ProcessKind numbers() {
 ProcessKind sieve_process() {
     using namespace description;
     return {.name = "csp.sieve",
-            .about = "Keeps the first number, a prime, and passes on those that it does not divide.",
+            .about = "Keeps the first number, a prime, and passes on the numbers that it does not divide.",
             .ports = {packets_in("in", "numbers"), optional(packets_out("out", "numbers"))},
             .parameters = {integer("cycles", {.unit = "cycles", .by_default = 40, .least = 0, .most = 1e9},
                                    "workload: a division by the prime")},
-            .measurements = {{"prime", "", "0: no number came"}, {"passed", "", "numbers that it let through"}},
+            .measurements = {{"prime", "", "0: no number arrived"}, {"passed", "", "numbers passed on"}},
             .body = sieve};
 }
 

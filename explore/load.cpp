@@ -57,8 +57,8 @@ Network load_network(const ParsedNetlist& netlist, const Overrides& overrides, c
     if (!read.diagnostics.empty())
         warn(render(read));
     if (read.network->nodes.empty() && read.network->processes.empty())
-        throw RefusedInput(fmt::format("{}: error: the netlist is empty\nhint: it declares processors and processes; "
-                                       "placedpar generate writes one\n",
+        throw RefusedInput(fmt::format("{}: error: the netlist is empty\nhint: a netlist declares processors and "
+                                       "processes; placedpar generate writes an example\n",
                                        read.network->source_path));
     return std::move(*read.network);
 }

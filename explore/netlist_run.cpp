@@ -6,14 +6,14 @@
 
 namespace placedpar {
 
-/// Makes a simulation known to an interruption during its own lifetime.
+/// Registers a simulation with an interruption for the lifetime of this object.
 class InterruptibleSimulation {
 public:
     InterruptibleSimulation(Simulation& simulation, Interruption* interruption) : interruption_(interruption) {
         if (!interruption_)
             return;
         interruption_->simulation_ = &simulation;
-        if (interruption_->requested()) // the request came before the simulation was known to it
+        if (interruption_->requested()) // the request came before the simulation was registered
             simulation.interrupt();
     }
     ~InterruptibleSimulation() {

@@ -41,7 +41,8 @@ struct RunSettings {
 
 /// Runs the network. Throws what the processes throw.
 RunReport run_netlist(const Network&, const ProblemRegistry&, const RunSettings&);
-/// As above, with the kinds of a catalogue, which already know their observer: the settings' observer is ignored.
+/// Runs the network with the kinds of a catalogue. These kinds already have their observer, so the settings' observer
+/// is ignored.
 RunReport run_netlist(const Network&, const Catalogue&, const RunSettings&);
 /// Repeats a recorded run without the machine, several times as fast, if the processes communicate as in the record.
 /// Returns nothing if they communicate otherwise, or if the run cannot be repeated. If the run is interrupted, the

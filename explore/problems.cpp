@@ -10,6 +10,7 @@
 #include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/language/parser.hpp"
 #include "problems/benchmark/benchmark.hpp"
+#include "problems/plant/coefficients.hpp"
 #include "problems/plant/plant_family.hpp"
 #include "runtime/random.hpp"
 #include "text/user_error.hpp"
@@ -50,7 +51,7 @@ const ExcavatorMotion& motion_of_boom(bool leaking) {
 
 /// The boom of chapter 3 in the motion of scenario A, measured with the lowest of the noise levels studied. The valve
 /// stays open to the end of the motion, so that the record has as many samples as are asked for.
-void add_boom(ProblemRegistry& problems, std::uint64_t seed, const char* name, bool leaking) {
+void add_boom(ProblemRegistry& problems, std::uint64_t seed, const char* name, AreasFrom from, bool leaking) {
     ExcavatorScenario scenario = boom_of_chapter_3(leaking);
     SimulatedCircuit boom{CircuitProblem(boom_circuit(), scenario.flow),
                           {scenario.links.front().mechanics.inlet_compliance_in3_per_psi}};
@@ -58,7 +59,7 @@ void add_boom(ProblemRegistry& problems, std::uint64_t seed, const char* name, b
     auto make = [=] {
         RandomStream noise(seed, "record of the boom");
         return boom_record(
-            motion_of_boom(leaking), scenario, low_noise, [&] { return noise.uniform(); }, usable);
+            motion_of_boom(leaking), scenario, low_noise, [&] { return noise.uniform(); }, usable, from);
     };
     problems.add_to_make(name, make_search_problem(std::move(boom)), {usable.count, make});
 }
@@ -80,8 +81,8 @@ std::vector<ProblemFamily>& own_problems() {
 
 /// Throws UserError for a name that is taken.
 [[noreturn]] void refuse_taken(const char* what, const std::string& name) {
-    throw UserError(fmt::format("this program adds a {0} \"{1}\", but that name is taken: give the {0} another, such "
-                                "as \"own.{2}\"",
+    throw UserError(fmt::format("this program adds a {0} \"{1}\", but the name is taken: choose another name, "
+                                "such as \"own.{2}\"",
                                 what, name, name.substr(name.rfind('.') + 1)));
 }
 
@@ -103,15 +104,15 @@ void add_own_kind(Catalogue& catalogue, const ProcessKind& kind) {
 void add_own_device(Catalogue& catalogue, const DeviceKind& kind) {
     auto refuse = [](const std::string& name) {
         throw UserError(
-            fmt::format("this program adds a device \"{}\", but that name is taken: give it another", name));
+            fmt::format("this program adds a device \"{}\", but the name is taken: choose another name", name));
     };
     if (catalogue.devices().contains(kind.name))
         refuse(kind.name);
     for (const DeviceModel& model : kind.models)
         if (!can_be_a_name(model.name))
             throw UserError(
-                fmt::format("this program adds a device \"{}\", which no netlist could declare: its name must be "
-                            "one word that is not reserved",
+                fmt::format("this program adds a device \"{}\", but no netlist can use this name: choose one "
+                            "word that is not reserved",
                             model.name));
         else if (catalogue.node_types().contains(model.name))
             refuse(model.name);
@@ -132,9 +133,11 @@ void add_own_problems(std::vector<ProblemFamily> problems) {
 
 ProblemRegistry known_problems(std::uint64_t seed, const std::function<ProblemFamily(const ProblemFamily&)>& around) {
     ProblemRegistry problems;
-    add_boom(problems, seed, "boom", false);
-    add_boom(problems, seed, "leaking-boom", true);
+    add_boom(problems, seed, "boom", AreasFrom::spool, false);
+    add_boom(problems, seed, "boom-by-voltage", AreasFrom::servo, false);
+    add_boom(problems, seed, "leaking-boom", AreasFrom::spool, true);
     problems.add(plant_family(seed));
+    problems.add(maximised<Coefficients>());
     add_benchmark_problems(problems);
     for (const ProblemFamily& family : own_problems())
         add_own_problem(problems, around(guarded(family)));

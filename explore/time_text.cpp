@@ -59,7 +59,7 @@ Time parse_time(const std::string& text) {
     std::optional<int> power = is_nothing ? 0 : parts ? power_of(parts->unit) : std::nullopt;
     if (!power)
         throw UserError(fmt::format(
-            "\"{}\" is not a time: it takes a number and a unit of s, ms, us, ns or ps, such as 2.5ms", text));
+            "\"{}\" is not a time: expected a number and one of the units s, ms, us, ns or ps, such as 2.5ms", text));
     Time time{0};
     for (char digit : picoseconds(text, *parts, *power))
         time = later(times(10, time), Time{digit - '0'});

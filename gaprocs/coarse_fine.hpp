@@ -10,21 +10,22 @@
 
 namespace placedpar {
 
-/// A "coarse" genetic algorithm and a "fine" one (thesis 6.2, Figure 6.6).
+/// The settings of a pair: a "coarse" genetic algorithm and a "fine" one (thesis 6.2, Figure 6.6).
 struct CoarseFineSettings {
-    SearchSettings coarse, fine; ///< both have the same window
-    Recoding coarse_reading;     ///< the most significant bits of the problem's fields
-    std::vector<std::size_t>
-        fine_bits; ///< bits of each field; a field with all bits of the problem's is searched without the bias point
+    SearchSettings coarse, fine;        ///< both have the same window
+    Recoding coarse_reading;            ///< selects the most significant bits of the problem's fields
+    std::vector<std::size_t> fine_bits; ///< bits of each field in the fine search; a field with all of the problem's
+                                        ///< bits is searched without the bias point
 };
 
-/// Two searches over the same record: the coarse one on a coarse grid, and the fine one on the problem's own grid,
-/// but only around the best of the coarse one, its bias point. Ours, the thesis is silent: the bias point is the best
-/// of the coarse population of the same generation, so that the fine population moves with it.
+/// Two searches over the same record. The coarse search has a coarse grid. The fine search has the problem's own grid,
+/// but only around the bias point, which is the best individual of the coarse search. The bias point comes from the
+/// coarse population of the same generation, so the fine population moves with it. The thesis does not specify this;
+/// the choice is ours.
 class CoarseFine {
 public:
-    /// `problem`, read in natural binary, must outlive this. Throws as SearchSettings::validate() and
-    /// Recoding::validate(), and std::invalid_argument for windows that are not equal.
+    /// REQUIRES: `problem` is in natural binary and outlives the pair. Throws as SearchSettings::validate() and
+    /// Recoding::validate(). Throws std::invalid_argument if the two searches have different windows.
     CoarseFine(const SearchProblem& problem, const CoarseFineSettings& settings, std::uint64_t seed);
 
     /// Adds a new sample to the window.
@@ -35,13 +36,13 @@ public:
 
     const Search& coarse() const { return coarse_; }
     const Search& fine() const { return fine_; }
-    /// Returns the best of the last generation as a string of the problem, as fine_best() does. REQUIRES: a generation
-    /// was made.
+    /// Return the best individual of the last generation as a string of the problem. REQUIRES: next_generation() was
+    /// called.
     const Individual& coarse_best() const { return coarse_best_; }
     const Individual& fine_best() const { return fine_best_; }
 
 private:
-    /// Evaluates and breeds, and returns the best individual as a string of the problem.
+    /// Evaluates and breeds one generation. Returns its best individual as a string of the problem.
     Individual evaluate_and_breed(Search& search, const Recoding& reading);
 
     const SearchProblem& problem_;

@@ -38,7 +38,7 @@ Spread spread_of_bits(std::span<const Genome> population, std::size_t bits) {
     return spread;
 }
 
-/// Returns for each individual the place of a number in its range: 0 at the lower end, 1 at the upper.
+/// Returns a number of each individual on a scale from 0, the lower end of its range, to 1, the upper end.
 std::vector<double> places_of(std::span<const Genome> population, const RealVector& reals, std::size_t number) {
     auto [low, high] = reals.range(number);
     std::vector<double> places;
@@ -72,7 +72,7 @@ Spread spread_of_reals(std::span<const Genome> population, const RealVector& rea
     return spread;
 }
 
-/// Returns the pairs of neighbours in all tours, sorted.
+/// Returns the pairs of neighbouring places in all tours, sorted.
 std::vector<std::uint64_t> neighbours_in(std::span<const Genome> tours, const Permutation& permutation) {
     std::vector<std::uint64_t> pairs;
     for (const Genome& genome : tours) {
@@ -86,7 +86,8 @@ std::vector<std::uint64_t> neighbours_in(std::span<const Genome> tours, const Pe
     return pairs;
 }
 
-/// Each pair of neighbours in one tour only adds 1 to the squared distance: twice Representation::distance().
+/// Computes the spread of tours. A pair of neighbours that only one of two tours has adds 1 to their squared distance.
+/// So the squared distance is twice Representation::distance().
 Spread spread_of_tours(std::span<const Genome> population, const Permutation& permutation) {
     Spread spread{StringKind::permutation, 2 * static_cast<double>(permutation.places()), population.size()};
     auto pairs = neighbours_in(population, permutation);
@@ -103,13 +104,13 @@ double diversity_of(double squared_distance, const Spread& like) {
     return like.kind == StringKind::real ? std::sqrt(share) : share;
 }
 
-/// Coordinates of several populations, one after the other.
+/// Walks through the coordinates of several populations in parallel.
 class CentresInStep {
 public:
     explicit CentresInStep(std::span<const Spread> populations)
         : populations_(populations), next_(populations.size(), 0), means_(populations.size()) {}
 
-    /// Moves to the next coordinate that is not 0 in all populations.
+    /// Moves to the next coordinate that is not 0 in all populations. Returns false at the end.
     bool step() {
         constexpr auto none = std::numeric_limits<std::uint64_t>::max();
         std::uint64_t which = none;
@@ -128,7 +129,7 @@ public:
 private:
     std::span<const Spread> populations_;
     std::vector<std::size_t> next_;
-    std::vector<double> means_; ///< of this coordinate, by population
+    std::vector<double> means_; ///< mean of the current coordinate, by population
 };
 
 } // namespace
@@ -148,8 +149,9 @@ double diversity_within(const Spread& population) {
     return diversity_of(2 * population.squares / static_cast<double>(population.individuals - 1), population);
 }
 
-/// Two individuals are as far apart as each is from its centre and the centres from each other, in squares; and those
-/// of all pairs of centres follow from the centres' distances from their mean.
+/// The mean squared distance of two individuals is a sum of three squared distances: first individual to its
+/// population's centre, second individual to its population's centre, and centre to centre. The mean over all pairs of
+/// centres is computed from the centres' distances from their own mean.
 double diversity_between(std::span<const Spread> populations) {
     auto count = static_cast<double>(populations.size());
     double from_own = 0, of_centres = 0;

@@ -14,8 +14,8 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the objective as it was before it was negated to be maximised; the worst infinity if it was not a finite
-/// number.
+/// Returns the objective for a fitness: the fitness itself, or its negative if the objective is minimised. If the
+/// objective was not a finite number, returns the infinity that is the worst value.
 double in_its_own_sign(double fitness, std::optional<Goal> goal) {
     if (goal && fitness == worst_fitness)
         fitness = -std::numeric_limits<double>::infinity();
@@ -26,7 +26,7 @@ std::size_t count_finite(std::span<const double> fitness) {
     return fitness.size() - static_cast<std::size_t>(std::ranges::count(fitness, worst_fitness));
 }
 
-/// Returns the mean of the finite values; worst_fitness if there is none.
+/// Returns the mean of the finite values, or worst_fitness if none is finite.
 double mean_of(std::span<const double> fitness) {
     double sum = 0;
     for (double each : fitness)
@@ -172,7 +172,7 @@ std::vector<LogRow> GenerationLog::rows() const {
         for (; answer != answers.end() && answer->generation == g + 1; ++answer)
             rows.push_back(*answer);
     }
-    rows.insert(rows.end(), migration, migrations.end()); // migrations of a generation that was never bred
+    rows.insert(rows.end(), migration, migrations.end()); // migrations of a generation that was not bred
     return rows;
 }
 

@@ -14,14 +14,14 @@
 
 namespace placedpar {
 
-/// A generation of one search, or of all searches together. An objective that is minimised is not negated here: the
-/// best value is the least, and an objective that is not a finite number is infinity.
+/// A generation of one search, or of all searches together. An objective that is minimised is logged without negation:
+/// the best value is the least, and the objective is infinity if it was not a finite number.
 struct LoggedGeneration {
-    std::optional<Time> time; ///< time of the generation; for all searches together, the latest of their times
-    double best_so_far; ///< the best value of `best` so far; with a moving window, each value belongs to the window of
-                        ///< its time
-    double best, mean;  ///< fitness, or objective; the mean is taken over the finite values
-    double diversity;   ///< diversity_within(); for all searches together, its mean
+    std::optional<Time> time; ///< time of the generation; for all searches together, the latest time among them
+    double best_so_far; ///< best `best` of all generations so far; with a moving window, each value belongs to the
+                        ///< window of its time
+    double best, mean;  ///< fitness or objective; the mean is taken over the finite values
+    double diversity;   ///< diversity_within(); for all searches together, the mean of their values
     double between = 0; ///< diversity_between(); only for all searches together
 
     friend bool operator==(const LoggedGeneration&, const LoggedGeneration&) = default;
@@ -29,42 +29,42 @@ struct LoggedGeneration {
 
 struct LoggedMigration {
     std::uint64_t generation;
-    std::size_t from, to; ///< searches, by number
+    std::size_t from, to; ///< numbers of the searches
     std::optional<Time> time;
     double fitness;
     bool accepted;
 };
 
-/// An answer of an analyst: it says which search's best individual is the answer of all searches.
+/// An answer of an analyst, which chooses the best individual of one search as the answer of all searches.
 struct LoggedAnswer {
     std::uint64_t generation;
     std::string analyst;
-    std::size_t chosen; ///< a search, by number
+    std::size_t chosen; ///< number of the search
     std::optional<Time> time;
     std::vector<std::string> names; ///< names of the parameters
     std::vector<double> values;
 };
 
-/// One value of the log, as a row of data in long form.
+/// One value of the log, as a row of a table in long form.
 struct LogRow {
     std::uint64_t generation; ///< from 1
     std::optional<Time> time;
-    std::string_view search; ///< or "all"
-    std::string_view from;   ///< origin of an immigrant, or search whose best an answer is; otherwise empty
+    std::string_view search; ///< name of the search, or "all"
+    std::string_view from;   ///< source of an immigrant, or search that an analyst chose; otherwise empty
     std::string_view quantity;
     double value;
 
     friend bool operator==(const LogRow&, const LogRow&) = default;
 };
 
-/// Remembers every generation of the searches of a run.
+/// Records every generation of the searches of a run.
 class GenerationLog final : public SearchObserver {
 public:
-    /// `searches`: their names, in the order of the log. `comparable`: all solve the same problem, so that rows for all
-    /// of them together make sense.
+    /// `searches`: names of the searches, in the order of the log. `comparable`: whether all searches solve the same
+    /// problem. Only then the log has rows for all of them together.
     explicit GenerationLog(std::vector<std::string> searches, bool comparable = true);
 
-    /// Throw std::invalid_argument for a search that is not in the log.
+    /// Each throws std::invalid_argument for a search that is not in the log.
     void observe(const ObservedGeneration&) override;
     void observe(const ObservedMigration&) override;
     void observe(const ObservedAnswer&) override;
@@ -74,20 +74,21 @@ public:
     bool compares() const { return compared_; }
     /// Returns the generations of a search, generation 1 first.
     std::span<const LoggedGeneration> of(std::size_t search) const { return generations_.at(search); }
-    /// Returns the generations that all searches have completed, for all of them together. Empty unless compares().
+    /// Returns the generations of all searches together, as far as all have completed them. Empty unless compares().
     std::span<const LoggedGeneration> of_all() const { return all_; }
-    /// Returns the migrations; those to one search are in the order of their arrival.
+    /// Returns the migrations. Those to the same search are in the order of arrival.
     std::span<const LoggedMigration> migrations() const { return migrations_; }
-    /// Returns the answers; those of one analyst are in the order of generations.
+    /// Returns the answers. Those of the same analyst are in the order of generations.
     std::span<const LoggedAnswer> answers() const { return answers_; }
 
-    /// Returns whether the least value is the best. False before the first generation.
+    /// Returns whether the best value is the least one. False before the first generation.
     bool minimises(std::size_t search) const { return goals_.at(search) == Goal::minimise; }
     /// Returns whether the search has an objective instead of a record. False before the first generation.
     bool has_objective(std::size_t search) const { return goals_.at(search).has_value(); }
 
-    /// Returns the rows by generation, then by search, with "all" and the analysts at the end. Their order does not
-    /// depend on the order of the calls of observe(). The rows refer to this log.
+    /// Returns the rows, sorted by generation and then by search; "all" and the analysts come last in a generation. The
+    /// order does not depend on the order of the calls of observe(). REQUIRES: the log outlives the rows, which refer
+    /// to it.
     std::vector<LogRow> rows() const;
 
 private:
@@ -96,7 +97,7 @@ private:
         std::size_t finite; ///< number of individuals whose fitness is finite
         Spread spread;
     };
-    using Row = std::vector<std::optional<Evaluated>>; ///< a generation, by search
+    using Row = std::vector<std::optional<Evaluated>>; ///< one generation, by search
 
     std::size_t number_of(std::string_view search) const;
     void wait_for_the_others(std::uint64_t generation, std::size_t search, Evaluated&&);
@@ -111,7 +112,7 @@ private:
     std::vector<std::optional<Goal>> goals_; ///< by search
     std::vector<std::vector<LoggedGeneration>> generations_;
     std::vector<LoggedGeneration> all_;
-    std::map<std::uint64_t, Row> waiting_; ///< generations that some searches have not made yet
+    std::map<std::uint64_t, Row> waiting_; ///< generations that only some searches have completed
     std::vector<LoggedMigration> migrations_;
     std::vector<LoggedAnswer> answers_;
 };

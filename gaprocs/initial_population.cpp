@@ -10,7 +10,7 @@ namespace placedpar {
 
 namespace {
 
-/// Reads a line. What is wrong with it is shown where its string begins.
+/// Reads the string in a line. A message about it points to its first character.
 Genome read_line(const Representation& representation, const std::shared_ptr<const SourceFile>& file, std::size_t line,
                  std::size_t begin) {
     try {

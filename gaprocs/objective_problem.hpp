@@ -17,29 +17,29 @@
 
 namespace placedpar {
 
-// A problem of which a search needs to know one number for each individual is a plain struct such as
+// An objective problem gives one number for each individual. It is a plain struct such as
 //
 //     struct Sphere {
 //         ParameterCoding representation() const { return ParameterCoding(3, {-5.12, 5.12, 16}); }
 //         double objective(std::span<const double> x) const { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; }
 //     };
 //
-// and minimise(Sphere{}) makes it a SearchProblem. What objective() takes is what the representation reads: numbers
-// (std::span<const double>) of a ParameterCoding or a RealVector, the string itself (const Genome&) of a BitString, an
-// order (std::span<const std::size_t>) of a Permutation. A ParameterCoding can be searched as bits or, without them, as
-// the real numbers that it codes: see gaprocs/policies/coding.hpp. An objective that is not a number, or infinite, is
-// worse than every other: so a problem says that an individual is not allowed.
+// and minimise(Sphere{}) makes it a SearchProblem. The argument of objective() depends on the representation: numbers
+// (std::span<const double>) for a ParameterCoding or a RealVector, the string itself (const Genome&) for a BitString,
+// an order (std::span<const std::size_t>) for a Permutation. A ParameterCoding can be searched as bits, or directly as
+// the real numbers that it codes: see gaprocs/policies/coding.hpp. An objective that is infinite or not a number is
+// worse than every other. A problem returns infinity for an individual that is not allowed.
 
-/// What such a struct states: how a string is read, and the objective of what was read.
-/// Optional: parameter_names() and parameter_units(), by default "x_1", "x_2", ... without a unit; objective_unit();
-/// optimum(), the best objective there is.
+/// The functions of an objective problem: the representation of its strings, and the objective of what a string decodes
+/// to. Optional are parameter_names() and parameter_units(), by default "x_1", "x_2", ... without a unit;
+/// objective_unit(); and optimum(), the best possible objective.
 template <typename P>
 concept StatesObjective = requires(const P& problem, const Genome& genome) {
     { problem.objective(problem.representation().decode(genome)) } -> std::convertible_to<double>;
     { problem.representation().bits() } -> std::convertible_to<std::size_t>;
 };
 
-/// SearchProblem around such a struct.
+/// The SearchProblem that is made from an objective problem.
 template <StatesObjective P>
 class ObjectiveProblemOf final : public SearchProblem {
 public:
@@ -73,7 +73,7 @@ public:
     }
     std::optional<Objective> objective() const override { return objective_; }
 
-    /// Nothing if the string does not encode numbers.
+    /// Returns the numbers that the string codes; empty if the string does not code numbers.
     std::vector<double> decode(const Genome& genome) const override {
         if constexpr (of_numbers)
             return read(genome);
@@ -151,7 +151,7 @@ private:
     Coding coding_ = Coding::natural;
 };
 
-/// Throws as P::representation() does.
+/// minimise() and maximise() throw as P::representation() does.
 template <StatesObjective P>
 std::shared_ptr<const SearchProblem> minimise(P problem) {
     return std::make_shared<ObjectiveProblemOf<P>>(std::move(problem), Goal::minimise);

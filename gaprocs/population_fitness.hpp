@@ -16,11 +16,11 @@
 
 namespace placedpar {
 
-/// Sets sums[i] to the sum over the samples of the terms of individual i, for several individuals at once.
-/// `parameters_from.operator()<width>(i)` returns the parameters of individual i and those that follow, a container of
-/// Lanes. `terms(std::span<const T>)`, T being any Lanes, returns a function that is called with one sample after the
-/// other and returns the terms of that sample. The sums are, bit for bit, those of a loop over single individuals:
-/// every operation rounds in a lane as it does alone (runtime/vector_width.hpp).
+/// Sets sums[i] to the sum of individual i's terms over the samples, for several individuals at once.
+/// `parameters_from.operator()<width>(i)` returns the parameters of several individuals, from individual i on, as a
+/// container of Lanes. `terms(std::span<const T>)`, for any Lanes T, returns a function. This function is called with
+/// each sample in turn and returns the sample's terms. The sums have the same bits as in a loop over single
+/// individuals: every operation rounds in a lane as it does alone (runtime/vector_width.hpp).
 template <typename ParametersFrom, typename Samples, typename Terms>
 void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& samples, const Terms& terms,
                        std::span<double> sums) {
@@ -41,8 +41,8 @@ void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& sam
     });
 }
 
-/// As sum_in_lanes_from(), with parameters that are computed one individual at a time: `parameters_of(i)` returns the
-/// same number of parameters for each.
+/// Does the same as sum_in_lanes_from(), with parameters that are computed for one individual at a time.
+/// `parameters_of(i)` always returns the same number of parameters.
 template <typename ParametersOf, typename Samples, typename Terms>
 void sum_terms_in_lanes(const ParametersOf& parameters_of, const Samples& samples, const Terms& terms,
                         std::span<double> sums) {
@@ -50,7 +50,7 @@ void sum_terms_in_lanes(const ParametersOf& parameters_of, const Samples& sample
         constexpr std::size_t count = Lanes<width>::count;
         std::vector<std::array<double, count>> numbers;
         for (std::size_t lane = 0; lane < count; ++lane) {
-            // Lanes past the end repeat the last individual; what they compute is not used.
+            // Lanes beyond the last individual repeat it; their results are not used.
             const auto& of_one = parameters_of(std::min(first + lane, sums.size() - 1));
             numbers.resize(of_one.size());
             for (std::size_t j = 0; j < of_one.size(); ++j)
@@ -61,7 +61,8 @@ void sum_terms_in_lanes(const ParametersOf& parameters_of, const Samples& sample
     sum_in_lanes_from(side_by_side, samples, terms, sums);
 }
 
-/// As sum_terms_in_lanes(), for terms that do not depend on earlier samples: `term(std::span<const T>, sample)`.
+/// Does the same as sum_terms_in_lanes(), for terms that do not depend on earlier samples: `term(std::span<const T>,
+/// sample)` returns a term.
 template <typename ParametersOf, typename Samples, typename Term>
 void sum_in_lanes(const ParametersOf& parameters_of, const Samples& samples, const Term& term, std::span<double> sums) {
     auto terms = [&]<class T>(std::span<const T> parameters) {
@@ -70,10 +71,10 @@ void sum_in_lanes(const ParametersOf& parameters_of, const Samples& samples, con
     sum_terms_in_lanes(parameters_of, samples, terms, sums);
 }
 
-/// A problem whose error is stated as a function of its parameters, for doubles and for Lanes alike, so that several
-/// individuals can be evaluated at once: `parameters_of(string)` decodes them, an array or vector of one length,
-/// `error_of<T>(parameters, sample)` is the error, with T = double for one individual, with T = Lanes<width> for
-/// several.
+/// A problem that states its error as a function of its parameters, for double and for Lanes, so that several
+/// individuals can be evaluated at once. `parameters_of(string)` decodes the parameters into an array or vector, which
+/// always has the same length. `error_of<T>(parameters, sample)` returns the error: T is double for one individual, and
+/// Lanes<width> for several.
 template <typename P, typename G>
 concept ErrorOfParameters = requires(const P& problem, const G& genome, std::span<const Lanes<2>> parameters,
                                      std::span<const double> sample) {
@@ -81,9 +82,9 @@ concept ErrorOfParameters = requires(const P& problem, const G& genome, std::spa
     { problem.template error_of<Lanes<2>>(parameters, sample) } -> std::convertible_to<Lanes<2>>;
 };
 
-/// A problem whose error at a sample depends on the samples before it in the window, as that of a simulation does:
-/// `errors_along<T>(parameters)` returns a function that is called with the samples of a window, oldest first, and
-/// returns the error at each. `parameters_of` is as for ErrorOfParameters; error_of() gives the error at the first
+/// A problem whose error at a sample depends on the earlier samples of the window, as in a simulation.
+/// `errors_along<T>(parameters)` returns a function, which is called with the samples of a window, oldest first, and
+/// returns the error at each. `parameters_of` is as for ErrorOfParameters. error_of() returns the error at the first
 /// sample of a window.
 template <typename P>
 concept ErrorAlongWindow = requires(const P& problem, std::span<const double> parameters,
@@ -91,7 +92,7 @@ concept ErrorAlongWindow = requires(const P& problem, std::span<const double> pa
     { problem.template errors_along<double>(parameters)(sample) } -> std::convertible_to<double>;
 };
 
-/// Returns a function that is called with the samples of a window, oldest first, and returns the error at each.
+/// Returns a function, which is called with the samples of a window, oldest first, and returns the error at each.
 template <typename T, typename P>
 [[gnu::always_inline]] inline auto errors_along(const P& problem, std::span<const T> parameters) {
     if constexpr (ErrorAlongWindow<P>)
@@ -102,21 +103,22 @@ template <typename T, typename P>
         };
 }
 
-/// A problem that can also decode several strings at once: `parameters_of_several(StringsInLanes)` returns Lanes.
+/// A problem that can decode several strings at once: `parameters_of_several(StringsInLanes)` returns the parameters as
+/// Lanes.
 template <typename P, bool gray>
 concept ParametersOfSeveral = requires(const P& problem, const StringsInLanes<2, gray>& strings) {
     { problem.parameters_of_several(strings)[0] } -> std::convertible_to<Lanes<2>>;
 };
 
-/// A problem that can prepare a sample once for all individuals: error_of<T>(parameters, prepared(sample)) is the error
-/// at the sample.
+/// A problem that can prepare a sample once for all individuals: error_of<T>(parameters, prepared(sample)) returns the
+/// error at the sample.
 template <typename P>
 concept PreparesSamples = requires(const P& problem, std::span<const Lanes<2>> parameters,
                                    std::span<const double> sample) {
     { problem.template error_of<Lanes<2>>(parameters, problem.prepared(sample)) } -> std::convertible_to<Lanes<2>>;
 };
 
-/// Computes the fitness of each string over samples in the form that errors_along() takes.
+/// Computes the fitness of each string over samples that errors_along() can take.
 template <bool gray, typename P, typename Samples>
 void fitness_over(const P& problem, std::span<const Genome> population, const Samples& samples, double bias,
                   std::span<double> fitness) {
@@ -136,8 +138,8 @@ void fitness_over(const P& problem, std::span<const Genome> population, const Sa
                        terms, fitness);
 }
 
-/// Computes the fitness of each string over the samples, bit for bit as if the individuals were evaluated one by one.
-/// REQUIRES: strings of problem.bits(); fitness.size() == population.size().
+/// Computes the fitness of each string over the samples. The results have the same bits as if one individual were
+/// evaluated at a time. REQUIRES: strings of problem.bits(); fitness.size() == population.size().
 template <bool gray, typename P, typename Samples>
 void fitness_in_lanes(const P& problem, std::span<const Genome> population, const Samples& samples, double bias,
                       std::span<double> fitness) {

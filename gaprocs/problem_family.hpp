@@ -11,32 +11,34 @@
 
 namespace placedpar {
 
-/// Settings that a search over a record should have; a netlist with others is given a warning.
+/// Settings that suit a record. The user is warned of other settings.
 struct RecordAdvice {
     std::size_t trials =
-        0;           ///< generations for each sample, if the record's own time is counted in generations; 0: any number
-    double bias = 0; ///< B of eq. 3.9, if its order of magnitude differs from that of the thesis; 0: the thesis's
+        0;           ///< generations per sample, if the record's own time is counted in generations; 0: any number
+    double bias = 0; ///< B of eq. 3.9, if its order of magnitude differs from the thesis's; 0: the thesis's B
 };
 
-/// A record of measurement that takes time to make, such as that of a simulation.
+/// A record of measurements that takes time to make, for example by a simulation.
 struct RecordToMake {
-    std::size_t samples = 0; ///< number of samples that make() returns, known without calling it
+    std::size_t samples = 0; ///< number of samples that make() returns, known before make() is called
     std::function<std::vector<Sample>()> make = nullptr;
     RecordAdvice advice = {};
 };
 
-/// Problems of one name that differ in their numbers, such as "sphere(dimensions = 3, bits = 16)". Objective problems:
-/// a struct as in gaprocs/objective_problem.hpp that also has the name, the line about it and the numbers of a policy;
-/// or a struct with these and a problem() that makes one. Problems with a record say how it is made, too.
+/// Problems that share a name and differ in their numbers, such as "sphere(dimensions = 3, bits = 16)". A family of
+/// objective problems is made from a struct with the name, the `about` line and the numbers of a policy. The struct is
+/// itself an objective problem (gaprocs/objective_problem.hpp), or its function problem() returns one. Problems with a
+/// record also state how the record is made.
 struct ProblemFamily {
     PolicyDescription description;
-    /// REQUIRES: as many numbers as described, in their ranges. Throws as the struct's representation().
+    /// Makes the problem. REQUIRES: one number for each number of the description, each in its range. Throws as the
+    /// struct's representation().
     std::function<std::shared_ptr<const SearchProblem>(const std::vector<double>& numbers)> make;
-    /// Returns how to make the record; null for objective problems. REQUIRES: as make.
+    /// Returns a way to make the record. Null for objective problems. REQUIRES: as for `make`.
     std::function<RecordToMake(const std::vector<double>& numbers)> record = nullptr;
 };
 
-/// Returns the problem of a struct with these numbers: the struct itself, or the result of its problem().
+/// Returns the problem for these numbers: the struct itself, or the result of its problem().
 template <class P>
 auto problem_with(const std::vector<double>& numbers) {
     if constexpr (requires(const P& family) { family.problem(); })

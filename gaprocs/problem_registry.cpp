@@ -23,9 +23,9 @@ const std::vector<Sample>& RecordedProblem::record() const {
     if (make_) {
         std::vector<Sample> made = make_();
         if (made.size() != samples_)
-            throw UserError(fmt::format("the record of the search problem was said to have {} samples, and {} were "
-                                        "made: RecordToMake::samples is how many make() gives",
-                                        samples_, made.size()));
+            throw UserError(fmt::format(
+                "RecordToMake::samples is {}, but make() returned {} samples: the two numbers must be equal", samples_,
+                made.size()));
         take(std::move(made));
         make_ = nullptr;
     }
@@ -83,7 +83,7 @@ const RecordedProblem& ProblemRegistry::find(std::string_view name) const {
                                 guess.empty() ? "" : "; " + guess));
 }
 
-/// Makes a problem. A refusal names the problem by the text that was asked for.
+/// Makes a problem. An error names the problem by the text that the caller asked for.
 const RecordedProblem& ProblemRegistry::make(const ProblemFamily& family, std::string_view text) const {
     std::vector<double> numbers = read_policy(text, {family.description}).numbers;
     std::string full = family.description.text(numbers);

@@ -13,12 +13,12 @@
 
 namespace placedpar {
 
-/// A search problem with its record of measurement; an objective problem has none. Not thread-safe: the first call of
-/// record() may make the record.
+/// A search problem with its record of measurements. An objective problem has no record. Not thread-safe: the first
+/// call of record() may make the record.
 class RecordedProblem {
 public:
-    /// Throws std::invalid_argument if a sample does not have one number for each channel of the problem, or an
-    /// objective problem has a record.
+    /// Throws std::invalid_argument if the numbers in a sample do not match the problem's channels, or if an objective
+    /// problem has a record.
     RecordedProblem(std::shared_ptr<const SearchProblem> problem, std::vector<Sample> record);
     RecordedProblem(std::shared_ptr<const SearchProblem> problem, RecordToMake record)
         : problem_(std::move(problem)), samples_(record.samples), advice_(record.advice),
@@ -28,9 +28,9 @@ public:
     /// Returns the length of the record without making it.
     std::size_t samples() const { return samples_; }
     const RecordAdvice& advice() const { return advice_; }
-    /// Returns the samples in order of time. The first call makes the record if it was added by add_to_make(); that
-    /// call throws std::invalid_argument as the constructor, or UserError if the number of samples differs from
-    /// RecordToMake::samples.
+    /// Returns the samples in the order of time. If the record was added by add_to_make(), the first call makes it. The
+    /// first call then throws std::invalid_argument as the constructor does, or UserError if the number of samples
+    /// differs from RecordToMake::samples.
     const std::vector<Sample>& record() const;
 
 private:
@@ -39,28 +39,28 @@ private:
     std::shared_ptr<const SearchProblem> problem_;
     std::size_t samples_;
     RecordAdvice advice_;
-    mutable std::function<std::vector<Sample>()> make_; ///< empty once the record is there
+    mutable std::function<std::vector<Sample>()> make_; ///< empty once the record has been made
     mutable std::vector<Sample> record_;
 };
 
-/// The problems that a netlist may name: `problem = "boom"`. Filled before a run. Finding a problem makes no record: a
-/// process makes it by reading it.
+/// The problems that a netlist may name, as in `problem = "boom"`. The registry is filled before a run. find() does not
+/// make a record: the process that reads the record makes it.
 class ProblemRegistry {
 public:
-    /// `record`: the samples, or how to make them. Throws std::invalid_argument: empty or repeated name, no problem, or
-    /// a sample that does not have one number for each channel of the problem.
+    /// Add a problem. `record`: the samples, or a way to make them. Throw std::invalid_argument for an empty or
+    /// repeated name, for a null problem, or if the numbers in a sample do not match the problem's channels.
     void add(std::string name, std::shared_ptr<const SearchProblem> problem, std::vector<Sample> record = {});
     void add_to_make(std::string name, std::shared_ptr<const SearchProblem> problem, RecordToMake record);
 
-    /// Adds problems that are made when they are first found by name and numbers: "sphere", "sphere(3)", "sphere(bits =
-    /// 20)". Throws std::invalid_argument for an empty or repeated name.
+    /// Adds a family of problems. A problem of it is made when find() first asks for its name and numbers: "sphere",
+    /// "sphere(3)", "sphere(bits = 20)". Throws std::invalid_argument for an empty or repeated name.
     void add(ProblemFamily family);
 
-    /// Returns the problem. Throws UserError if it does not exist (the message lists the problems that do), its numbers
-    /// are wrong, or it cannot be made with them. The reference lives as long as the registry.
+    /// Returns the problem. Throws UserError if it does not exist (the message lists the existing problems), if its
+    /// numbers are wrong, or if it cannot be made from them. The reference is valid as long as the registry exists.
     const RecordedProblem& find(std::string_view name) const;
 
-    /// Returns the names in alphabetical order; a family is listed by its name without numbers.
+    /// Returns the names in alphabetical order. A family is listed by its name without numbers.
     std::vector<std::string> names() const;
     /// Returns the descriptions of the families in alphabetical order.
     std::vector<PolicyDescription> families() const;

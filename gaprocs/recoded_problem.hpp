@@ -11,17 +11,18 @@
 
 namespace placedpar {
 
-/// A problem for a search that breeds strings other than the problem's own: with fewer bits, or around a point that
-/// moves.
+/// A problem for a search that breeds other strings than the problem reads: strings with fewer bits, or strings
+/// relative to a point that moves.
 class RecodedProblem final : public SearchProblem {
 public:
-    /// The problem's string is read in natural binary. Throws as Recoding::validate(), and UserError: strings that are
-    /// not binary, fields that do not add up to the problem's string, a problem that does not read it by fields.
+    /// The problem itself is read in natural binary. Throws as Recoding::validate(). Throws UserError if the problem's
+    /// strings are not binary, or if the problem states no fields. The bits of the fields must add up to the length of
+    /// the string.
     RecodedProblem(const SearchProblem& problem, Recoding recoding);
 
-    /// Moves the point that the strings are read around. REQUIRES: a string of the problem.
+    /// Moves the point to which the bred strings are relative. REQUIRES: a string of the problem.
     void move_to(Genome around) { recoding_.around = std::move(around); }
-    /// Returns the string as the problem reads it.
+    /// Converts a bred string to the string that the problem reads.
     Genome to_problem(const Genome& bred) const { return recoding_.to_problem(bred); }
 
     std::size_t bits() const override { return recoding_.length(); }
@@ -51,7 +52,7 @@ public:
 private:
     std::shared_ptr<const SearchProblem> coded_plainly(Coding) const override;
 
-    std::shared_ptr<const SearchProblem> problem_; ///< in natural binary
+    std::shared_ptr<const SearchProblem> problem_; ///< the problem in natural binary
     Recoding recoding_;
 };
 

@@ -14,7 +14,8 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t most_field_bits = 63; // of codes that are counted from one below
+constexpr std::size_t most_field_bits = 63; // one bit less than a word has, because code_around() computes with signed
+                                            // numbers
 
 std::size_t sum_of(const std::vector<std::size_t>& bits) {
     return std::accumulate(bits.begin(), bits.end(), std::size_t{0});
@@ -30,8 +31,8 @@ void validate_field(std::size_t number, std::size_t bits, std::size_t problem_bi
                         counted(bits, "bit"), problem_bits));
 }
 
-/// Returns the code that is `code` steps above the lowest code around the centre, limited to the codes of the problem's
-/// field.
+/// Returns a code around the centre, limited to the codes of the problem's field. `code` counts steps from the lowest
+/// code, which is 2^(bits - 1) steps below the centre.
 std::uint64_t code_around(std::uint64_t centre, std::uint64_t code, std::size_t bits, std::size_t problem_bits) {
     auto highest = static_cast<std::int64_t>((std::uint64_t{1} << problem_bits) - 1);
     std::int64_t below = std::int64_t{1} << (bits - 1);
@@ -50,7 +51,7 @@ void Recoding::validate() const {
     for (std::size_t i = 0; i < bits.size(); ++i)
         validate_field(i, bits[i], problem_bits[i]);
     if (around && around->size() != problem_length())
-        throw std::invalid_argument(fmt::format("around a string of {}, the problem's has {}",
+        throw std::invalid_argument(fmt::format("the bias point has {}, the problem's string has {}",
                                                 counted(around->size(), "bit"), problem_length()));
 }
 

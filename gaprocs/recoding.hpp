@@ -10,32 +10,33 @@
 
 namespace placedpar {
 
-/// Converts the string that a search breeds to the string that a problem reads in natural binary, field by field. The
-/// bred fields may have fewer bits, may be relative to a point, and may be in any coding of bits.
+/// Converts each field of the string that a search breeds to a field of the string that a problem reads in natural
+/// binary. The bred fields may have fewer bits, may be relative to a point, and may be in any coding of bits.
 struct Recoding {
     std::vector<std::size_t> problem_bits; ///< bits of each field of the problem's string
-    /// Bits of each field of the bred string, at most as many as in the problem. Without `around` they are the field's
-    /// most significant bits (thesis 6.2); the problem's other bits are 0, so that the field stands for the lower end
-    /// of its cell.
+    /// Bits of each field of the bred string, at most the number of bits of the problem's field. Without `around`, they
+    /// are the field's most significant bits (thesis 6.2). The problem's other bits are 0.
     std::vector<std::size_t> bits;
     Coding coding = Coding::natural; ///< coding of the bred fields
-    /// A string of the problem, the bias point of a "fine" genetic algorithm. A bred field with fewer bits than the
-    /// problem's counts the problem's steps from 2^(bits - 1) steps below this point, limited to the problem's range.
+    /// A string of the problem, which is the bias point of a "fine" genetic algorithm. A bred field with all bits of
+    /// the problem's field ignores this point. A field with fewer bits counts steps of the problem's field. It counts
+    /// from 2^(bits - 1) steps below this point, and the result is limited to the problem's range.
     std::optional<Genome> around = std::nullopt;
 
-    /// Throws std::invalid_argument: no field, a coding without bits, another number of fields, a field of 0 or more
-    /// than 63 bits, or of more than the problem's; `around` of another length than the problem's string.
+    /// Throws std::invalid_argument if there are no fields, if the coding has no bits, or if `bits` and `problem_bits`
+    /// have different lengths. Throws it also if a field has 0 bits, more than 63 bits, or more bits than the problem's
+    /// field. Throws it also if `around` does not have the length of the problem's string.
     void validate() const;
-    /// Length of the bred string.
+    /// Returns the length of the bred string in bits.
     std::size_t length() const;
-    /// Length of the problem's string.
+    /// Returns the length of the problem's string in bits.
     std::size_t problem_length() const;
-    /// Returns the problem's string. REQUIRES: validate() throws nothing; a string of length().
+    /// Returns the problem's string. REQUIRES: validate() throws nothing, and the bred string has length().
     Genome to_problem(const Genome& bred) const;
     std::vector<Genome> to_problem(std::span<const Genome> bred) const;
 };
 
-/// Returns the recoding whose bred string is the problem's own string, unchanged.
+/// Returns the recoding that leaves the problem's string unchanged.
 Recoding natural_recoding(std::vector<std::size_t> problem_bits);
 
 } // namespace placedpar

@@ -7,15 +7,15 @@
 
 namespace placedpar {
 
-/// Returns the lower bound that the schema theorem gives for the expected number of strings of the next generation that
-/// have the schema (thesis eq. 6.2):
+/// Returns a lower bound for the expected number of strings of the next generation that match the schema, by the schema
+/// theorem (thesis eq. 6.2):
 ///
 ///     m(h, t + 1) >= m(h, t) F(h, t) / F(t) (1 - p_c delta(h) / (l - 1)) (1 - p_m)^O(h)
 ///
-/// It bounds the expected value, not a single outcome, and ignores strings with the schema that crossover and mutation
+/// It bounds the expected value, not a single outcome. It leaves out matching strings that crossover and mutation
 /// create. It holds for reproduction in proportion to fitness (roulette, stochastic universal sampling), one-point
-/// crossover and bit mutation; negative fitness counts as 0, as on the roulette wheel. 0 where no fitness is positive.
-/// REQUIRES: fitness.size() == population.size(); strings of schema.size().
+/// crossover and bit mutation. Negative fitness counts as 0, as on the roulette wheel. Returns 0 if no fitness is
+/// positive. REQUIRES: fitness.size() == population.size(); strings of schema.size().
 double schema_bound(const Schema& schema, std::span<const Genome> population, std::span<const double> fitness,
                     double crossover_probability, double mutation_probability);
 

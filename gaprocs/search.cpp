@@ -84,7 +84,7 @@ void Search::remember_best(std::span<const double> fitness) {
     std::size_t best = best_index(fitness);
     if (!best_)
         best_.emplace();
-    best_->genome = population_[best]; // into the memory that is there
+    best_->genome = population_[best]; // reuses the memory
     best_->fitness = fitness[best];
 }
 

@@ -11,10 +11,10 @@ namespace placedpar {
 
 namespace {
 
-/// A problem whose string has don't-care bits between every two bits of the original.
+/// A problem whose string has don't-care bits between every two bits of the original string.
 class StuffedProblem final : public SearchProblem {
 public:
-    /// REQUIRES: its strings are binary.
+    /// REQUIRES: the strings of `plain` are binary.
     StuffedProblem(std::shared_ptr<const SearchProblem> plain, Coding coding)
         : plain_(std::move(plain)), coding_(coding) {}
 
@@ -66,7 +66,7 @@ std::shared_ptr<const SearchProblem> SearchProblem::coded(Coding coding) const {
     if (coding.dont_care() == 0)
         return plain;
     if (plain->representation().kind() != StringKind::binary)
-        throw UserError(fmt::format("don't-care bits are of binary strings, and this problem's are {}",
+        throw UserError(fmt::format("don't-care bits need binary strings, and this problem's are {}",
                                     name_of(plain->representation().kind())));
     return std::make_shared<StuffedProblem>(std::move(plain), coding);
 }

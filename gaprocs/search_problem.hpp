@@ -22,10 +22,10 @@ namespace placedpar {
 /// The numbers measured at one sampling instant, in the order that the problem defines.
 using Sample = std::vector<double>;
 
-/// The functions that a search needs of a problem. A plain struct can have them without including this header. If the
-/// type of the genome is a template parameter and the struct reads it by field(first, count), any Coding can be used.
-/// Optional: `coding()`, the ParameterCoding of its string; `true_parameters()`, the values a simulated record was made
-/// with; the members of ErrorOfParameters, with which a population is evaluated faster.
+/// The functions of a problem that a search needs. A plain struct can have them without including this header. If the
+/// genome's type is a template parameter and the struct reads it by field(first, count), the problem allows every
+/// Coding. Optional are `coding()`, the ParameterCoding of its string; `true_parameters()`, the values from which a
+/// simulated record was made; and the members of ErrorOfParameters, which make the evaluation of a population faster.
 template <typename P, typename G = Genome>
 concept Searchable = requires(const P& problem, const G& genome, std::span<const double> sample) {
     { problem.bits() } -> std::convertible_to<std::size_t>;
@@ -36,58 +36,61 @@ concept Searchable = requires(const P& problem, const G& genome, std::span<const
     { problem.parameter_units() } -> std::convertible_to<std::vector<std::string>>;
 };
 
-/// A type-erased search problem, which processes can find by name. Immutable: several processes may share it.
+/// A type-erased search problem, which processes can find by its name. It is immutable, so several processes may share
+/// it.
 class SearchProblem {
 public:
     virtual ~SearchProblem() = default;
 
-    /// Length of the string.
+    /// Returns the length of the string in bits.
     virtual std::size_t bits() const = 0;
     /// Returns the representation of the string.
     virtual Representation representation() const { return BitString(bits()); }
-    /// Returns how many numbers a sample has; 0 if there is an objective().
+    /// Returns how many numbers a sample has; 0 for a problem with an objective().
     virtual std::size_t channels() const = 0;
-    /// Returns the objective of a problem that is searched without a record: its fitness() is the objective's and
-    /// ignores the samples and the bias. Returns nothing for a problem that has an error at each sample.
+    /// Returns the objective of a problem that is searched without a record, and nothing for a problem with a record.
+    /// With an objective, fitness() ignores the samples and the bias.
     virtual std::optional<Objective> objective() const { return std::nullopt; }
-    /// Returns whether the error at a sample depends on where its window begins, so that the error evaluations of one
-    /// individual cannot be split between processes.
+    /// Returns whether the error at a sample depends on the first sample of its window. If it does, the error
+    /// evaluations of one individual cannot be split between processes.
     virtual bool depends_on_window() const { return false; }
     /// Returns the errors of one individual at the samples of a window, oldest first. REQUIRES: as error().
     virtual std::vector<double> errors(const Genome& genome, std::span<const Sample> window) const;
-    /// Returns the error of one individual at one sample (eq. 3.8), taken as the first of a window. REQUIRES: sizes as
-    /// stated by bits(), channels(); no objective().
+    /// Returns the error of one individual at one sample, as the first sample of a window (eq. 3.8). REQUIRES: a string
+    /// of bits() bits, a sample of channels() numbers, and no objective().
     virtual double error(const Genome& genome, std::span<const double> sample) const = 0;
     /// Returns the sum of fitness_term() over the samples, with one virtual call for each individual.
     virtual double fitness(const Genome& genome, std::span<const Sample> samples, double bias) const = 0;
-    /// Computes fitness() of a whole population, with the same bits; several individuals at once if the problem's error
-    /// is a function of its parameters. REQUIRES: out.size() == population.size().
+    /// Computes the fitness() of each individual of a population, with the same bits as fitness(). If the problem's
+    /// error is a function of its parameters, computes several individuals at once. REQUIRES: out.size() ==
+    /// population.size().
     virtual void fitness_of(std::span<const Genome> population, std::span<const Sample> samples, double bias,
                             std::span<double> out) const = 0;
-    /// Returns the parameters coded by the string; their names and units are those below.
+    /// Returns the parameters that the string codes. The next two functions return their names and units.
     virtual std::vector<double> decode(const Genome& genome) const = 0;
     virtual std::vector<std::string> parameter_names() const = 0;
     virtual std::vector<std::string> parameter_units() const = 0;
     /// Returns the true values of the parameters; empty if they are unknown.
     virtual std::vector<double> true_parameters() const { return {}; }
 
-    /// Returns the bits of each field of the string, in its order and without "don't care" bits; empty if the problem
-    /// does not state them.
+    /// Returns the number of bits of each field of the string, in the order of the fields and without don't-care bits.
+    /// Empty if the problem does not state its fields.
     virtual std::vector<std::size_t> fields() const { return {}; }
     /// Returns the coding of the string.
     virtual Coding coding() const = 0;
-    /// Returns the same problem with its string read another way. Throws UserError when the string cannot be read so.
+    /// Returns the same problem with its string in another coding. Throws UserError if the string cannot have this
+    /// coding.
     std::shared_ptr<const SearchProblem> coded(Coding) const;
 
 private:
-    /// Does the same as coded(). REQUIRES: no don't-care bits.
+    /// Does the same as coded(). REQUIRES: the coding has no don't-care bits.
     virtual std::shared_ptr<const SearchProblem> coded_plainly(Coding) const = 0;
 };
 
-/// Throws the UserError of coded() for a coding in which a problem's string cannot be read.
+/// Throws the UserError of coded() for a coding that a problem's string cannot have.
 [[noreturn]] void refuse_coding(Coding);
 
-/// SearchProblem around a plain struct.
+/// The SearchProblem of a plain struct.
 template <Searchable P, bool gray = false>
 class SearchProblemOf final : public SearchProblem {
 public:

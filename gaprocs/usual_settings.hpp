@@ -11,25 +11,25 @@
 
 namespace placedpar {
 
-/// The settings for a problem unless others are given: the thesis's, but for reproduction by ranking where the
-/// problem has an objective, which may be negative, and for the operators of other than binary strings: blend crossover
-/// and gaussian mutation of real vectors, order crossover and inversion of permutations.
+/// Returns the settings that a search of this problem has unless others are given. They are the thesis's settings, with
+/// two exceptions. For an objective, which may be negative, reproduction is by ranking. Real vectors have blend
+/// crossover and gaussian mutation; permutations have order crossover and inversion.
 SearchSettings usual_settings(const SearchProblem&);
 
-/// Returns the settings adapted to the problem. Window and generations per sample only matter with a record: with an
-/// objective they become one empty sample and one generation. Throws UserError for settings that do not fit the
+/// Returns the settings adapted to the problem. The window and the generations per sample only matter with a record;
+/// for an objective they become one empty sample and one generation. Throws UserError for settings that do not fit the
 /// problem: see require_fitting_reproduction() and require_fitting_operators().
 SearchSettings settings_for(const SearchProblem&, SearchSettings settings);
 
-/// Throws UserError, saying what would be right, for a reproduction by which no individual could become a parent: one
-/// that needs positive fitness, with an objective that is minimised and therefore negated.
+/// Throws UserError, with what would be right, if no individual could become a parent. This is so if the reproduction
+/// needs positive fitness, and the objective is minimised and therefore negated.
 void require_fitting_reproduction(const SearchProblem&, const Reproduction&);
 
-/// Throws std::invalid_argument for a sample whose number of values is not the problem's number of channels.
+/// Throws std::invalid_argument if a sample does not have one value for each channel of the problem.
 void require_channels(const SearchProblem&, std::span<const Sample> record);
 
-/// Returns the record of an objective problem for a number of generations: samples without a number. Throws UserError
-/// for none.
+/// Returns the record of an objective problem: one sample without numbers for each generation. Throws UserError for 0
+/// generations.
 std::vector<Sample> empty_record(std::size_t generations);
 
 } // namespace placedpar

@@ -12,7 +12,7 @@ namespace placedpar {
 /// The last `length` measured samples, oldest first.
 class SlidingWindow {
 public:
-    /// Throws std::invalid_argument as WindowSettings::validate().
+    /// Throws UserError as WindowSettings::validate().
     explicit SlidingWindow(const WindowSettings& settings);
 
     /// Adds the newest sample, and removes the oldest from a full window.

@@ -25,7 +25,8 @@ void require_one_group(const Question& question) {
     for (LinkSet group : coupled_groups(question.configuration))
         if ((question.links & group) == question.links)
             return;
-    throw UserError(fmt::format("{} are not coupled with each other in configuration {}: identify them one by one",
+    throw UserError(fmt::format("{} are not hydraulically coupled in configuration {}: identify each link "
+                                "separately",
                                 list(question.links), name_of(question.configuration)));
 }
 

@@ -24,26 +24,26 @@ bool at_upper_bound(double compliance, double step) {
 }
 
 Flag lower_bound_flag() {
-    return {FlagKind::lower_bound, "at the lower bound of the search: the record asks for a compliance of 0 or below, "
-                                   "as an offset of the spool makes it"};
+    return {FlagKind::lower_bound, "at the lower bound of the search: the compliance that fits the record best "
+                                   "is 0 or negative, as after an offset of the spool's readings"};
 }
 
 Flag upper_bound_flag() {
-    return {FlagKind::upper_bound, fmt::format("at the upper bound of the search, {} in^3/psi: the true value may be "
-                                               "above",
+    return {FlagKind::upper_bound, fmt::format("at the upper bound of the search, {} in^3/psi: the true compliance may "
+                                               "be larger",
                                                CircuitProblem::largest_in3_per_psi)};
 }
 
 Flag uncertain_flag(double compliance, double standard_error) {
     if (!std::isfinite(standard_error))
         return {FlagKind::uncertain,
-                "uncertain: the record cannot tell this compliance: are the readings, the spool, the "
-                "units and the machine's constants right?"};
+                "uncertain: the record does not determine this compliance: check the readings, the spool, the "
+                "units and the machine's constants"};
     double share = standard_error / compliance;
-    std::string size = share < 1 ? fmt::format("of {:.0f} %", 100 * share) : "as large as the answer";
+    std::string size = share < 1 ? fmt::format("{:.0f} %", 100 * share) : "as large as the compliance";
     return {FlagKind::uncertain,
-            fmt::format("uncertain: the record leaves a standard error {}, more than {:.0f} %: are "
-                        "the spool, the units and the machine's constants right?",
+            fmt::format("uncertain: the standard error is {}, more than {:.0f} %: check the spool, the units and "
+                        "the machine's constants",
                         size, 100 * uncertain_share)};
 }
 
@@ -51,12 +51,13 @@ std::optional<Flag> unconfirmed_flag(double compliance, const LeastSquares& refe
     constexpr double share = 0.1, errors = 2;
     const double least = reference.compliance_in3_per_psi;
     if (!std::isfinite(reference.standard_error))
-        return Flag{FlagKind::unconfirmed, fmt::format("unconfirmed: least squares over {} finds nothing", samples)};
+        return Flag{FlagKind::unconfirmed,
+                    fmt::format("unconfirmed: least squares over {} finds no compliance", samples)};
     if (std::abs(compliance - least) + errors * reference.standard_error <= share * least)
         return std::nullopt;
     return Flag{FlagKind::unconfirmed,
-                fmt::format("unconfirmed: least squares over {} finds {:.5f} +- {:.5f} in^3/psi, by which the answer "
-                            "may be off by more than {:.0f} %",
+                fmt::format("unconfirmed: least squares over {} finds {:.5f} +- {:.5f} in^3/psi, so the answer "
+                            "may be wrong by more than {:.0f} %",
                             samples, least, reference.standard_error, 100 * share)};
 }
 

@@ -42,8 +42,8 @@ bool flag_excitation(LinkIdentified& link, std::span<const CircuitSample> window
     bool still = rms < least_slope_psi_per_s && rms * link.compliance_in3_per_psi < least_flow_in3_per_s;
     if (still)
         link.flags.push_back({FlagKind::no_excitation,
-                              fmt::format("no excitation: the pressure moves at {:.0f} psi/s (rms) over the last "
-                                          "window; below {:.0f} noise decides",
+                              fmt::format("no excitation: the pressure changes by {:.0f} psi/s (rms) over the last "
+                                          "window; below {:.0f} psi/s noise determines the answer",
                                           rms, least_slope_psi_per_s)});
     return still;
 }
@@ -78,8 +78,8 @@ void flag_pressure(LinkIdentified& link, std::span<const CircuitSample> samples,
             {FlagKind::vacuum, fmt::format("impossible: the pressure reads {:.0f} psi, below vacuum", least)});
     if (auto frozen = frozen_run(psi, least_jump_psi, fewest_frozen(method_period_s)))
         link.flags.push_back(
-            {FlagKind::frozen, fmt::format("impossible: the pressure stands at {:.1f} psi in {} samples from {:.3f} s "
-                                           "on, and then jumps by {:.0f} psi",
+            {FlagKind::frozen, fmt::format("impossible: the pressure stays at {:.1f} psi for {} samples from {:.3f} "
+                                           "s on, then jumps by {:.0f} psi",
                                            psi[frozen->first], frozen->last - frozen->first,
                                            samples[frozen->first].time_s, frozen->jump)});
 }
@@ -93,9 +93,10 @@ void flag_falling(LinkIdentified& link, std::span<const CircuitSample> samples, 
     if (side == Side::outlet)
         flow = -flow;
     if (flow < -least_flow_in3_per_s)
-        link.flags.push_back({FlagKind::falls, fmt::format("inconsistent: the piston goes back, by {:.1f} in^3/s on "
-                                                           "average, while oil flows in: is the angle's sign right?",
-                                                           -flow)});
+        link.flags.push_back(
+            {FlagKind::falls, fmt::format("inconsistent: the piston moves back, by {:.1f} in^3/s on average, while "
+                                          "oil flows in: check the sign of the angle",
+                                          -flow)});
 }
 
 /// Flags a link if the two halves of the samples give different compliances.
@@ -105,8 +106,8 @@ void flag_halves(LinkIdentified& link, const ComplianceFit& early, const Complia
     if (difference > halves_differ * link.compliance_in3_per_psi && difference > halves_differ_errors * error)
         link.flags.push_back(
             {FlagKind::halves,
-             fmt::format("inconsistent: least squares asks for {:.5f} in the first half of the "
-                         "samples and for {:.5f} in^3/psi in the second",
+             fmt::format("inconsistent: least squares finds {:.5f} in^3/psi in the first half of the samples but "
+                         "{:.5f} in^3/psi in the second",
                          early.compliance_in3_per_psi[junction], late.compliance_in3_per_psi[junction])});
 }
 
@@ -134,8 +135,8 @@ void add_flags(Identified& identified, const CircuitProblem& problem, const Flow
         bool at_bound = flag_bounds(link, problem), still = flag_excitation(link, window, j);
         if (error >= allowed)
             link.flags.push_back(
-                {FlagKind::misfit, fmt::format("inconsistent: the best individual still misses {:.1f} in^3/s of flow "
-                                               "(rms), more than the bias allows ({:.1f})",
+                {FlagKind::misfit, fmt::format("inconsistent: the flow error of the best individual is {:.1f} in^3/s "
+                                               "(rms), more than the bias allows ({:.1f} in^3/s)",
                                                error, allowed)});
         flag_still_valve(link, samples, j, identified.circuit[j].side);
         flag_pressure(link, samples, j);
@@ -161,7 +162,7 @@ void flag_spikes(Identified& identified, const Record& record, std::span<const C
                 if (is_spike(readings.subspan(i - reach, line_fit_points), greatest)) {
                     link.flags.push_back(
                         {FlagKind::impossible,
-                         fmt::format("impossible: {} reads {:g} at {:.3f} s, and {:g} and {:g} before and "
+                         fmt::format("impossible: {} reads {:g} at {:.3f} s, but {:g} just before and {:g} just "
                                      "after",
                                      name_of(sensor), readings[i], record.time_s[i], readings[i - 1],
                                      readings[i + 1])});
@@ -177,8 +178,8 @@ void flag_calibration(Identified& identified, const SpoolOffset& found, double r
     auto boom = std::ranges::find(identified.links, Link::boom, &LinkIdentified::link);
     if (boom != identified.links.end())
         boom->flags.push_back(
-            {FlagKind::offset, fmt::format("an offset of {:+.4f} in was found: a leak looks the same; calibrate on a "
-                                           "machine known to be sound, and give --offset",
+            {FlagKind::offset, fmt::format("the calibration found an offset of {:+.4f} in, but a leak looks the "
+                                           "same; calibrate on a machine known to be sound, and give --offset",
                                            found.offset_in)});
 }
 

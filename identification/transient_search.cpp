@@ -40,8 +40,8 @@ void require_samples(std::span<const CircuitSample> samples, const Identificatio
     std::size_t needed = samples_for_first_generation(way), found = longest_stretch(samples);
     if (found < needed)
         throw UnfitRecord(fmt::format(
-            "{} usable samples{}, expected at least {}: the transient after the valve opens, with the pressure rising "
-            "faster than {} psi/s, is too short or not in the record",
+            "{} usable samples{}, expected at least {}: the transient after the valve opens, in which the "
+            "pressure rises faster than {} psi/s, is too short or missing",
             found, found < samples.size() ? " without a gap" : "", needed, way.usable.first_slope_psi_per_s));
 }
 

@@ -90,10 +90,10 @@ void flag_limit(LinkIdentified& link) {
     const double least = link.of_all_samples->compliance_in3_per_psi;
     const double off = std::abs(link.compliance_in3_per_psi - least) + errors * link.standard_error;
     if (std::isfinite(link.standard_error) && off > share * least && !link.flagged(FlagKind::unconfirmed))
-        link.flags.push_back({FlagKind::uncertain,
-                              fmt::format("uncertain: the noise limits this answer to {:.1f} % (one standard error); "
-                                          "within three it may be off by more than {:.0f} %",
-                                          100 * link.standard_error / link.compliance_in3_per_psi, 100 * share)});
+        link.flags.push_back(
+            {FlagKind::uncertain, fmt::format("uncertain: the noise allows a standard error of {:.1f} %, so the answer "
+                                              "may be wrong by more than {:.0f} % (three standard errors)",
+                                              100 * link.standard_error / link.compliance_in3_per_psi, 100 * share)});
 }
 
 } // namespace
@@ -115,8 +115,8 @@ WholeWay whole_way(std::size_t links, Side side) {
 Identified identify_whole(const ComplianceSearch& prepared, const WholeWay& whole, std::uint64_t seed) {
     std::span<const CircuitSample> used(prepared.samples);
     if (std::size_t needed = samples_for_first_generation(whole.way); used.size() < needed)
-        throw UnfitRecord(fmt::format("{} usable samples, expected at least {}: no movement in which every valve opens "
-                                      "and every pressure rises faster than {} psi/s",
+        throw UnfitRecord(fmt::format("{} usable samples, expected at least {}: the record lacks a movement in "
+                                      "which every valve opens and every pressure rises faster than {} psi/s",
                                       used.size(), needed, whole.way.usable.first_slope_psi_per_s));
     used = used.first(std::min(used.size(), exact_fitness_terms));
     SearchRun run = search_whole(prepared, used, whole, RandomStream(seed, "master"));

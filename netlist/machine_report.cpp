@@ -95,8 +95,8 @@ bool has_own_devices(const Network& network) {
         throw RefusedInput(refused.what() +
                            render(SecondPlace{"read by " + failing(failure, process), process->declared}));
     } catch (const hardware::BroadcastError& refused) {
-        throw UserError(fmt::format("{}: {}\nhint: a broadcast is one message for all that are placed on the bus; a "
-                                    "channel that is not placed there has messages of its own",
+        throw UserError(fmt::format("{}: {}\nhint: all channels on the bus carry one broadcast message; a "
+                                    "channel that is not placed on the bus carries its own messages",
                                     who, refused.what()));
     } catch (const UserError& refused) {
         throw UserError(fmt::format("{}: {}", who, refused.what()));

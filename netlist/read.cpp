@@ -42,7 +42,8 @@ std::size_t most_words_in(std::string_view printed) {
 /// the netlist.
 void check_size(WrittenOut out, const Location& at, Reporter& reporter) {
     if (out.bytes > largest_source_bytes)
-        reporter.give_up(at, fmt::format("the network is too large: written out it would have {} bytes, {} are allowed",
+        reporter.give_up(at, fmt::format("the network is too large: written out it would have {} bytes, but at "
+                                         "most {} bytes are allowed",
                                          out.bytes, largest_source_bytes));
     if (most_words_in(out.text) > most_tokens && count_words(std::move(out.text)) > most_tokens)
         reporter.give_up(
@@ -56,7 +57,8 @@ void recognise_occam(const std::shared_ptr<const SourceFile>& main, Reporter& re
         found = occam_in(first);
     if (found)
         reporter.replace_all(found->at,
-                             "this is occam; a netlist is in the configuration language of the C toolset (icconf)",
+                             "this is occam; write the netlist in the configuration language of the C toolset "
+                             "(icconf)",
                              found->hint);
 }
 

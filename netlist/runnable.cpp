@@ -61,7 +61,7 @@ SecondPlace note_on_program(const std::string& program, const Missing& missing) 
 
 SecondPlace note_on_edge(const std::string& edge, const Missing& missing) {
     return {
-        fmt::format("the edge \"{}\" has no process, but these channels lead there: {}", edge, listed(missing.names)),
+        fmt::format("the edge \"{}\" has no process, but these channels lead to it: {}", edge, listed(missing.names)),
         missing.first};
 }
 
@@ -77,12 +77,12 @@ std::string remedy(const MissingByName& programs, const MissingByName& edges) {
     std::string text;
     if (auto named = std::ranges::find_if(programs, [](const auto& each) { return !each.first.empty(); });
         named != programs.end())
-        text = fmt::format("--use {}=KIND puts a kind in the place of a program; the command kinds lists them",
+        text = fmt::format("--use {}=KIND runs a kind instead of the program; the command kinds lists the kinds",
                            named->first);
     if (auto without = programs.find(""); without != programs.end())
         text += fmt::format("{}use \"KIND\" for {};", text.empty() ? "" : "; ", without->second.names.front());
     if (!edges.empty())
-        text += fmt::format("{}place NAME on {}; puts a process at an edge", text.empty() ? "" : "; ",
+        text += fmt::format("{}place NAME on {}; places a process at the edge", text.empty() ? "" : "; ",
                             edges.begin()->first);
     return text;
 }

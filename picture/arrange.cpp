@@ -148,8 +148,8 @@ private:
         return cost;
     }
 
-    /// Returns the cost of a wire that leads from the new node along `way`. Of two equally good places, a host prefers
-    /// the left or upper one, another node the right or lower one.
+    /// Returns the cost of a wire that leads from the new node along `way`. Of two equally good places, a host takes
+    /// the left or upper place; another node takes the right or lower place.
     double cost_of(std::size_t node, Point way) const {
         bool leads = n_.nodes[node].kind->drawing.in_first_row || n_.nodes[node].kind->links == LinkRole::edge;
         double towards = leads ? -1 : 1;

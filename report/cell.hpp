@@ -48,7 +48,7 @@ struct Cell {
     std::optional<double> at_least = {}, at_most = {};
     std::optional<double> reference_to = {}; ///< upper bound of a claim with two bounds, which is only printed
     std::string source = {}; ///< source of the known figure, if the figures of a comparison have several sources
-    std::optional<Judge> judge = {};       ///< empty: the one that Comparison::against names
+    std::optional<Judge> judge = {};       ///< empty: the judge that Comparison::against names
     std::optional<Interval> interval = {}; ///< 95 % interval of a simulated share: all of it must miss a bound
 
     /// Returns the deviation of the simulated figure from the reference, in percent of the reference; 0 if both are 0;

@@ -20,9 +20,9 @@ struct Comparison {
 
     void add(Cell cell);
     bool within_tolerance() const;
-    /// Returns whose figure the cell is judged by: its own judge, or the one that `against` names. "thesis", "claim"
-    /// and the number of an equation, "(4.9)" or "eq. 6.2", name the thesis; "publ." and "Poznan" name published
-    /// figures.
+    /// Returns the origin of the figure that judges the cell: the cell's own judge, or the judge that `against` names.
+    /// "thesis", "claim" and the number of an equation, "(4.9)" or "eq. 6.2", name the thesis; "publ." and "Poznan"
+    /// name published figures.
     Judge judge_of(const Cell&) const;
 };
 

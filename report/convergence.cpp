@@ -88,8 +88,7 @@ ConvergenceCurve curve_of(std::string name, std::span<const SeededLog> logs, con
         for (const LoggedGeneration& generation : searches.of(each.log))
             run.push_back(generation.*quantity);
         if (run.empty())
-            throw UserError(
-                fmt::format("there is nothing to draw: with seed {} not every search made a generation", each.seed));
+            throw UserError(fmt::format("nothing to draw: with seed {} not every search made a generation", each.seed));
     }
     return curve;
 }
@@ -151,7 +150,7 @@ Panel objective_panel(const DrawnLogs& drawn, bool minimised) {
                   drawn.curve("mean", &LoggedGeneration::mean, 1)};
     Panel panel = convergence_panel(drawn.title("objective"), "objective", curves);
     if (panel.series.empty())
-        throw UserError("there is nothing to draw: no individual has a finite objective");
+        throw UserError("nothing to draw: no individual has a finite objective");
     panel.y.logarithmic = minimised && is_positive(curves);
     return panel;
 }

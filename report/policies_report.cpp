@@ -94,7 +94,7 @@ std::optional<PolicyQuery> ask_one(PolicyQuery asked, const std::string& base) {
     return asked;
 }
 
-/// Returns what the name stands for: whole nouns, or, if there are none, the policies and forms of that name.
+/// Returns the meanings of the name: whole nouns or, if no noun matches, the policies and forms of that name.
 std::vector<PolicyQuery> find_asked(const Catalogue& catalogue, const std::string& name) {
     std::vector<PolicyQuery> whole, parts;
     for (Noun& noun : policy_nouns()) {

@@ -17,7 +17,7 @@ namespace placedpar {
 /// The name that stands for all policies in place of a kind's name.
 inline constexpr std::string_view policies_group = "policies";
 
-/// Returns every name that is_policy() accepts as it is: "policies", the decisions, the policies, the forms.
+/// Returns every name that is_policy() accepts exactly: "policies", the steps, the policies and the forms.
 std::vector<std::string> policy_names();
 /// Returns whether the name stands for a policy, form or decision: one of policy_names(), in upper or lower case and
 /// with blanks for hyphens; a policy with its numbers; another word for a decision (Noun::also_called); or a parameter
@@ -26,10 +26,9 @@ bool is_policy(const Catalogue&, const std::string& name);
 
 /// Prints all policies, a line for each.
 std::string print_policies();
-/// Prints everything about what the name stands for: the decision, the parameters and processes that make it, the
-/// policies with their numbers, their spelling in a netlist and their sources, and the forms. A name may stand for
-/// several of these. Throws UserError for a policy with numbers that it does not take; the message says which numbers
-/// are allowed. REQUIRES: is_policy().
+/// Prints the description of a step, a policy or a form. A step is printed with its parameters and processes, a policy
+/// with its numbers, its spelling in a netlist and its source. A name may have several such meanings. Throws UserError
+/// for a policy with numbers that it does not take; the message says which numbers are allowed. REQUIRES: is_policy().
 std::string print_policy(const Catalogue&, const std::string& name);
 /// Returns all that print_policy() prints. Throws as print_policy(). REQUIRES: is_policy().
 boost::json::array policies_json(const Catalogue&, const std::string& name);

@@ -231,7 +231,7 @@ std::string print_effect(const FaultUse& fault) {
     if (fault.bus_errors > 0)
         said.push_back(counted(fault.bus_errors, "bus error"));
     if (fault.held_since)
-        said.push_back(fmt::format("had the bus from {} on", to_string(*fault.held_since)));
+        said.push_back(fmt::format("held the bus from {} on", to_string(*fault.held_since)));
     std::string out = said.empty() ? fault.had_effect() ? "slowed messages down" : "had no effect"
                                    : fmt::format("{}", fmt::join(said, "; "));
     if (fault.first)
@@ -388,12 +388,13 @@ std::string print_report(const RunReport& report, const Network& network, const 
     bool stopped = report.result.ending == Ending::time_limit;
     std::string out =
         fmt::format("{}: {} at {}{}\nfingerprint: {:016x}\n", network.source_path, print_ending(report.result.ending),
-                    to_string(report.result.time), stopped ? "; what follows is of the time until then" : "",
+                    to_string(report.result.time), stopped ? "; the figures below cover the time until then" : "",
                     report.result.fingerprint) +
         print_set(network) + print_faults(report.faults) + print_switches(report.switches);
     if (report.result.deadlock)
-        out += (report.result.ending == Ending::stuck ? "\n" : "\nin a deadlock, while others could go on:\n") +
-               report.result.deadlock->text();
+        out +=
+            (report.result.ending == Ending::stuck ? "\n" : "\nin a deadlock while other processes could continue:\n") +
+            report.result.deadlock->text();
     if (!report.result.never_ran.empty())
         out += print_never_ran(report.result.never_ran);
     if (!report.measurements.empty())

@@ -40,8 +40,8 @@ bool searches(const ProcessInstance& process) {
 
 void require_searches(const Network& network) {
     if (std::ranges::none_of(network.processes, searches))
-        throw UserError(fmt::format("no process of {} searches, so there are no generations to log; ga.traditional, "
-                                    "ga.master, ga.island, ga.coarse and ga.fine search",
+        throw UserError(fmt::format("no process of {} searches, so no generations can be logged; the kinds "
+                                    "ga.traditional, ga.master, ga.island, ga.coarse and ga.fine search",
                                     network.source_path));
 }
 

@@ -51,7 +51,7 @@ Cycles enabling(const Guard& guard, const OperationCosts& cost) {
     return is_ready(guard) ? cost.enable_guard : cost.enable_guard_not_ready;
 }
 
-/// Charges the process for beginning the alternation and enabling each guard.
+/// Charges the process for the beginning of the alternation and for enabling each guard.
 void charge_enabling(Process& self, std::span<const Guard> guards) {
     charge(self, [guards](const OperationCosts& cost) {
         Cycles sum = cost.alternation_start;
@@ -61,7 +61,7 @@ void charge_enabling(Process& self, std::span<const Guard> guards) {
     });
 }
 
-/// Charges the process for disabling each guard and ending the alternation, once a guard is ready.
+/// Charges the process for disabling each guard and for the end of the alternation.
 void charge_disabling(Process& self, std::span<const Guard> guards) {
     charge(self, [guards](const OperationCosts& cost) {
         Cycles sum = cost.alternation_end;
@@ -73,7 +73,8 @@ void charge_disabling(Process& self, std::span<const Guard> guards) {
 
 } // namespace
 
-/// A process that sleeps on its guards. While this exists, the guards are enabled on their channels.
+/// A process that sleeps until one of its guards is ready. The guards are enabled on their channels as long as the
+/// object exists.
 class Alternation final : Event, Listener {
 public:
     Alternation(Process& process, std::span<AnyChannel* const> channels) : process_(process), channels_(channels) {}
@@ -103,8 +104,8 @@ private:
     bool woken_ = false;
 };
 
-/// Marks the process as the user of the ends of its guards' channels while this exists. Throws std::logic_error if it
-/// does not own such an end.
+/// Marks the process as the user of its guards' channel ends, as long as the object exists. Throws std::logic_error if
+/// another process owns one of the ends.
 class AtGuards {
 public:
     AtGuards(Process& self, std::span<const Guard> guards) : guards_(guards) {
@@ -137,17 +138,18 @@ void sleep(Process& self, std::span<const Guard> guards, const SourceLocation& w
     self.wait_for(Activity::alternating, {channels.data(), channels.size()}, where, timeout.has_value());
 }
 
-/// Does the work of select(), which records the choice.
+/// Chooses a guard for select(). select() itself records the choice.
 std::size_t choose(Process& self, std::span<const Guard> guards, const SourceLocation& where) {
     AtGuards at_guards(self, guards);
     charge_enabling(self, guards);
     charge(self, first_ready(guards) ? &OperationCosts::alternation_wait_ready : &OperationCosts::alternation_wait);
     bool has_to_sleep = !first_ready(guards);
-    while (!first_ready(guards)) // an outputter may give up its message before the process that it woke goes on
+    while (!first_ready(guards)) // the message that woke the process may have been given up since
         sleep(self, guards, where);
     std::size_t chosen = *first_ready(guards);
     charge_disabling(self, guards);
-    // A process that polls and is not placed takes no time. Without this, no other process would ever run.
+    // A process that polls and is not placed takes no virtual time. If it did not wait here, no other process would
+    // run.
     if (!has_to_sleep && !self.executive() && guards[chosen].kind != Guard::input)
         wait_until(now(), where);
     return chosen;

@@ -15,42 +15,42 @@
 
 namespace placedpar {
 
-/// One guard of an alternation, without the process that it guards.
+/// A guard of an alternation, without the process that it guards.
 struct Guard {
     enum Kind { never, input, timeout, skip } kind;
-    AnyChannel* channel = nullptr; ///< of an input guard
-    Time due{};                    ///< of a timeout guard
-    SourceLocation where{};        ///< in its program
+    AnyChannel* channel = nullptr; ///< only for an input guard
+    Time due{};                    ///< only for a timeout guard
+    SourceLocation where{};        ///< place in the program
 };
 
-/// Waits until a guard is ready and returns its index. If several guards are ready, the first in the given order is
-/// chosen, as in occam's PRI ALT; the transputer's instructions choose in the same way for ALT. Guards of kind `never`
-/// (a condition that is false) are ignored. select() does not input the message of an input guard.
-/// Throws std::logic_error when no guard could ever be ready (occam: such an ALT acts as STOP).
+/// Waits until a guard is ready and returns its index. If several guards are ready, returns the first of them in the
+/// given order, as occam's PRI ALT does; the transputer's instructions do the same for ALT. Guards of kind `never`,
+/// whose condition is false, are ignored. The message of an input guard is not input. Throws std::logic_error if no
+/// guard can ever become ready (in occam such an ALT acts as STOP).
 std::size_t select(std::span<const Guard> guards, const SourceLocation& = SourceLocation::current());
 
-/// An input guard and the process that it guards: `on(c, [&](int x) { ... })`.
+/// Makes an input guard with the process that it guards: `on(c, [&](int x) { ... })`.
 template <class T, std::invocable<T> Body>
 auto on(Input<T> from, Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::input, &from.channel(), Time{}, where},
                      [from, body = std::move(body), where]() mutable { body(from.input(where)); });
 }
 
-/// A timeout guard, occam's `timer ? AFTER t`: ready when the virtual time `due` has come.
+/// Makes a timeout guard, occam's `timer ? AFTER t`. It is ready from the virtual time `due` on.
 template <std::invocable Body>
 auto after(Time due, Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::timeout, nullptr, due, where}, std::move(body));
 }
 
-/// occam's SKIP guard is always ready. Guards listed before it are chosen if they are ready; guards listed after it are
-/// never chosen. Polling costs a placed process cycles. A process that is not placed polls in no virtual time: other
-/// processes get their turn at the same instant, but time passes only when the polling process waits.
+/// Makes occam's SKIP guard, which is always ready. Guards listed before it are chosen if they are ready; guards listed
+/// after it are never chosen. Polling costs a placed process cycles. A process that is not placed polls in no virtual
+/// time. Other processes get their turn at the same instant, but time passes only when the polling process waits.
 template <std::invocable Body>
 auto skip(Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::skip, nullptr, Time{}, where}, std::move(body));
 }
 
-/// A condition before a guard: `when(free > 0, on(c, ...))`.
+/// Adds a condition to a guard: `when(free > 0, on(c, ...))`.
 template <class Body>
 auto when(bool condition, std::pair<Guard, Body> guarded) {
     if (!condition)
@@ -63,19 +63,19 @@ template <class Body>
 struct Guards {
     std::vector<Guard> guards;
     std::vector<std::size_t> numbers; ///< the replicator's value for each guard
-    Body body;                        ///< is called with the number of the chosen guard
+    Body body;                        ///< called with the number of the chosen guard
 };
 template <class Body>
 Guards(std::vector<Guard>, std::vector<std::size_t>, Body) -> Guards<Body>;
 
-/// The input that a fair ALT tests first; it is kept from one execution of the ALT to the next.
+/// The input that a fair ALT tests first. The caller keeps it from one execution of the ALT to the next.
 struct Turn {
     std::size_t next = 0;
 };
 
 namespace detail {
 
-/// Makes one guard for each input, beginning with inputs[first]. `body` is called with the number of the input.
+/// Makes one guard for each input, beginning with inputs[first]. `body`: called with the number of the input.
 template <class T, class Body>
 auto replicated(std::span<const Input<T>> inputs, std::size_t first, Body body, const SourceLocation& where) {
     std::vector<Guard> guards;
@@ -89,18 +89,18 @@ auto replicated(std::span<const Input<T>> inputs, std::size_t first, Body body, 
 
 } // namespace detail
 
-/// A replicated guard, `ALT i = 0 FOR n`: `each(inputs, [&](std::size_t i, T message) { ... })`. If several
-/// inputs are ready, the first is chosen. REQUIRES: the inputs outlive the returned guards.
+/// Makes a replicated guard, `ALT i = 0 FOR n`: `each(inputs, [&](std::size_t i, T message) { ... })`. If several
+/// inputs are ready, the first of them is chosen. REQUIRES: the inputs outlive the returned guards.
 template <class T, std::invocable<std::size_t, T> Body>
 auto each(std::span<const Input<T>> inputs, Body body, const SourceLocation& where = SourceLocation::current()) {
     auto take = [inputs, body = std::move(body), where](std::size_t i) mutable { body(i, inputs[i].input(where)); };
     return detail::replicated(inputs, 0, std::move(take), where);
 }
 
-/// A fair replicated guard: testing starts with the input after the one that was chosen last, so that every ready input
-/// is chosen once before any input is chosen twice (G. Jones, Carefully scheduled selection with ALT,
-/// occam user group newsletter 10, 1989). `each(inputs, turn, [&](std::size_t i, T message) { ... })`. REQUIRES: the
-/// inputs and the turn outlive the returned guards.
+/// Makes a fair replicated guard: `each(inputs, turn, [&](std::size_t i, T message) { ... })`. Testing starts behind
+/// the input that was chosen last, so every ready input is chosen once before any input is chosen twice (G. Jones,
+/// Carefully scheduled selection with ALT, occam user group newsletter 10, 1989). REQUIRES: the inputs and the turn
+/// outlive the returned guards.
 template <class T, std::invocable<std::size_t, T> Body>
 auto each(std::span<const Input<T>> inputs, Turn& turn, Body body,
           const SourceLocation& where = SourceLocation::current()) {
@@ -111,7 +111,7 @@ auto each(std::span<const Input<T>> inputs, Turn& turn, Body body,
     return detail::replicated(inputs, turn.next, std::move(take), where);
 }
 
-// Takes a vector, such as environment.inputs<T>("in"), which may be made within the call of alt().
+// These two take a vector, such as environment.inputs<T>("in"), which may be a temporary in the call of alt().
 template <class T, std::invocable<std::size_t, T> Body>
 auto each(const std::vector<Input<T>>& inputs, Body body, const SourceLocation& where = SourceLocation::current()) {
     return each(std::span<const Input<T>>(inputs), std::move(body), where);
@@ -122,7 +122,7 @@ auto each(const std::vector<Input<T>>& inputs, Turn& turn, Body body,
     return each(std::span<const Input<T>>(inputs), turn, std::move(body), where);
 }
 
-/// An ALT within an ALT: the inner guards take the place of the inner ALT, in their order.
+/// Makes an ALT within an ALT. The inner guards take the place of the inner ALT, in the same order.
 template <class... Bodies>
 auto either(std::pair<Guard, Bodies>... alternatives) {
     std::vector<std::size_t> numbers(sizeof...(alternatives));
@@ -137,8 +137,8 @@ auto either(std::pair<Guard, Bodies>... alternatives) {
                   }};
 }
 
-/// Puts a condition before each guard, `ALT i = 0 FOR n  wanted[i] & c[i] ? x`: `when([&](std::size_t i) { return
-/// wanted[i]; }, each(...))`.
+/// Adds a condition to each guard of a group, `ALT i = 0 FOR n  wanted[i] & c[i] ? x`: `when([&](std::size_t i) {
+/// return wanted[i]; }, each(...))`.
 template <std::predicate<std::size_t> Condition, class Body>
 auto when(Condition condition, Guards<Body> several) {
     for (std::size_t k = 0; k < several.guards.size(); ++k)
@@ -147,14 +147,14 @@ auto when(Condition condition, Guards<Body> several) {
     return several;
 }
 
-/// Puts one condition before all guards of the group.
+/// Adds the same condition to all guards of a group.
 template <class Body>
 auto when(bool condition, Guards<Body> several) {
     return when([=](std::size_t) { return condition; }, std::move(several));
 }
 
-/// occam's PRI ALT: waits for the first ready guard, inputs if it is an input, and runs the body that it guards.
-/// Returns its index.
+/// Runs occam's PRI ALT: waits for the first ready guard, inputs if it is an input guard, and runs the guarded body.
+/// Returns the index of the guard.
 template <class... Bodies>
 requires(sizeof...(Bodies) > 0) std::size_t alt(std::pair<Guard, Bodies>... alternatives) {
     const Guard guards[] = {alternatives.first...};
@@ -190,8 +190,8 @@ inline constexpr bool is_guards<Guards<Body>> = true;
 
 } // namespace detail
 
-/// Does the same when an alternative is a group of guards: `alt(each(inputs, ...), after(time, ...))`. Returns the
-/// index of the chosen guard, counted over all groups.
+/// Runs a PRI ALT in which some alternatives are groups of guards: `alt(each(inputs, ...), after(time, ...))`. Returns
+/// the index of the chosen guard, counted over all groups.
 template <class... Alternatives>
 requires(detail::is_guards<Alternatives> || ...) std::size_t alt(Alternatives... alternatives) {
     std::vector<Guard> guards;

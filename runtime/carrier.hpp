@@ -12,9 +12,9 @@ namespace placedpar {
 class AnyChannel;
 class Process;
 
-/// Carries the messages of hard channels from one executive to another: a direction of a link, alone or shared with
-/// other channels. output and input return when their process can go on. Each charges its process
-/// OperationCosts::hard_communication.
+/// Carries the messages of hard channels from one executive to another. A carrier is a direction of a link, alone or
+/// shared with other channels. output() and input() return when the calling process can continue. Each charges the
+/// process OperationCosts::hard_communication.
 class Carrier {
 public:
     virtual ~Carrier() = default;
@@ -23,32 +23,32 @@ public:
     virtual void output(AnyChannel&, const WireForm&, const SourceLocation&) = 0;
     /// Receives a message into the channel's waiting slot. REQUIRES: called by the inputting process.
     virtual void input(AnyChannel&, const SourceLocation&) = 0;
-    /// Returns whether a message has begun to arrive that no process has asked for yet.
+    /// Returns whether a message has begun to arrive and no process has asked for it.
     virtual bool message_waits(const AnyChannel&) const = 0;
 
-    // For reports.
-    /// Returns whether the process that outputs (inputs) waits for ever, whatever its partner does: part of the current
-    /// message was lost, or one of the two processes has given the message up.
+    // The next functions are for reports.
+    /// Return whether the process that outputs (inputs) waits for ever, whatever its partner does. This is so if part
+    /// of the current message was lost, or if one of the two processes has given up the message.
     virtual bool output_is_lost(const AnyChannel&) const { return false; }
     virtual bool input_is_lost(const AnyChannel&) const { return false; }
-    /// Returns whether the other end has given up a message that this end is still transferring. Nothing is transferred
+    /// Return whether the other end has given up a message that this end is still transferring. Nothing is transferred
     /// until the message is given up and reset at this end, too.
     virtual bool output_must_be_reset(const AnyChannel&) const { return false; }
     virtual bool input_must_be_reset(const AnyChannel&) const { return false; }
-    /// Returns what keeps an outputting process waiting although its partner inputs: other channels that must be output
-    /// at the same time, or channels whose message has not been taken.
+    /// Returns the channels that keep an outputting process waiting although its partner inputs. They are other
+    /// channels on which the same message must be output, or channels whose message has not been taken.
     virtual std::vector<const AnyChannel*> held_up_by(const AnyChannel&) const { return {}; }
 
-    // For carriers whose messages can be given up (runtime/recovery.hpp):
-    /// Returns why messages cannot be given up, worded to follow the channel's name: "travels in packets". Returns ""
-    /// if they can be given up.
+    // The next functions are for carriers whose messages can be given up (runtime/recovery.hpp).
+    /// Returns the reason why messages cannot be given up, or "" if they can. The text follows the channel's name, as
+    /// in "travels in packets".
     virtual std::string why_not_given_up() const { return "is on a carrier that takes messages as a whole"; }
-    /// Makes output (input) return, so that the process continues without its message. Returns false and does nothing
-    /// if the message is already complete for that process. REQUIRES: called by an event, while a process is in output
+    /// Make output (input) return, so that the process continues without its message. Return false and do nothing if
+    /// the message is already complete for the process. REQUIRES: called by an event, while a process is in output
     /// (input).
     virtual bool give_up_output(AnyChannel&) { return false; }
     virtual bool give_up_input(AnyChannel&) { return false; }
-    /// Clears the end after its message was given up; returns how many bytes of the message had been transferred there.
+    /// Clear the end after its message was given up. Return how many bytes of the message this end has transferred.
     /// REQUIRES: no process is in output (input) at this end.
     virtual std::uint64_t reset_output(AnyChannel&) { return 0; }
     virtual std::uint64_t reset_input(AnyChannel&) { return 0; }

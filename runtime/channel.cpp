@@ -16,7 +16,8 @@ namespace {
 
 AnyChannel::User user(const Process& process) { return {&process, &process.outermost(), process.ordinal()}; }
 
-/// Whether the last user of an end and the process are of one outermost process, and not two components of a PAR.
+/// Returns whether the process may use an end after its last user. Both must belong to the same outermost process, and
+/// must not be two components of one PAR.
 bool may_follow(const AnyChannel::User& last, const Process& process) {
     return last.outermost == &process.outermost() && !process.is_beside(last.ordinal);
 }
@@ -34,7 +35,7 @@ void require_unused(const void* end, const AnyChannel& channel) {
 
 } // namespace
 
-/// Derives the identity from the process that makes the channel; outside of a run, from the channel's name.
+/// Derives the identity from the process that makes the channel. Outside of a run, derives it from the channel's name.
 std::uint64_t AnyChannel::new_identity(const std::string& name) {
     const Kernel* kernel = Kernel::current();
     if (!kernel || !kernel->keeps_histories())
@@ -66,7 +67,7 @@ void AnyChannel::expect_inputter(const Process& process) { own_input(process); }
     end = user(process);
 }
 
-/// Throws, since the end was left in the middle of a message and not reset.
+/// Throws, because the process left the end in the middle of a message and did not reset it.
 void AnyChannel::refuse_unreset(const Process& self, const char* verb) const {
     throw std::logic_error(fmt::format("process {} {} channel {}, on which it gave up a message: reset it first",
                                        self.path(), verb, name_));
@@ -132,7 +133,7 @@ std::uint64_t AnyChannel::reset_input() {
 
 namespace {
 
-/// Returns the lengths of two parts of a message in one word.
+/// Packs the lengths of two consecutive parts of a message into one word.
 std::uint64_t two_parts(const WireForm& form, std::size_t first) {
     return std::uint64_t{form[first]} << 32 | form[first + 1];
 }
@@ -141,7 +142,7 @@ std::uint64_t two_parts(const WireForm& form, std::size_t first) {
 
 void AnyChannel::note_output(ReplayLog& history, const WireForm& form) const {
     if (form.total() == 0)
-        history.record_unrepeatable(); // a link refuses it
+        history.record_unrepeatable(); // a link refuses a message without bytes
     history.record(ReplayLog::Action::output, identity() ^ form.parts(), {two_parts(form, 0), two_parts(form, 2)});
 }
 

@@ -19,7 +19,8 @@
 
 namespace placedpar {
 
-/// Is told when messages begin to wait in channels. Alternations use it, and attempts that a message ends.
+/// Receives a call when a message begins to wait in a channel. Alternations are listeners, and so are attempts that a
+/// message ends.
 class Listener {
 public:
     /// Called when a message waits in the channel and no process has asked for it.
@@ -29,7 +30,7 @@ protected:
     ~Listener() = default;
 };
 
-/// Is told when the process of an attempt is in the channel.
+/// Receives a call when the process of an attempt is in the channel.
 class AttemptObserver {
 public:
     virtual void entered() = 0;
@@ -38,106 +39,109 @@ protected:
     ~AttemptObserver() = default;
 };
 
-/// A channel of any protocol: synchronous, unbuffered, from one process to one other.
+/// A channel of any protocol. It is synchronous and unbuffered, and leads from one process to one other process.
 ///
-/// The processes at its ends need not know whether it is soft or hard. On a soft channel, the process that arrives
-/// second copies the message and continues, and the first is made ready. On a hard channel, a carrier takes the message
-/// along a link.
+/// The two processes need not know whether the channel is soft or hard. On a soft channel, the process that arrives
+/// second copies the message and continues, and the first process is made ready. On a hard channel, a carrier transfers
+/// the message over a link.
 ///
 /// 1. A channel is put on a carrier before it is used, or never.
-/// 2. Each end has one owner: a process at the outermost level, including the components of its PARs, one after
-///    another. The channel throws std::logic_error if another process uses the end, if two components of one PAR do, or
-///    if one does while another is still using it.
-/// 3. Processes on two executives need a carrier between them; without one, the channel throws std::logic_error.
-/// 4. A channel belongs to one simulation and outlives its run.
+/// 2. Each end has one owner: a process at the outermost level. Components of its PARs may use the end one after
+/// another. The channel throws std::logic_error if another process uses the end. It also throws if two components of
+/// one PAR use the end, or if a component uses it while another is still using it.
+/// 3. If the two processes are on different executives, they need a carrier. Without a carrier, the channel throws
+/// std::logic_error.
+/// 4. A channel belongs to one simulation and outlives the simulation's run.
 class AnyChannel {
 public:
-    /// A process that used an end of a channel. It may have ended since, and its object may be gone; the object of its
-    /// outermost ancestor lasts until the end of the simulation.
+    /// A process that used an end of a channel. The process may have ended, and its object may be gone. The object of
+    /// its outermost ancestor exists until the end of the simulation.
     struct User {
         const Process* process = nullptr;
         const Process* outermost = nullptr;
-        std::uint32_t ordinal = no_process; ///< the process's number, unique in its simulation
+        std::uint32_t ordinal = no_process; ///< number of the process, unique in its simulation
         static constexpr std::uint32_t no_process = 0xffffffff;
     };
 
     explicit AnyChannel(std::string name) : name_(std::move(name)), identity_(new_identity(name_)) {}
-    /// Makes a hard channel, occam's PLACE ... AT: `Channel<int> there("there", link.from_a_to_b())`. The carrier
-    /// outlives it.
+    /// Makes a hard channel, occam's PLACE ... AT: `Channel<int> there("there", link.from_a_to_b())`. REQUIRES: the
+    /// carrier outlives the channel.
     AnyChannel(std::string name, Carrier& on) : AnyChannel(std::move(name)) { put_on(on); }
     virtual ~AnyChannel() = default;
     AnyChannel(const AnyChannel&) = delete;
     AnyChannel& operator=(const AnyChannel&) = delete;
 
     const std::string& name() const { return name_; }
-    /// Identifies the channel in histories: different for each channel, and the same in each run. REQUIRES: channels
-    /// made before the run have different names.
+    /// Returns a number that identifies the channel in replay logs. It is different for each channel, and the same in
+    /// each run. REQUIRES: channels made before the run have different names.
     std::uint64_t identity() const { return identity_; }
     virtual std::type_index protocol() const = 0;
-    /// Makes the channel hard. Throws std::logic_error while a process is in it. REQUIRES: no process has used it yet;
-    /// the carrier outlives it.
+    /// Makes the channel hard. Throws std::logic_error while a process is in the channel. REQUIRES: no process has used
+    /// the channel yet; the carrier outlives it.
     void put_on(Carrier&);
 
-    /// Returns the last process that used this end, null if none did. Use the pointer only while that process is in the
-    /// channel.
+    /// Return the last process that used this end, or null if no process has. Use the pointer only while this process
+    /// is in the channel.
     const Process* outputter() const { return outputter_.process; }
     const Process* inputter() const { return inputter_.process; }
-    /// Return the last user of each end, which may have ended.
+    /// Return the last user of each end. The user may have ended.
     const User& last_outputter() const { return outputter_; }
     const User& last_inputter() const { return inputter_; }
-    /// Declares which process will use an end, so that a deadlock before its first communication can name it. Throws
-    /// std::logic_error if another process owns the end. REQUIRES: the process exists until the end of the simulation.
+    /// Declare the process that will use an end, so that the report of a deadlock before its first communication can
+    /// name it. Throw std::logic_error if another process owns the end. REQUIRES: the process exists until the end of
+    /// the simulation.
     void expect_outputter(const Process&);
     void expect_inputter(const Process&);
 
-    // For alternations.
-    /// Whether an input would find a message.
+    // The next functions are for alternations.
+    /// Returns whether an input would find a message.
     bool message_waits() const { return carrier_ ? carrier_->message_waits(*this) : message_ != nullptr; }
-    /// Notes that the process has a guard on the channel. Throws std::logic_error if the process does not own the end.
+    /// Records that the process has a guard on the channel. Throws std::logic_error if the process does not own the
+    /// input end.
     void own_input(const Process& process) {
         own(inputter_, process, "inputs from");
         if (input_out_of_order_)
             refuse_unreset(process, "inputs from");
     }
-    /// Marks the input end as guarded, or not. No other process may use a guarded end.
+    /// Sets whether the input end is guarded. No other process may use a guarded end.
     void note_guard(bool there) { inputter_inside_ = there; }
-    /// Announces messages to the listener from now on.
+    /// Announces messages to the listener until disable() is called.
     void enable(Listener& listener) { listener_ = &listener; }
     void disable() { listener_ = nullptr; }
 
-    // For attempts (runtime/recovery.hpp).
-    /// Lets the attempt observe the next output (input), until called with null. Throws std::logic_error if the
-    /// channel's carrier cannot give up a message.
+    // The next functions are for attempts (runtime/recovery.hpp).
+    /// Set the observer of the next output (input); null removes it. Throw std::logic_error if the channel's carrier
+    /// cannot give up a message.
     void attempt_output(AttemptObserver*);
     void attempt_input(AttemptObserver*);
-    /// Lets the process in output (input) continue without the message. Returns false if the message has already been
+    /// Let the process in output (input) continue without the message. Return false if the message has already been
     /// transferred.
     bool give_up_output();
     bool give_up_input();
-    /// Clears the end after a message was given up. Throws std::logic_error if the running process does not own the
-    /// end, or a process is in it. Returns how many bytes of the message had been transferred; always 0 on a soft
-    /// channel.
+    /// Clear the end after a message was given up. Return how many bytes of the message were transferred, always 0 on a
+    /// soft channel. Throw std::logic_error if the running process does not own the end, or if a process is in it.
     std::uint64_t reset_output();
     std::uint64_t reset_input();
 
-    // For reports.
-    /// Whether a process is in output (input), and its message has not been transferred.
+    // The next functions are for reports.
+    /// Return whether a process is in output (input) and its message has not been transferred.
     bool output_waits() const { return message_ != nullptr; }
     bool input_waits() const { return slot_ != nullptr; }
 
-    /// Whether the process in output (input) waits for ever, whatever its partner does.
+    /// Return whether the process in output (input) waits for ever, whatever its partner does.
     bool output_is_lost() const { return carrier_ && carrier_->output_is_lost(*this); }
     bool input_is_lost() const { return carrier_ && carrier_->input_is_lost(*this); }
-    /// Whether the other end has given up a message in which this end still is: Carrier::output_must_be_reset.
+    /// Return whether the other end has given up a message that this end is still transferring
+    /// (Carrier::output_must_be_reset).
     bool output_must_be_reset() const { return carrier_ && carrier_->output_must_be_reset(*this); }
     bool input_must_be_reset() const { return carrier_ && carrier_->input_must_be_reset(*this); }
-    /// Returns other channels that keep the outputting process waiting: Carrier::held_up_by.
+    /// Returns the other channels that keep the outputting process waiting (Carrier::held_up_by).
     std::vector<const AnyChannel*> held_up_by() const {
         return carrier_ ? carrier_->held_up_by(*this) : std::vector<const AnyChannel*>{};
     }
 
-    /// For a channel between routers: which user channel its current packet belongs to, and whether the packet is an
-    /// acknowledge. The channel is null if messages are its own.
+    /// The content of a channel between routers: the user's channel to which the current packet belongs, and whether
+    /// the packet is an acknowledge. The channel is null for messages that are not packets.
     struct PacketPayload {
         const AnyChannel* channel = nullptr;
         bool acknowledges = false;
@@ -145,24 +149,24 @@ public:
     const PacketPayload& payload() const { return payload_; }
     void carries(const PacketPayload& payload) { payload_ = payload; }
 
-    // For carriers.
-    /// Hands the outputter's message to the inputter. REQUIRES: both are in the channel.
+    // The next functions are for carriers.
+    /// Hands the outputter's message to the inputter. REQUIRES: both processes are in the channel.
     void hand_over();
-    /// Whether the messages waiting in both channels are equal; nothing if messages of this protocol cannot be compared
-    /// (SameMessage). REQUIRES: a process is in output in both.
+    /// Returns whether the messages that wait in both channels are equal. Returns nothing if messages of this protocol
+    /// cannot be compared (SameMessage). REQUIRES: a process is outputting on each of the two channels.
     std::optional<bool> has_message_of(const AnyChannel& other) const {
         return protocol() == other.protocol() ? are_same(message_, other.message_) : false;
     }
-    /// Tells the listener, if there is one, that a message waits and no process has asked for it.
+    /// Notifies the listener, if there is one, that a message waits and no process has asked for it.
     void announce() {
         if (listener_)
             listener_->message_announced();
     }
 
 protected:
-    // The common path of a communication is inlined into the program; waiting and rare cases are not. A process begins
-    // to output (input). If its partner waits in a soft channel, it copies the message and completes the communication.
-    // Otherwise it waits. On a hard channel it always waits, even if the partner is already in the carrier.
+    // The common path of a communication is inlined into the program; waiting and rare cases are not. If the partner
+    // waits in a soft channel, the process copies the message and completes the communication. Otherwise it waits. On a
+    // hard channel it always waits, even if the partner is already in the carrier.
 
     void begin_output(Process& self, const WireForm& form) {
         if (ReplayLog* history = self.kernel().begin_operation(self)) [[unlikely]]
@@ -178,7 +182,7 @@ protected:
             begin(self, costs->soft_communication);
         own(inputter_, self, "inputs from");
     }
-    /// Returns the message slot of the inputter (outputter) that waits in a soft channel; null if none waits.
+    /// Return the message slot (the message) of the partner that waits in a soft channel, or null if no partner waits.
     void* soft_slot(const Process& self) const {
         if (is_particular_) [[unlikely]]
             return soft_partner(self, slot_, output_out_of_order_, output_attempt_, "outputs to");
@@ -189,16 +193,16 @@ protected:
             return soft_partner(self, message_, input_out_of_order_, input_attempt_, "inputs from");
         return message_;
     }
-    /// Notifies observers when the second process has arrived at a soft channel.
+    /// Notifies observers that the second process has arrived at a soft channel.
     void meet(Process& self) {
         const Executive *own = self.executive(), *other = waiting_->executive();
         if (own != other && own && other) [[unlikely]]
             refuse_without_carrier(self, *waiting_);
         note_communication(self.kernel());
     }
-    /// Completes the communication for the second process, which has copied the message: it pays for the copy, during
-    /// which no other process may use its end, and its partner continues. An output of one word has paid for its copy
-    /// already.
+    /// Complete the communication for the second process, which has copied the message. The process pays for the copy,
+    /// and its partner continues. During the copy no other process may use its end. An output of one word has already
+    /// paid for its copy.
     void part_from_inputter(Process& self, const WireForm& form) {
         const Executive* executive = self.executive();
         bool pays = executive && !executive->costs().is_one_word(form);
@@ -235,8 +239,8 @@ protected:
 
 private:
     static std::uint64_t new_identity(const std::string& name);
-    /// While it exists, a process is at an end of the channel, with its message, or the slot for one, at a fixed
-    /// address.
+    /// Marks a process as present at an end of the channel, as long as the object exists. Its message, or the slot for
+    /// a message, is at a fixed address.
     class Inside {
     public:
         explicit Inside(bool& flag, void** place = nullptr, void* mine = nullptr) : flag_(flag), place_(place) {
@@ -262,7 +266,7 @@ private:
 
     void note_output(ReplayLog&, const WireForm&) const;
     void note_input(ReplayLog&) const;
-    /// Returns the costs of the channel's operations for the process; null if they are free or the carrier charges
+    /// Returns the costs of the channel's operations for the process. Null if they are free, or if the carrier charges
     /// them.
     const OperationCosts* soft_costs(const Process& self) const {
         const Executive* executive = self.executive();
@@ -304,21 +308,22 @@ private:
     [[noreturn]] void refuse_without_carrier(const Process& self, const Process& other) const;
     [[noreturn]] void refuse_unreset(const Process& self, const char* verb) const;
 
-    // The members are in the order of use, in lines of the cache: first what each communication needs, ...
+    // The members are in the order of use, in cache lines. These are needed for each communication.
     Carrier* carrier_ = nullptr;             ///< null if the channel is soft
     void* message_ = nullptr;                ///< set while an outputter is in the channel
-    void* slot_ = nullptr;                   ///< set while an inputter is
-    Process* waiting_ = nullptr;             ///< on a soft channel, the first to arrive
-    const WireForm* waiting_form_ = nullptr; ///< of the waiting process's message, if it outputs
+    void* slot_ = nullptr;                   ///< set while an inputter is in the channel
+    Process* waiting_ = nullptr;             ///< on a soft channel, the process that arrived first
+    const WireForm* waiting_form_ = nullptr; ///< form of the waiting process's message, if the process outputs
     Listener* listener_ = nullptr;           ///< set by an inputter that waits on several channels
-    bool is_particular_ = false;             ///< the channel is hard, or has an attempt at an end: one test covers both
+    bool is_particular_ = false;             ///< the channel is hard, or has an attempt at an end; one test covers both
+                                             ///< cases
     bool outputter_inside_ = false;          ///< a process is in output
     bool inputter_inside_ = false;           ///< a process is in input, or has a guard on the channel
-    bool output_out_of_order_ = false;       ///< a message was given up at that end, and the end must be reset
+    bool output_out_of_order_ = false;       ///< a message was given up at the output end, and the end must be reset
     bool input_out_of_order_ = false;
     User outputter_, inputter_;
 
-    // ... and what few do.
+    // These are needed rarely.
     AttemptObserver* output_attempt_ = nullptr; ///< null if the outputter waits without limit
     AttemptObserver* input_attempt_ = nullptr;
     PacketPayload payload_;
@@ -331,17 +336,17 @@ class Channel;
 
 namespace detail {
 
-/// Whether C++ would convert one type to the other but lose information: a number's fraction, or what a pointer points
-/// to.
+/// True if C++ would convert one type to the other and lose information: a number's fraction, or the target of a
+/// pointer.
 template <class From, class To>
 concept Loses = (std::floating_point<From> && std::integral<To>) || (std::is_pointer_v<From> && std::same_as<To, bool>);
 
 } // namespace detail
 
-/// Throws std::logic_error: an end that was default-constructed belongs to no channel.
+/// Throws std::logic_error for a default-constructed end, which belongs to no channel.
 [[noreturn]] void refuse_end_without_channel();
 
-/// occam's `c ! x`: the only end that can output.
+/// The end that can output: occam's `c ! x`.
 template <class T>
 class Output {
 public:
@@ -349,7 +354,7 @@ public:
     void output(T message, const SourceLocation& where = SourceLocation::current()) const {
         own().output(std::move(message), where);
     }
-    /// A REAL is not a message of a CHAN OF INT.
+    /// Deleted, because a REAL is not a message of a CHAN OF INT.
     template <detail::Loses<T> Other>
     void output(Other, const SourceLocation& = SourceLocation::current()) const = delete;
     AnyChannel& channel() const { return own(); }
@@ -362,13 +367,13 @@ private:
     Channel<T>* channel_ = nullptr;
 };
 
-/// occam's `c ? x`: the only end that can input.
+/// The end that can input: occam's `c ? x`.
 template <class T>
 class Input {
 public:
     Input() = default;
     T input(const SourceLocation& where = SourceLocation::current()) const { return own().input(where); }
-    /// For attempts: if the message is given up, the slot stays empty.
+    /// Inputs into a slot, for attempts. If the message is given up, the slot stays empty.
     void input_into(std::optional<T>& slot, const SourceLocation& where) const { own().input_into(slot, where); }
     AnyChannel& channel() const { return own(); }
     explicit operator bool() const { return channel_ != nullptr; }
@@ -380,7 +385,7 @@ private:
     Channel<T>* channel_ = nullptr;
 };
 
-/// An end of a channel of any protocol, for declaring that a process will use it.
+/// An end of a channel of any protocol, for the declaration that a process will use it.
 class DeclaredEnd {
 public:
     template <class T>
@@ -395,7 +400,7 @@ private:
     void (AnyChannel::*expect_)(const Process&);
 };
 
-/// occam's `CHAN OF T`.
+/// A channel of messages of type T: occam's `CHAN OF T`.
 template <class T>
 class Channel final : public AnyChannel {
     static_assert(Protocol<T>,
@@ -407,7 +412,7 @@ public:
 
     Output<T> out() & { return Output<T>(*this); }
     Input<T> in() & { return Input<T>(*this); }
-    /// Deleted: a temporary channel is destroyed at the end of the statement, so its ends would dangle.
+    /// Deleted, because a temporary channel is destroyed at the end of the statement, so its ends would dangle.
     Output<T> out() && = delete;
     Input<T> in() && = delete;
     std::type_index protocol() const override { return typeid(T); }

@@ -11,8 +11,8 @@
 
 namespace placedpar {
 
-/// occam's `[n]CHAN OF T`. The array can be moved; its channels keep their addresses, so that their ends stay valid. An
-/// array that was moved from is empty.
+/// An array of channels: occam's `[n]CHAN OF T`. The array can be moved. Its channels keep their addresses, so their
+/// ends stay valid. An array that was moved from is empty.
 template <class T>
 class Channels {
 public:
@@ -23,7 +23,8 @@ public:
         for (std::size_t i = 0; i < count; ++i)
             channels_.emplace_back(element(name, i));
     }
-    /// Makes one hard channel on each carrier, such as a direction of a link. REQUIRES: the carriers outlive the array.
+    /// Makes one hard channel on each carrier. A carrier may be a direction of a link. REQUIRES: the carriers outlive
+    /// the array.
     Channels(const std::string& name, const std::vector<std::reference_wrapper<Carrier>>& on) {
         for (std::size_t i = 0; i < on.size(); ++i)
             channels_.emplace_back(element(name, i), on[i].get());
@@ -39,7 +40,8 @@ public:
     ~Channels() = default;
 
     std::size_t size() const { return channels_.size(); }
-    /// Throws std::out_of_range if the index is too large; occam checks its subscripts, too.
+    /// Returns the channel with this subscript. Throws std::out_of_range if the subscript is too large; occam checks
+    /// subscripts, too.
     Channel<T>& operator[](std::size_t i) { return channels_.at(i); }
     auto begin() { return channels_.begin(); }
     auto end() { return channels_.end(); }
@@ -57,7 +59,7 @@ public:
             ends.push_back(each.out());
         return ends;
     }
-    // Deleted: a temporary array's channels are destroyed at the end of the statement.
+    // Deleted, because a temporary array's channels are destroyed at the end of the statement.
     std::vector<Input<T>> in() && = delete;
     std::vector<Output<T>> out() && = delete;
 

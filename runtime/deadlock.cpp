@@ -19,11 +19,11 @@ namespace {
 
 using Processes = std::vector<const Process*>; ///< in order of creation
 
-/// Returns the process that would have to act at a channel's end: its user, or the outermost ancestor of a component
-/// that has ended.
+/// Returns the process that has to act at a channel's end. This is the end's user. If the user was a component that has
+/// ended, it is the outermost ancestor.
 const Process* who_is(const AnyChannel::User& user, const Processes& living) {
     auto found = std::ranges::lower_bound(living, user.ordinal, {}, &Process::ordinal);
-    // The address does not suffice: a later component may stand where an earlier one was.
+    // The address is not enough: a later component may have the address of one that ended.
     bool lives = found != living.end() && (*found)->ordinal() == user.ordinal && *found == user.process;
     return lives ? user.process : user.outermost;
 }
@@ -37,8 +37,8 @@ std::string path_of(const AnyChannel::User& user, const Processes& living) {
 
 bool halted(const Process& process) { return process.executive() && process.executive()->halted(); }
 
-/// Adds the processes that would have to act so that the outputting process continues: the inputter, or the processes
-/// that hold up the message.
+/// Adds the processes that have to act before the outputting process can continue. These are the inputter, or the
+/// processes that hold up the message.
 void add_awaited_by_output(const AnyChannel& channel, const Processes& living, Processes& partners) {
     auto held_up_by = channel.held_up_by();
     if (held_up_by.empty() || (channel.output_waits() && !channel.input_waits()))
@@ -47,7 +47,7 @@ void add_awaited_by_output(const AnyChannel& channel, const Processes& living, P
         partners.push_back(who_is(other->output_waits() ? other->last_inputter() : other->last_outputter(), living));
 }
 
-/// Returns the processes that this one waits for. It continues when one of them acts.
+/// Returns the processes for which this process waits. It continues when one of them acts.
 Processes awaited_by(const Process& process, const Processes& living) {
     Processes partners;
     if (halted(process))
@@ -65,10 +65,10 @@ Processes awaited_by(const Process& process, const Processes& living) {
     return partners;
 }
 
-/// Follows the waits from process to process, depth first, until it comes back to a process on the path.
+/// Follows waits from process to process, depth first, until the search returns to a process on its path.
 class CycleSearch {
 public:
-    /// Starts from each of `stuck`.
+    /// The search starts from each of the `stuck` processes in turn.
     CycleSearch(const Processes& stuck, const Processes& living) : stuck_(stuck), living_(living) {}
 
     Processes find() {
@@ -79,8 +79,8 @@ public:
     }
 
 private:
-    /// Whether a cycle can be reached from here. Not recursive, since a path can hold all processes, and the stack of a
-    /// fiber is short.
+    /// Returns whether a cycle can be reached from `start`. The search is not recursive: its path can contain all
+    /// processes, and the stack of a fiber is small.
     bool visit(const Process* start) {
         step_to(start);
         while (!way_.empty()) {
@@ -95,7 +95,7 @@ private:
         return false;
     }
 
-    /// Whether the step closes a cycle.
+    /// Visits the process. Returns whether this closes a cycle.
     bool step_to(const Process* process) {
         if (process->ended())
             return false;
@@ -122,7 +122,7 @@ private:
     Processes cycle_;
 };
 
-/// Returns no channels for a process that could go on if its executive had not halted.
+/// Returns the channels on which a process waits. Empty if the process is ready and only its executive has halted.
 std::span<const AnyChannel* const> channels_of_wait(const Process& process) {
     return process.activity() == Activity::ready ? std::span<const AnyChannel* const>{} : process.awaited_channels();
 }
@@ -155,10 +155,11 @@ std::string names_of(const std::vector<const AnyChannel*>& channels) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Lists processes together that the same channels hold up.
+/// Groups the processes by the channels that hold them up.
 std::vector<std::string> describe_held_up(const Processes& stuck) {
     using Channels = std::vector<const AnyChannel*>;
-    std::vector<std::pair<Channels, Channels>> held_up; // by the second
+    std::vector<std::pair<Channels, Channels>> held_up; // channels of waiting processes, with the channels that hold
+                                                        // them up
     for (const Process* process : stuck)
         if (process->activity() == Activity::outputting)
             for (const AnyChannel* channel : process->awaited_channels())
@@ -177,7 +178,7 @@ std::vector<std::string> describe_held_up(const Processes& stuck) {
     return texts;
 }
 
-/// Describes channels where one end has given up a message in the middle, and the other end is still in it.
+/// Describes channels whose one end gave up a message in the middle, while the other end is still in the message.
 std::vector<std::string> describe_unreset(const Processes& stuck, const Processes& living) {
     std::vector<std::string> texts;
     std::unordered_set<const AnyChannel*> known;
@@ -221,7 +222,7 @@ const char* name_of(Activity activity) {
 
 namespace {
 
-/// Describes the deadlock of the stuck processes; `living` are all processes that are left.
+/// Describes the deadlock of the `stuck` processes. `living`: all processes that have not ended.
 Deadlock deadlock_of(const Processes& stuck, const Processes& living) {
     Deadlock deadlock;
     for (const Process* process : CycleSearch(stuck, living).find())
@@ -234,8 +235,9 @@ Deadlock deadlock_of(const Processes& stuck, const Processes& living) {
     return deadlock;
 }
 
-/// Whether a known partner has yet to come to the channel. It has not if both are in the channel: then only time is
-/// needed, unless a link has lost the message. Nor if a link has brought the message, and only its acknowledge is due.
+/// Returns whether a known partner must still come to the channel. If both partners are in the channel, only time is
+/// needed, unless a link has lost the message. If a link has delivered the message, only its acknowledge is missing,
+/// and no partner is needed.
 bool lacks_partner(const Process& process, const AnyChannel& channel) {
     bool known = channel.last_outputter().process && channel.last_inputter().process;
     switch (process.activity()) {
@@ -249,7 +251,7 @@ bool lacks_partner(const Process& process, const AnyChannel& channel) {
     }
 }
 
-/// Returns whether no process can make it continue.
+/// Returns whether no process can make this process continue.
 bool is_lost(const Process& process) {
     auto lost = [&](const AnyChannel* channel) {
         return process.activity() == Activity::outputting  ? channel->output_is_lost()
@@ -260,7 +262,7 @@ bool is_lost(const Process& process) {
            (!process.awaits_timer() && std::ranges::any_of(process.awaited_channels(), lost));
 }
 
-/// Whether only known processes can make this one continue, or no process can.
+/// Returns whether only known processes can make this process continue, or no process can.
 bool needs_partner(const Process* process) {
     if (is_lost(*process))
         return true;
@@ -306,7 +308,7 @@ std::optional<Deadlock> find_partial_deadlock(const Kernel& kernel) {
 
 namespace {
 
-/// Returns the last column of a row, or its heading; empty without a netlist.
+/// Returns the text of the last column of a row, or its heading if `row` is null. Empty if there is no netlist.
 template <class Rows>
 std::string last_column(const Rows& rows, const typename Rows::value_type* row) {
     if (std::ranges::all_of(rows, [](const auto& each) { return each.netlist.empty(); }))
@@ -314,7 +316,7 @@ std::string last_column(const Rows& rows, const typename Rows::value_type* row) 
     return row ? row->netlist : "netlist";
 }
 
-/// Formats a line of columns with their widths. The last column is not padded.
+/// Formats a line of columns with the given widths. The last column is not padded.
 std::string line_of(std::initializer_list<std::pair<std::string_view, int>> columns) {
     std::string line;
     for (const auto& [text, width] : columns)
@@ -346,7 +348,7 @@ std::string print(const std::vector<StuckChannel>& rows) {
     return out;
 }
 
-/// Says which processes wait for one that has ended: the usual reason of a deadlock without a cycle.
+/// Lists the processes that wait for a process that has ended. This is the usual cause of a deadlock without a cycle.
 std::string print_ended(const std::vector<StuckChannel>& rows) {
     constexpr std::string_view ended = " (has ended)";
     std::string out;

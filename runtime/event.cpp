@@ -5,10 +5,11 @@
 
 namespace placedpar {
 
-/// A node has four children: the heap is half as deep as with two, and a step down reads adjacent lines of the cache.
+/// The number of children of a node. With four children the heap is half as deep as with two, and a step down reads
+/// adjacent cache lines.
 constexpr std::size_t children = 4;
 
-/// Our estimate of how many events fit a second-level cache of one Mbyte.
+/// The number of events that fit into a second-level cache of 1 Mbyte (our estimate).
 constexpr std::size_t events_in_a_cache = 30'000;
 
 constexpr std::uint64_t order(EventQueue::Priority priority, std::uint64_t rank) {
@@ -67,7 +68,7 @@ void EventQueue::remove(std::size_t position) {
         place(last, position);
 }
 
-/// Puts an entry into a place that is free.
+/// Puts an entry into a free place.
 inline void EventQueue::place(Entry entry, std::size_t position) {
     if (position > 0 && entry.before(heap_[(position - 1) / children]))
         sift_up(entry, position);
@@ -80,8 +81,8 @@ void EventQueue::put(Entry entry, std::size_t position) {
     entry.event->position_ = position;
 }
 
-// The heap's address and size are kept in local variables, since the compiler cannot know that writing to events leaves
-// them unchanged.
+// The heap's address and size are kept in local variables. The compiler cannot know that writes to events leave them
+// unchanged.
 
 void EventQueue::sift_up(Entry entry, std::size_t position) {
     Entry* const heap = heap_.data();
@@ -96,8 +97,8 @@ void EventQueue::sift_up(Entry entry, std::size_t position) {
     put(entry, position);
 }
 
-/// Returns the earliest of some siblings. Four are compared in pairs and without a branch, since the host processor
-/// cannot predict the outcome.
+/// Returns the earliest of several siblings. Four siblings are compared in pairs and without a branch, because the host
+/// processor cannot predict the outcome.
 inline std::size_t EventQueue::earliest(const Entry* heap, std::size_t first, std::size_t end) {
     static_assert(children == 4);
     if (end - first == children) {
@@ -111,8 +112,8 @@ inline std::size_t EventQueue::earliest(const Entry* heap, std::size_t first, st
     return found;
 }
 
-/// Prefetches the children of all siblings before it is known which sibling is the earliest. Otherwise each step down
-/// would wait for memory.
+/// Prefetches the children of all siblings before it is known which sibling is the earliest. Without this, each step
+/// down would wait for memory.
 inline void EventQueue::fetch_children(const Entry* heap, std::size_t first) {
     constexpr std::size_t line = 64, bytes = children * children * sizeof(Entry);
     const char* begin = reinterpret_cast<const char*>(heap + children * first + 1);

@@ -10,8 +10,8 @@ namespace placedpar {
 
 class EventQueue;
 
-/// Something that will happen at a moment of virtual time: a delay ends, a bit arrives. An event is in the
-/// queue at most once; its destructor removes it from the queue.
+/// Something that will happen at a moment of virtual time: a delay ends, a bit arrives. An event is in the queue at
+/// most once. Its destructor removes it from the queue.
 class Event {
 public:
     Event() = default;
@@ -24,24 +24,26 @@ protected:
 
 private:
     friend class EventQueue;
-    /// Runs outside every process: it must not wait and must not throw.
+    /// Performs the event. It is called outside of every process, and must not wait or throw.
     virtual void happen() noexcept = 0;
 
     EventQueue* queue_ = nullptr;
     std::size_t position_ = 0;
 };
 
-/// The future: a heap of events keyed (time, priority, insertion or rank). kernel.hpp states the rule of ordering.
+/// The queue of future events: a heap with the key (time, priority, insertion or rank). kernel.hpp states the rule of
+/// ordering.
 class EventQueue {
 public:
-    /// Order within an instant: requests for a wire, starts of packets on it, arrivals that wake processes, turns of
-    /// executives, timers. Events of the first three kinds have ranks, the others go by insertion.
+    /// The order within an instant: requests for a wire, starts of packets on the wire, arrivals that wake processes,
+    /// turns of executives, timers. Events of the first three kinds are ordered by their ranks, the others by
+    /// insertion.
     enum Priority : std::uint64_t { request, start, arrival, turn, timer };
 
     ~EventQueue();
     bool empty() const { return heap_.empty(); }
     std::size_t size() const { return heap_.size(); }
-    /// How many events have happened.
+    /// Returns how many events have happened.
     std::uint64_t happened() const { return happened_; }
     /// REQUIRES: not empty().
     Time next_time() const { return heap_.front().time; }
@@ -51,25 +53,25 @@ public:
     /// Schedules the event. Events of equal time and priority happen in the order in which they were scheduled.
     /// REQUIRES: the event is not scheduled.
     void schedule(Event&, Time, Priority);
-    /// Schedules the event; events of equal time and priority happen in the order of their ranks (Kernel::new_ranks),
-    /// however early a device scheduled them. REQUIRES: the event is not scheduled, and no other event of that time and
-    /// priority has its rank.
+    /// Schedules the event. Events of equal time and priority happen in the order of their ranks (Kernel::new_ranks),
+    /// however early they were scheduled. REQUIRES: the event is not scheduled, and no other event of this time and
+    /// priority has the same rank.
     void schedule(Event&, Time, Priority, std::uint64_t rank);
-    /// Has the same effect as cancel() followed by schedule(), at less cost.
+    /// Do the same as cancel() followed by schedule(), at less cost.
     void reschedule(Event&, Time, Priority);
     void reschedule(Event&, Time, Priority, std::uint64_t rank);
     /// Removes the event from the queue, if it is scheduled.
     void cancel(Event&);
-    /// Takes the first event out of the queue and lets it happen. REQUIRES: not empty().
+    /// Removes the first event from the queue and performs it. REQUIRES: not empty().
     void happen_next();
 
 private:
     struct Entry {
         Time time;
-        std::uint64_t order; ///< priority in the upper 8 bits, insertion or rank below
+        std::uint64_t order; ///< priority in the upper 8 bits, insertion or rank in the lower bits
         Event* event;
-        /// Both parts are compared as one number, since the host processor cannot predict such a branch. Times are not
-        /// negative.
+        /// Returns time and order as one number. Two comparisons would need a branch, which the host processor cannot
+        /// predict. Times are not negative.
         __extension__ unsigned __int128 key() const {
             return static_cast<decltype(key())>(static_cast<std::uint64_t>(time.count())) << 64 | order;
         }

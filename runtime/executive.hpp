@@ -12,21 +12,21 @@
 
 namespace placedpar {
 
-/// Costs of a program's operations on an executive, in cycles of its clock. The program's own work is stated by
-/// compute() instead.
+/// The costs of a program's operations on an executive, in cycles of its clock. The program states its own work by
+/// compute().
 struct OperationCosts {
-    // The first members are used by every computation and every communication on a link, so they are in the executive's
-    // first line of the cache.
-    Cycles soft_communication{}; ///< an input or output on a soft channel, before its message moves
-    Cycles soft_word_output{};   ///< the same for an output of one byte or one word, its copy included
+    // Every computation and every communication on a link uses the first members, so they are in the executive's first
+    // cache line.
+    Cycles soft_communication{}; ///< an input or output on a soft channel, without the copy of its message
+    Cycles soft_word_output{};   ///< an output of one byte or one word on a soft channel, including the copy
     Cycles hard_communication{}; ///< an input or output on a hard channel, for each part of the message
-    Cycles word_outside{};       ///< each access to a word outside the chip (CodeShape), beyond the cycle that is
-                                 ///< counted anyway
-    Cycles copied_word{};        ///< on a soft channel, paid by the process that arrives second (see soft_word_output)
+    Cycles word_outside{};       ///< additional cycles of each access to a word outside the chip (CodeShape)
+    Cycles copied_word{};        ///< on a soft channel, paid by the process that arrives second, except for
+                                 ///< soft_word_output
     std::int64_t bytes_in_a_word = 4;
 
-    Cycles start_component{}; ///< each component of a PAR but the last, which the parent runs itself
-    Cycles run_component{};   ///< the same for a component of another priority, as the high one of a PRI PAR
+    Cycles start_component{}; ///< each component of a PAR, except the last, which the parent runs itself
+    Cycles run_component{};   ///< a component of another priority, such as the high one of a PRI PAR
     Cycles end_component{};   ///< paid by the component when it ends
 
     Cycles timer_read{};
@@ -37,16 +37,16 @@ struct OperationCosts {
     Cycles enable_guard{};           ///< a SKIP guard, or an input whose message waits
     Cycles enable_guard_not_ready{}; ///< an input without a message, or a guard that is FALSE
     Cycles enable_timeout{};
-    Cycles alternation_wait_ready{}; ///< if a guard is ready
-    Cycles alternation_wait{};       ///< if no guard is ready
+    Cycles alternation_wait_ready{}; ///< wait, when a guard is ready
+    Cycles alternation_wait{};       ///< wait, when no guard is ready
     Cycles disable_guard{};
     Cycles disable_timeout{};
     Cycles alternation_end{};
 
-    Cycles attempt{};       ///< a communication that may be given up, in addition to its usual cost
-    Cycles reset_channel{}; ///< resetting an end after a message was given up
+    Cycles attempt{};       ///< additional cost of a communication that may be given up
+    Cycles reset_channel{}; ///< reset of an end after a message was given up
 
-    /// Whether the message has its own output instruction, `outbyte` or `outword`.
+    /// Returns whether the message has its own output instruction, `outbyte` or `outword`.
     constexpr bool is_one_word(const WireForm& form) const {
         return form.parts() == 1 && (form[0] == 1 || form[0] == bytes_in_a_word);
     }
@@ -56,22 +56,22 @@ struct OperationCosts {
     }
 };
 
-/// Executes processes and shares its time between them: a transputer's processor, a bus master, a workstation. It
-/// separates occam's constructs (channels, PAR, ALT, timers), which use only this interface, from the hardware. A
-/// process without an executive is infinitely fast.
+/// Executes processes and divides its time between them: a transputer's processor, a bus master, a workstation. It
+/// separates occam's constructs (channels, PAR, ALT, timers) from the hardware; they use only this interface. A process
+/// without an executive is infinitely fast.
 ///
 /// An implementation must keep these rules:
-/// 1. make_ready(p) says that p can continue. The executive calls Kernel::enqueue(p) once, immediately or when p's turn
-///    comes. From that call on p has the executive, and it continues at that same virtual time.
-/// 2. p keeps the executive until it leaves it, to wait or because it has ended. While it has the executive, p may
-///    compute.
-/// 3. After begin_computing(p) returns false, the executive calls Kernel::enqueue(p) once, when the work is done; it
-///    may execute other processes meanwhile. It returns true if the work is already done, by Kernel::pass_time or
-///    because there was none.
-/// 4. make_ready and leave neither wait nor throw, since events and ending processes call them. begin_computing does
-///    not wait.
-/// 5. The operations that a program repeats while polling (SKIP guards, waits for a past time) must take time.
-///    Otherwise virtual time stands still while it polls.
+/// 1. make_ready(p) states that p can continue. The executive calls Kernel::enqueue(p) once, immediately or when p's
+/// turn comes. From this call on p has the executive, and continues at the same virtual time.
+/// 2. p keeps the executive until it leaves the executive, to wait or at its end. While it has the executive, p may
+/// compute.
+/// 3. If begin_computing(p) returns false, the executive calls Kernel::enqueue(p) once, when the work is done.
+/// Meanwhile it may execute other processes. If begin_computing(p) returns true, the work is already done, by
+/// Kernel::pass_time or because there was no work.
+/// 4. make_ready and leave do not wait or throw, because events and ending processes call them. begin_computing does
+/// not wait.
+/// 5. The operations that a program repeats while it polls (SKIP guards, waits for a past time) must take time.
+/// Otherwise virtual time stands still while the program polls.
 class Executive {
 public:
     virtual ~Executive() = default;
@@ -80,29 +80,29 @@ public:
 
     const std::string& name() const { return name_; }
     const OperationCosts& costs() const { return costs_; }
-    /// Returns the period of the clock that processes of this priority read.
+    /// Returns the tick of the clock that processes of this priority read.
     virtual Time tick(Priority) const = 0;
 
-    /// Starts a computation of the running process; returns whether it is already done. REQUIRES: the process has this
-    /// executive. Throws std::logic_error if cycles < 0 or a count of the shape is < 1.
+    /// Starts a computation of the running process. Returns whether the computation is already done. Throws
+    /// std::logic_error if cycles < 0 or a count of the shape is < 1. REQUIRES: the process has this executive.
     virtual bool begin_computing(Process&, Cycles, const CodeShape&) = 0;
-    /// Whether a fault has stopped the executive and all its processes for ever.
+    /// Returns whether a fault has stopped the executive and all its processes for ever.
     virtual bool halted() const { return false; }
 
-    // For the kernel.
+    // The next functions are for the kernel.
     virtual void make_ready(Process&) = 0;
     /// Called when the process that has the executive waits or has ended. If `successor` is not null, it must be made
-    /// ready now. It is the component of a PAR that the process runs in its own place, or the parent of a PAR whose
-    /// last component has ended.
+    /// ready now. At the start of a PAR, the successor is the component that the process runs in its own place. At the
+    /// end of a PAR, it is the parent.
     virtual void leave(Process&, Process* successor) = 0;
 
 protected:
     Executive(std::string name, const OperationCosts& costs) : name_(std::move(name)), costs_(costs) {}
 
-    /// How much longer the process must compute before its program continues. Stored with the process, but read and
-    /// written only by its executive.
+    /// Returns how much longer the process must compute before its program continues. It is stored in the process, but
+    /// only the process's executive reads and writes it.
     static Time& work_left(Process& p) { return p.work_left_; }
-    /// The shape of the code of that work, kept in the same way.
+    /// Returns the shape of the code of this work, which is stored in the same way.
     static CodeShape& grain(Process& p) { return p.grain_; }
 
 private:
@@ -110,16 +110,16 @@ private:
     OperationCosts costs_;
 };
 
-/// Lets the running process compute for this many cycles of its executive; for no time if it has none. The shape says
-/// at which points the code can be left, counted back from the end. Throws std::logic_error if cycles < 0 or a count of
-/// the shape is < 1.
+/// Lets the running process compute for this number of cycles of its executive. Without an executive this takes no
+/// time. The shape states at which points the process can leave the executive, counted back from the end. Throws
+/// std::logic_error if cycles < 0 or a count of the shape is < 1.
 void compute(Cycles, const CodeShape& = {});
 
-/// occam's STOP: the running process never continues, while others do. Any process waiting for it, including the parent
-/// of its PAR, waits for ever. A run that ends with stopped processes ends as in a deadlock.
+/// Stops the running process for ever, as occam's STOP does, while others continue. Any process that waits for it,
+/// including the parent of its PAR, waits for ever. A run that ends with stopped processes ends as in a deadlock.
 [[noreturn]] void stop(const SourceLocation& = SourceLocation::current());
 
-/// Charges the running process for an operation; `cost` is applied to its executive's costs. For example `charge(self,
+/// Charges the running process for an operation. `cost` is applied to its executive's costs, as in `charge(self,
 /// &OperationCosts::timer_read)`.
 template <class Cost>
 void charge(Process& self, Cost cost) {

@@ -9,20 +9,20 @@
 
 namespace placedpar {
 
-/// Boost.Fiber's view of a running simulation. The kernel decides which process runs and resumes its fiber itself; this
-/// algorithm only takes delivery of the fibers that Boost announces: new ones, which it hands to the kernel, and those
-/// that were there before (Boost's dispatcher, the host program's own fibers), which rest until the run is over.
-/// Boost's own clocks are never used.
+/// The part of a running simulation that Boost.Fiber sees. The kernel decides which process runs, and resumes the
+/// process's fiber itself. This algorithm only receives the fibers that Boost announces. It hands new fibers to the
+/// kernel. Fibers that existed before the run (Boost's dispatcher, the host program's own fibers) rest until the run is
+/// over. Boost's own clocks are never used.
 class FiberScheduler final : public boost::fibers::algo::algorithm {
 public:
     using Context = boost::fibers::context;
 
-    /// `host` is the fiber that called Kernel::run. Boost owns the algorithm; `self` is set to point to it.
+    /// `host`: the fiber that called Kernel::run. `self`: set to point to the algorithm, which Boost owns.
     FiberScheduler(Context* host, FiberScheduler*& self) : host_(host) { self = this; }
 
     Context* host() const { return host_; }
 
-    /// Tells the scheduler that the next fiber that Boost announces belongs to a new worker.
+    /// States that the next fiber that Boost announces belongs to a new worker.
     void expect_worker() { newest_ = nullptr, expecting_worker_ = true; }
     Context* newest_worker() const { return newest_; }
 

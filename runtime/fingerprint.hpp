@@ -4,12 +4,12 @@
 
 namespace placedpar {
 
-/// A hash of a run's events in their order. If two runs have equal fingerprints, the same processes communicated with
-/// each other at the same virtual times in the same order.
+/// A hash of a run's events in order. If two runs have equal fingerprints, the same processes communicated with each
+/// other, at the same virtual times and in the same order.
 class Fingerprint {
 public:
     void mix(std::uint64_t word) {
-        hash_ = (hash_ ^ word) * 0x9e3779b97f4a7c15u; // 2^64 / golden ratio, an odd number with no pattern
+        hash_ = (hash_ ^ word) * 0x9e3779b97f4a7c15u; // 2^64 / golden ratio, an odd number without a pattern
         hash_ ^= hash_ >> 32;
     }
     std::uint64_t value() const { return hash_; }

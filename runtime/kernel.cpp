@@ -21,8 +21,8 @@ namespace placedpar {
 
 namespace {
 
-/// Returns an error that names the first process that computes or waits for its timer, as a hint: its computation or
-/// delay may be too long.
+/// Returns an error about the end of virtual time. The error names the first process that computes or waits for its
+/// timer, because this computation or delay may be too long.
 [[gnu::cold, gnu::noinline]] std::exception_ptr beyond_the_end_of_time(const Kernel& kernel) {
     const std::vector<const Process*> living = kernel.living();
     auto late = std::ranges::find_if(living, [](const Process* p) {
@@ -35,7 +35,7 @@ namespace {
         late == living.end() ? "give the link more speed, or send less" : "shorten its computation or delay")));
 }
 
-/// Moves some ready processes to the end of the queue, at random. Not inlined, since few runs are shuffled.
+/// Moves some ready processes to the end of the queue, at random. Not inlined, because few runs are shuffled.
 [[gnu::cold, gnu::noinline]] void put_off_some(ProcessQueue& ready, RandomStream& lots) {
     while (!ready.empty() && lots.chance(0.5))
         ready.push_back(*ready.pop_front());
@@ -69,15 +69,15 @@ void Kernel::refuse_outside_a_run() {
     throw Unwinding{};
 }
 
-/// Does the rare work of begin_operation(), which stays short for processes without histories.
+/// Handles the rare cases of begin_operation(). They are a separate function, so that begin_operation() stays short.
 [[gnu::cold, gnu::noinline]] ReplayLog* Kernel::attend(const Process& running) {
     if (hot_.rare_conditions.any_of(RareConditions::unwinding | RareConditions::interrupted))
         give_way();
     return running.history();
 }
 
-/// Looks after a process that has done many operations without any time passing. Throws std::logic_error if there were
-/// too many; makes the process give way if the run is interrupted.
+/// Checks a process that has done many operations without virtual time passing. Throws std::logic_error after too many
+/// operations. If the run is interrupted, makes the process give way.
 void Kernel::heed_operations() {
     if (hot_.rare_conditions.any_of(RareConditions::unwinding))
         return;
@@ -99,7 +99,8 @@ void Kernel::add(Process& p) {
         hot_.rare_conditions.clear(RareConditions::no_process_left);
 }
 
-/// Counts out a process that has ended, or that is not part of the program.
+/// Subtracts one from the number of processes of the program. Called for a process that has ended, and for a process
+/// that serves the machine.
 void Kernel::count_out() {
     if (--population_.of_the_program == 0)
         hot_.rare_conditions.set(RareConditions::no_process_left);
@@ -127,7 +128,7 @@ inline bool Kernel::over() const {
                                        RareConditions::at_the_limit | RareConditions::interrupted);
 }
 
-/// Lets the next event happen, unless the run ends before it.
+/// Performs the next event, unless the run ends before it.
 [[gnu::noinline]] void Kernel::pass_to(Time next) {
     if (next > hot_.limit) {
         hot_.now = hot_.limit;
@@ -142,8 +143,8 @@ inline bool Kernel::over() const {
     }
 }
 
-/// Our estimate: a process that continues reads some ten lines of its stack, and a second-level cache of half a Mbyte
-/// has 8,000 lines for everything.
+/// The number of stacks that fit into a second-level cache (our estimate). A process that continues reads about ten
+/// lines of its stack, and a cache of half a Mbyte has 8,000 lines in all.
 constexpr std::size_t stacks_in_a_cache = 500;
 
 inline bool Kernel::begin_communication(Process& p) {
@@ -173,7 +174,7 @@ Process* Kernel::choose_next() {
     }
 }
 
-/// Ends the work and wakes the processes that wait for its end. Returns whether there are any.
+/// Ends the work, and wakes the processes that wait for its end. Returns whether any process waits.
 [[gnu::cold, gnu::noinline]] bool Kernel::go_on_after_work() {
     if (end_.after_work.empty())
         return false;
@@ -207,7 +208,7 @@ void Kernel::tell(const std::function<void()>& observer) {
     hot_.rare_conditions.set(RareConditions::failed);
 }
 
-/// Returns the process to run next, with a fiber to run on; null when the run is over.
+/// Returns the process to run next, with a fiber for it. Returns null when the run is over.
 Process* Kernel::next_with_worker() {
     Process* next = choose_next();
     if (!next || (!next->worker_ && !employ(*next)))
@@ -228,7 +229,7 @@ bool Kernel::pass_time(Time until) {
     return true;
 }
 
-/// Switches to a process; null stands for the fiber that called run().
+/// Switches to a process. Null means the fiber that called run().
 void Kernel::switch_to(Process* p) {
     hot_.running = p;
     SwitchedStack& from = *hot_.stack_in_use;
@@ -244,7 +245,8 @@ void Kernel::switch_to(Process* p) {
     from.arrive();
 }
 
-/// Gives a process that runs for the first time a fiber; returns whether there was memory for it. If not, the run ends.
+/// Gives a fiber to a process that runs for the first time. Returns whether there was enough memory; otherwise the run
+/// ends.
 [[gnu::cold, gnu::noinline]] bool Kernel::employ(Process& p) {
     try {
         if (fibers_.idle.empty()) {
@@ -297,7 +299,7 @@ std::optional<StackUser> Kernel::who_overflowed(const void* address) {
     return stack_user(*running);
 }
 
-/// Ends the program if the process has written beyond its stack. Used where no guard zone catches that at once.
+/// Ends the program if the process has written beyond its stack. Used where no guard zone detects the overflow at once.
 [[gnu::cold, gnu::noinline]] void Kernel::require_own_stack(const Process& process) {
     const Stack& stack = process.worker_->memory;
     if (stack.guarded || !stack.has_overflowed())
@@ -306,7 +308,7 @@ std::optional<StackUser> Kernel::who_overflowed(const void* address) {
     std::abort();
 }
 
-/// Records that the process has thrown. Only the first failure counts.
+/// Records that the process has thrown an exception. Only the first failure counts.
 void Kernel::fail(const Process& p) noexcept {
     if (hot_.rare_conditions.any_of(RareConditions::failed | RareConditions::unwinding))
         return;
@@ -377,14 +379,14 @@ std::vector<Process*> Kernel::by_age() const {
     return result;
 }
 
-/// Tells the trace of the processes that were made before the run.
+/// Reports the processes that were made before the run to the trace.
 void Kernel::introduce_to_trace() {
     if (hot_.trace)
         for (const Process* p : by_age())
             hot_.trace->turns(*p, Activity::starting, hot_.now);
 }
 
-/// Unwinds the youngest process first, so that components go before the processes that wait for them.
+/// Unwinds the youngest process first, so that components end before the processes that wait for them.
 void Kernel::unwind_all() {
     hot_.rare_conditions.set(RareConditions::unwinding);
     std::vector<Process*> left = by_age();

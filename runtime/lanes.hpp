@@ -14,10 +14,10 @@
 
 namespace placedpar {
 
-/// One number for each of eight individuals, side by side in registers of `width` doubles. Code written for double
-/// works for it too, and each lane gets the bits that it would have alone: every operation rounds once. Comparisons are
-/// those of std::max and std::min. Create and use Lanes only in the Work of in_vectors(), so that the code is compiled
-/// for that width.
+/// Holds one number for each of eight individuals, in registers of `width` doubles. Code written for double works for
+/// Lanes, too. Each lane gets the same bits as a double would, because every operation rounds once. max and min compare
+/// as std::max and std::min do. Create and use Lanes only in the `Work` of in_vectors(), so that the code is compiled
+/// for this width.
 template <std::size_t width>
 class Lanes {
 public:
@@ -25,24 +25,24 @@ public:
 
     Lanes() = default;
     /// Puts one number into all lanes.
-    [[gnu::always_inline]] Lanes(double all) { // NOLINT: as a double is
+    [[gnu::always_inline]] Lanes(double all) { // NOLINT: implicit, as from int to double
         each([&](std::size_t i) { put_into_all(all, registers_[i]); });
     }
     [[gnu::always_inline]] Lanes(const std::array<double, count>& numbers) {
         std::memcpy(registers_, numbers.data(), sizeof registers_);
     }
-    /// REQUIRES: numbers below 2^52.
+    /// Converts whole numbers. REQUIRES: numbers below 2^52.
     [[gnu::always_inline]] static Lanes
     of_whole_numbers(const typename Registers<width>::Words (&numbers)[count / width]) {
-        // The lower bits of the double 2^52 + n are those of n.
+        // The lower bits of the double 2^52 + n are the bits of n.
         Lanes result;
         each([&](std::size_t i) {
             result.registers_[i] = reinterpret_cast<Register>(numbers[i] | 0x4330000000000000) - 0x1p52;
         });
         return result;
     }
-    // The copy is not trivial, so that Lanes are passed in memory, where code compiled for another width also expects
-    // them.
+    // The copy constructor is not trivial, so that Lanes are passed in memory. Code compiled for another width also
+    // expects them there.
     [[gnu::always_inline]] Lanes(const Lanes& other) { *this = other; }
     [[gnu::always_inline]] Lanes& operator=(const Lanes& other) {
         each([&](std::size_t i) { registers_[i] = other.registers_[i]; });
@@ -50,7 +50,7 @@ public:
     }
 
     [[gnu::always_inline]] std::array<double, count> numbers() const {
-        const Lanes copy = *this; // lets these lanes stay in registers until here
+        const Lanes copy = *this; // lets the lanes stay in registers until here
         std::array<double, count> numbers;
         std::memcpy(numbers.data(), copy.registers_, sizeof registers_);
         return numbers;
@@ -109,7 +109,7 @@ public:
         return result;
     }
 
-    // Done lane by lane, since not every processor has an instruction for it.
+    // These are computed lane by lane, because not every processor has an instruction for them.
     friend Lanes floor(const Lanes& x) {
         return x.one_by_one([](double each) { return std::floor(each); });
     }
@@ -147,7 +147,7 @@ private:
         return Lanes(results);
     }
 
-    // The results are a > b ? a : b and a < b ? a : b. Where GCC 12 does not find the instruction, the code names it.
+    // The results are a > b ? a : b and a < b ? a : b. The code names an instruction where GCC 12 does not find it.
     [[gnu::always_inline]] static void take_greater(const Register& a, const Register& b, Register& result) {
         result = a > b ? a : b;
     }
@@ -187,8 +187,8 @@ private:
     }
 #endif
 
-    // For widths that the target lacks, GCC aligns registers to 16 bytes, but code for a target with that width expects
-    // more.
+    // The alignment is explicit. For widths that the target lacks, GCC aligns registers to 16 bytes, but code for a
+    // target with this width expects more.
     alignas(sizeof(double) * width) Register registers_[count / width];
 };
 

@@ -11,7 +11,7 @@
 
 namespace placedpar {
 
-/// What a component of a PAR executes: a function that takes nothing.
+/// The body of a component of a PAR: a function without arguments.
 template <class Body>
 concept ComponentBody = std::constructible_from<Process::Body, Body>;
 
@@ -21,15 +21,15 @@ struct Component {
     Priority priority;
 };
 
-/// Runs the components as processes on the running process's executive and waits until all have ended. As in occam, a
-/// process that has an executive starts all but the last, which it runs itself before the others get their turn. What
-/// a component throws ends the simulation, and its run rethrows it.
+/// Runs the components as processes on the running process's executive, and waits until all have ended. As in occam, a
+/// process with an executive starts all components but the last, and runs the last itself before the others get their
+/// turn. If a component throws, the simulation ends, and its run rethrows the exception.
 void run_in_parallel(std::vector<Component>, const SourceLocation&);
 
-/// The priority of the running process, which its components inherit.
+/// Returns the priority of the running process, which its components inherit.
 Priority own_priority();
 
-/// The first component of a PAR. It is made from a body by the caller of `par`, so that it can record that place.
+/// The first component of a PAR. The caller of `par` makes it from a body, so that it can record the place of the call.
 struct FirstComponent {
     template <ComponentBody Body>
     FirstComponent(Body&& b, const SourceLocation& here = SourceLocation::current())
@@ -39,7 +39,7 @@ struct FirstComponent {
     SourceLocation where;
 };
 
-/// occam's PAR: `par([&] { ... }, [&] { ... })`.
+/// Runs occam's PAR: `par([&] { ... }, [&] { ... })`.
 template <ComponentBody... Bodies>
 void par(FirstComponent first, Bodies&&... others) {
     run_in_parallel(
@@ -47,7 +47,7 @@ void par(FirstComponent first, Bodies&&... others) {
         first.where);
 }
 
-/// occam's replicated PAR, `PAR i = 0 FOR n`: `par_for(n, [&](std::size_t i) { ... })`.
+/// Runs occam's replicated PAR, `PAR i = 0 FOR n`: `par_for(n, [&](std::size_t i) { ... })`.
 template <std::invocable<std::size_t> Body>
 void par_for(std::size_t n, Body body, const SourceLocation& where = SourceLocation::current()) {
     std::vector<Component> components;
@@ -56,7 +56,7 @@ void par_for(std::size_t n, Body body, const SourceLocation& where = SourceLocat
     run_in_parallel(std::move(components), where);
 }
 
-/// occam's PRI PAR of two: the first at high priority, the second at low priority.
+/// Runs occam's PRI PAR of two components, the first at high priority, the second at low priority.
 template <ComponentBody High, ComponentBody Low>
 void pri_par(High&& high, Low&& low, const SourceLocation& where = SourceLocation::current()) {
     run_in_parallel({{std::forward<High>(high), Priority::high}, {std::forward<Low>(low), Priority::low}}, where);

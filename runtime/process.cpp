@@ -70,7 +70,7 @@ inline void Process::note_end_of_wait() {
 
 inline void Process::finish_wait(Process* successor) {
     {
-        // Also when the wait ends because the run does.
+        // Runs also if the wait ends because the run ends.
         struct End {
             ~End() { process.goes_on(); }
             Process& process;
@@ -87,8 +87,8 @@ void Process::begin_wait(Activity activity, const AnyChannel* channel, const Sou
     note_wait(activity);
 }
 
-/// Everything that a wait passes through is one function: the host processor mispredicts the return of a call when
-/// another fiber has run meanwhile.
+/// Waits for a channel. All functions of a wait are inlined here: if another fiber has run before a function returns,
+/// the host processor mispredicts the return.
 [[gnu::flatten]] void Process::wait_for(Activity activity, const AnyChannel* channel, const SourceLocation& where) {
     begin_wait(activity, channel, where);
     finish_wait();
@@ -108,7 +108,7 @@ void Process::wait_for(Activity activity, std::span<const AnyChannel* const> cha
     finish_wait();
 }
 
-/// Returns whether the computation is done; otherwise it has begun. A process that is not placed has nothing to do.
+/// Begins a computation. Returns whether it is done at once. A process that is not placed computes in no time.
 inline bool Process::computes_at_once(Cycles cycles, const CodeShape& fineness) {
     kernel_.throw_if_unwinding();
     if (!executive_)
@@ -124,7 +124,7 @@ inline bool Process::computes_at_once(Cycles cycles, const CodeShape& fineness) 
         kernel_.give_way();
 }
 
-/// Begins the communication, and returns whether the process waits; then it leaves the executive.
+/// Begins the communication. Returns whether the process has to wait; if so, it leaves the executive.
 bool Process::begin_communication() {
     communicates_ = std::exchange(communication_, nullptr)->begin(*this);
     if (communicates_ && executive_)
@@ -135,7 +135,7 @@ bool Process::begin_communication() {
 [[gnu::flatten]] void Process::compute_and_communicate(Communication& communication, Cycles cycles) {
     bool has_waited = false;
     {
-        // The run may end during the computation, and during the wait.
+        // The run may end during the computation or during the wait.
         struct End {
             ~End() {
                 process.communication_ = nullptr;

@@ -13,19 +13,19 @@
 
 namespace placedpar {
 
-/// The parts in which a message travels on a wire, one communication each: their lengths in bytes. A value of fixed
-/// size is one part; occam's counted array `INT::[]BYTE` is two, the count and the bytes.
+/// The lengths in bytes of the parts in which a message travels on a wire. Each part is a communication. A value of
+/// fixed size is one part. occam's counted array `INT::[]BYTE` has two parts, the count and the bytes.
 class WireForm {
 public:
     static constexpr std::size_t most_parts = 4;
 
-    /// Throws std::length_error for a part of less than 0 or more than 2^32 - 1 bytes.
+    /// Throws std::length_error for a part of fewer than 0 or more than 2^32 - 1 bytes.
     template <std::integral... Bytes>
     requires(sizeof...(Bytes) >= 1 && sizeof...(Bytes) <= most_parts) constexpr WireForm(Bytes... bytes)
         : bytes_{length(bytes)...}, parts_(sizeof...(Bytes)) {}
 
     /// Returns the form preceded by a tag, which is a byte and a communication of its own. Throws std::length_error if
-    /// this exceeds most_parts.
+    /// the result exceeds most_parts.
     constexpr WireForm behind_tag() const {
         if (parts_ == most_parts)
             throw std::length_error("a variant of a message has 3 parts at most, behind its tag");
@@ -61,7 +61,8 @@ template <class T>
 inline constexpr bool has_wire_form = requires(const T& message) {
     { message.wire_form() } -> std::same_as<WireForm>;
 };
-/// Whether the bytes of a value are the whole value, without addresses that mean nothing to the other process.
+/// True if the bytes of a value are the whole value. Addresses are excluded, because they mean nothing to another
+/// process.
 template <class T>
 inline constexpr bool is_plain =
     std::is_trivially_copyable_v<T> && !std::is_pointer_v<T> && !std::is_member_pointer_v<T> &&
@@ -75,16 +76,17 @@ inline constexpr bool is_message<std::variant<Variants...>> = (is_message<Varian
 
 } // namespace detail
 
-/// Types that a channel can carry: values of a fixed size, counted arrays of them, variants, and types with a
-/// wire_form(). Processes share no memory, so pointers, references, spans and views are excluded. So are types of
-/// variable size without a wire_form(), such as std::string. Messages must be movable without throwing, since events
-/// often move them and have no process to report to.
+/// The types that a channel can carry: values of a fixed size, counted arrays of them, variants, and types with a
+/// wire_form(). Processes share no memory, so pointers, references, spans and views are excluded. Types of variable
+/// size without a wire_form(), such as std::string, are excluded, too. Messages must be movable without throwing.
+/// Events often move them, and an exception thrown there would belong to no process.
 template <class T>
 concept Protocol = std::is_object_v<T> && std::same_as<T, std::remove_cv_t<T>> && !std::is_array_v<T> &&
                    std::is_nothrow_move_constructible_v<T> && detail::is_message<T>;
 
-/// The protocol of a channel is the C++ type of its messages, and the type determines the form on the wire: a type of
-/// fixed size needs nothing; others have a member `WireForm wire_form() const`.
+/// Returns the form of a message on a wire. The protocol of a channel is the C++ type of its messages, and this type
+/// determines the form. A type of fixed size needs no further statement; other types have a member `WireForm
+/// wire_form() const`.
 template <class T>
 WireForm wire_form(const T& message) {
     if constexpr (detail::has_wire_form<T>)
@@ -95,14 +97,14 @@ WireForm wire_form(const T& message) {
     }
 }
 
-/// occam's counted array `INT::[]T`.
+/// Returns the form of occam's counted array `INT::[]T`.
 template <class T>
 requires detail::is_plain<T> WireForm wire_form(const std::vector<T>& message) {
     return WireForm(4u, message.size() * sizeof(T));
 }
 
-/// occam's variant protocol, `PROTOCOL P CASE ...`: a tag says which alternative follows, and each has its own size. An
-/// empty struct is an alternative that consists only of its tag.
+/// Returns the form of occam's variant protocol, `PROTOCOL P CASE ...`. A tag states which alternative follows, and
+/// each alternative has its own size. An alternative that is an empty struct consists only of its tag.
 template <class... Variants>
 WireForm wire_form(const std::variant<Variants...>& message) {
     auto form = []<class T>(const T& variant) {

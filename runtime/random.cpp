@@ -15,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-/// FNV-1a, 64 bits: a published, stable hash. std::hash may differ from one library to the next.
+/// Returns the FNV-1a hash of 64 bits, which is published and stable. std::hash may differ between libraries.
 std::uint64_t path_hash(std::string_view path) {
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (char c : path)
@@ -25,13 +25,13 @@ std::uint64_t path_hash(std::string_view path) {
 
 void count_on(r123::Philox4x32::ctr_type& counter, std::uint32_t blocks) {
     counter[0] += blocks;
-    counter[1] += counter[0] < blocks; // carried
+    counter[1] += counter[0] < blocks; // // carry
 }
 
 #ifdef __x86_64__
-/// Computes Philox 4x32-10 for consecutive blocks. Each word of a block has two registers, so that one works while the
-/// other waits for its product. A register holds one block for each 64 bits of its width. A word of 32 bits has a lane
-/// of 64 bits; the upper half is carried along and never used.
+/// Computes Philox 4x32-10 for consecutive blocks. Each word of a block has two registers, so that one register is busy
+/// while the other waits for its product. A register holds one block for each 64 bits of its width. A word of 32 bits
+/// occupies a lane of 64 bits, whose upper half is not used.
 template <std::size_t width>
 class Blocks {
 public:
@@ -58,7 +58,7 @@ public:
         }
     }
 
-    /// Stores the blocks in their order, four words each.
+    /// Stores the blocks in order, four words for each block.
     [[gnu::always_inline]] void store(std::uint32_t* numbers) const {
         store_one(0, numbers);
         store_one(1, numbers + 4 * width);
@@ -96,7 +96,7 @@ private:
                                             Register& product) requires(width == 4) {
         product = reinterpret_cast<Register>(_mm256_mul_epu32(reinterpret_cast<__m256i>(a), _mm256_set1_epi64x(b)));
     }
-    // The form with a mask, since GCC 12 warns of the plain one by mistake (bug 105593).
+    // Uses the form with a mask, because GCC 12 gives a wrong warning for the form without (bug 105593).
     [[PLACEDPAR_AVX512]] static void multiply(const Register& a, std::uint32_t b,
                                               Register& product) requires(width == 8) {
         product = reinterpret_cast<Register>(
@@ -107,7 +107,7 @@ private:
 };
 #endif
 
-/// Computes the four numbers of `blocks` counters in a row.
+/// Computes the four numbers of each of `blocks` consecutive counters.
 template <std::size_t width>
 void compute(r123::Philox4x32::ctr_type counter, r123::Philox4x32::key_type key, std::size_t blocks,
              std::uint32_t* numbers) {
@@ -126,7 +126,7 @@ void compute(r123::Philox4x32::ctr_type counter, r123::Philox4x32::key_type key,
 #endif
 }
 
-/// Computes blocks, and advances the counter. REQUIRES: the blocks fill registers of any width.
+/// Computes blocks and advances the counter. REQUIRES: the number of blocks fills registers of any width.
 void compute_blocks(r123::Philox4x32::ctr_type& counter, const r123::Philox4x32::key_type& key, std::size_t blocks,
                     std::uint32_t* numbers) {
     in_vectors([&]<std::size_t width>() { compute<width>(counter, key, blocks, numbers); });

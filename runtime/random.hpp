@@ -1,6 +1,7 @@
 #pragma once
 
-// Vector instructions do not help here, and without them the header compiles in half the time.
+// The library's vector instructions are switched off. They give no speed here, and without them the header compiles in
+// half the time.
 #ifndef R123_USE_SSE
 #define R123_USE_SSE 0
 #endif
@@ -15,9 +16,9 @@
 
 namespace placedpar {
 
-/// A stream of random numbers that depends only on the run's seed and the path of the process, so that it is the same
-/// in every placement, order of events and number of processors. Counter-based, Philox 4x32-10 (J. Salmon et al.,
-/// "Parallel random numbers: as easy as 1, 2, 3", 2011). Meets std::uniform_random_bit_generator.
+/// A stream of random numbers. It depends only on the run's seed and the path of the process. So it is the same in
+/// every placement, for every order of events and any number of processors. Counter-based, Philox 4x32-10 (J. Salmon et
+/// al., "Parallel random numbers: as easy as 1, 2, 3", 2011). Satisfies std::uniform_random_bit_generator.
 class RandomStream {
 public:
     using result_type = std::uint32_t;
@@ -31,12 +32,12 @@ public:
             compute_ahead();
         return numbers_[drawn_++];
     }
-    /// Draws the next numbers, the same as single calls would.
+    /// Draws the next numbers. They are the same numbers that single calls would draw.
     void fill(std::span<result_type> numbers);
 
-    /// Uniform in [0, 1), a multiple of 2^-32.
+    /// Returns a number uniform in [0, 1), a multiple of 2^-32.
     double uniform() { return (*this)() * 0x1p-32; }
-    /// Uniform in 0 ... n - 1 without bias. REQUIRES: n > 0.
+    /// Returns a number uniform in 0 ... n - 1 without bias. REQUIRES: n > 0.
     std::uint32_t below(std::uint32_t n) {
         // Lemire's multiplication with rejection (ACM TOMACS 29, 2019).
         std::uint64_t product = std::uint64_t{(*this)()} * n;
@@ -44,13 +45,13 @@ public:
             reject(product, n);
         return static_cast<std::uint32_t>(product >> 32);
     }
-    /// From the standard normal distribution, by Box and Muller's cosine: two uniform numbers.
+    /// Returns a number from the standard normal distribution, by Box and Muller's cosine. Draws two numbers.
     double normal();
-    /// True with the given probability.
+    /// Returns true with the given probability.
     bool chance(double probability) { return uniform() < probability; }
 
 private:
-    /// Numbers are computed ahead, so that wide registers have something to do: 16 blocks of 4.
+    /// The number of numbers that are computed ahead, in 16 blocks of 4. So wide registers are used fully.
     static constexpr std::size_t ahead = 64;
     using Numbers = std::array<result_type, ahead>;
 
@@ -60,7 +61,7 @@ private:
     using Philox = r123::Philox4x32;
     Philox::key_type key_;
     Philox::ctr_type counter_;
-    std::size_t drawn_ = ahead; ///< of `numbers_`
+    std::size_t drawn_ = ahead; ///< index in `numbers_`
     Numbers numbers_;
 };
 

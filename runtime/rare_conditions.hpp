@@ -10,7 +10,7 @@ public:
     enum Circumstance : unsigned {
         no_process_left = 1, ///< every process of the program has ended
         failed = 2,          ///< a process or an observer has thrown
-        at_the_limit = 4,    ///< the next event lies behind the time limit
+        at_the_limit = 4,    ///< the next event is beyond the time limit
         interrupted = 8,     ///< the run was interrupted from outside
         unwinding = 16,      ///< the run is over, and its processes are unwound
         histories = 32,      ///< a process keeps a history
@@ -18,11 +18,11 @@ public:
         unguarded = 128      ///< some stacks have no guard page
     };
 
-    /// Ignores `histories`: only processes that keep a history test that bit.
+    /// Returns whether any condition except `histories` holds. Only processes that keep a history test `histories`.
     bool any() const { return any_of(~unsigned{histories}); }
-    /// Tests one bit of the set.
+    /// Returns whether any of the conditions in the set `these` holds.
     bool any_of(unsigned these) const { return (which_.load(std::memory_order_relaxed) & these) != 0; }
-    /// May be called in a signal handler, too.
+    /// Sets a condition. May be called in a signal handler.
     void set(Circumstance which) { which_.fetch_or(which, std::memory_order_relaxed); }
     void clear(Circumstance which) { which_.fetch_and(~unsigned{which}, std::memory_order_relaxed); }
 

@@ -10,7 +10,7 @@ namespace placedpar {
 
 namespace {
 
-/// Begins an operation that no history can repeat, since it depends on whether a message comes in time.
+/// Begins an operation that cannot be replayed, because it depends on whether a message comes in time.
 Process& begin_attempt(Kernel& kernel) {
     Process& self = kernel.running();
     if (ReplayLog* history = kernel.begin_operation(self))
@@ -38,7 +38,7 @@ void Attempt::until_told_by(AnyChannel& failure) {
     failure_ = &failure;
 }
 
-/// Lets everything else that is due now happen first.
+/// Schedules the time-out. All other events of the current time happen first.
 void Attempt::entered() {
     EventQueue& future = process_.kernel().future();
     Time now = process_.kernel().now();

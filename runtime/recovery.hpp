@@ -11,36 +11,36 @@
 
 namespace placedpar {
 
-// How a program survives a link that fails, in the words of the libraries of the INMOS toolsets: InputOrFail and
-// OutputOrFail, with a time-out (.t) or with a channel whose message ends the attempt (.c), and Reinitialise; in C
-// ChanInTimeFail, ChanOutTimeFail, ChanInChanFail, ChanOutChanFail and ChanReset.
+// These functions let a program survive a link that fails. They follow the libraries of the INMOS toolsets. occam has
+// InputOrFail and OutputOrFail, with a time-out (.t) or with a channel whose message ends the attempt (.c), and
+// Reinitialise. C has ChanInTimeFail, ChanOutTimeFail, ChanInChanFail, ChanOutChanFail and ChanReset.
 //
-// 1. A channel may be soft, or hard and alone on its direction of a link, at whose end a link adapter may be. A channel
-//    that travels in packets throws std::logic_error, as the toolset does for virtual channels. So does a broadcast
-//    channel, and one through the memory of a bus master.
+// 1. A channel may be soft. If it is hard, it must be alone on its direction of a link; a link adapter may be at the
+// end of the link. A channel that travels in packets throws std::logic_error, as the toolset does for virtual channels.
+// So do a broadcast channel and a channel through the memory of a bus master.
 // 2. A message that was given up is never received later. However, a message that the sender gave up may already have
-//    been received, if only the acknowledge of its last byte was lost.
-// 3. If a message was given up at an end of a hard channel, that end must be reset before it is used again; otherwise
-//    it throws std::logic_error. If this was in the middle of a message, the other end must be reset as well; until
-//    then nothing is transferred.
+// been received, if only the acknowledge of its last byte was lost.
+// 3. If a message was given up at an end of a hard channel, this end must be reset before it is used again. Otherwise
+// it throws std::logic_error. If the message was partly transferred, the other end must be reset as well; until then
+// nothing is transferred.
 // 4. A soft channel keeps nothing of the message, and a reset changes nothing.
-// 5. An attempt costs the communication's usual cycles and OperationCosts::attempt; a reset costs
-//    OperationCosts::reset_channel.
+// 5. An attempt costs the communication's usual cycles and OperationCosts::attempt. A reset costs
+// OperationCosts::reset_channel.
 
-/// One communication that may be given up, by the running process on its stack.
+/// A communication of the running process that may be given up. It is a local variable of the process.
 class Attempt final : Event, Listener, AttemptObserver {
 public:
     enum class End { output, input };
-    /// Charges for the attempt. Throws std::logic_error when the channel cannot give up a message.
+    /// Charges for the attempt. Throws std::logic_error if the channel cannot give up a message.
     Attempt(AnyChannel&, End);
     ~Attempt();
     Attempt(const Attempt&) = delete;
     Attempt& operator=(const Attempt&) = delete;
 
-    /// Sets the time at which the attempt is given up. If the deadline has passed, the attempt is given up as soon as
-    /// nothing else can happen at the current instant.
+    /// Sets the time at which the attempt is given up. If this time has passed, the attempt is given up when nothing
+    /// else can happen at the current instant.
     void until(Time deadline) { deadline_ = deadline; }
-    /// Gives up the attempt when a message waits in `failure`.
+    /// Gives up the attempt when a message waits on `failure`.
     void until_told_by(AnyChannel& failure);
     bool failed() const { return failed_; }
 
@@ -57,7 +57,7 @@ private:
     bool failed_ = false;
 };
 
-/// Outputs the message; returns whether it was sent and acknowledged before the deadline.
+/// Outputs the message. Returns whether it was sent and acknowledged before the deadline.
 template <class T>
 bool output_or_fail(Output<T> to, T message, Time deadline, const SourceLocation& where = SourceLocation::current()) {
     Attempt attempt(to.channel(), Attempt::End::output);
@@ -66,8 +66,8 @@ bool output_or_fail(Output<T> to, T message, Time deadline, const SourceLocation
     return !attempt.failed();
 }
 
-/// Outputs the message; returns whether it was sent before a message came from `failure`. The message from `failure` is
-/// input if it ends the attempt.
+/// Outputs the message. Returns whether it was sent before a message came from `failure`. If the message from `failure`
+/// ends the attempt, it is input.
 template <class T, class F>
 bool output_or_fail(Output<T> to, T message, Input<F> failure,
                     const SourceLocation& where = SourceLocation::current()) {
@@ -83,7 +83,7 @@ bool output_or_fail(Output<T> to, T message, Input<F> failure,
     return !failed;
 }
 
-/// Inputs a message; returns whether it was received before the deadline. If not, `message` is unchanged.
+/// Inputs a message. Returns whether it was received before the deadline. If not, `message` is unchanged.
 template <class T>
 bool input_or_fail(Input<T> from, T& message, Time deadline, const SourceLocation& where = SourceLocation::current()) {
     std::optional<T> slot;
@@ -95,7 +95,7 @@ bool input_or_fail(Input<T> from, T& message, Time deadline, const SourceLocatio
     return !attempt.failed();
 }
 
-/// Inputs a message; returns whether it was received before a message came from `failure`. If not, the message from
+/// Inputs a message. Returns whether it was received before a message came from `failure`. If not, the message from
 /// `failure` is input, and `message` is unchanged.
 template <class T, class F>
 bool input_or_fail(Input<T> from, T& message, Input<F> failure,
@@ -115,10 +115,10 @@ bool input_or_fail(Input<T> from, T& message, Input<F> failure,
     return !failed;
 }
 
-/// Reinitialise, ChanReset: makes the end of the channel ready for a next message, after one was given up there or at
-/// the other end. Returns how many bytes of that message had been transferred: at an output the acknowledged bytes, at
-/// an input the bytes taken; 0 on a soft channel. Throws std::logic_error when another process owns the end, or a
-/// process is communicating there.
+/// Makes an end of a channel ready for the next message, after a message was given up at this or the other end
+/// (Reinitialise, ChanReset). Returns how many bytes of the message were transferred: at an output the acknowledged
+/// bytes, at an input the bytes taken; 0 on a soft channel. Throws std::logic_error if another process owns the end, or
+/// if a process is communicating there.
 std::uint64_t reset(AnyChannel&, Attempt::End);
 template <class T>
 std::uint64_t reset(Output<T> end) {

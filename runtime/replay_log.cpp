@@ -4,7 +4,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the identity of the number-th object that a process or a channel makes.
+/// Returns the identity of an object that `maker` makes. `number` counts the objects of one maker.
 std::uint64_t name_of(std::uint64_t maker, std::uint64_t number) {
     Fingerprint both;
     both.mix(maker);
@@ -41,7 +41,7 @@ void ReplayLog::record_unrepeatable() {
 ReplayLog& ReplayLog::component() {
     std::uint64_t name = name_of(name_, ++begun_);
     if (!original_) {
-        constexpr std::size_t readings = 20; // as much as a history takes
+        constexpr std::size_t readings = 20; // about the size of a history
         take_room(readings);
         return components_.emplace_back(course_, name);
     }
@@ -62,7 +62,8 @@ void ReplayLog::end() {
         diverge();
 }
 
-/// Makes room for readings. If there is no room left, the run cannot be repeated, and nothing is recorded any more.
+/// Reserves memory for readings. If there is not enough memory left, marks the run as one that cannot be repeated, and
+/// stops recording.
 void ReplayLog::take_room(std::size_t readings) {
     if (course_.room < readings)
         course_.can_be_repeated = false;

@@ -12,33 +12,34 @@
 
 namespace placedpar {
 
-/// Thrown through a process that departs from its history. A process that catches the exception is unwound at its next
-/// operation.
+/// Thrown through a process that departs from its history. If the process catches the exception, it is unwound at its
+/// next operation.
 class ReplayDivergence {};
 
-/// The state that is shared by the histories of all processes of one run.
+/// The state that the histories of all processes of a run share.
 struct ReplaySession {
-    /// Number of readings that the histories may still record, at 16 bytes each. A run with more is not repeated.
+    /// The number of readings that the histories may still record, of 16 bytes each. A run with more readings is not
+    /// repeated.
     std::size_t room = 4'000'000;
-    bool can_be_repeated = true;                 ///< no process has done anything that cannot be repeated
+    bool can_be_repeated = true;                 ///< false after an action that cannot be repeated
     bool has_diverged = false;                   ///< a process that repeats its history has departed from it
     std::function<void()> on_divergence = [] {}; ///< ends the run; may be called more than once
 };
 
-/// What a process did in a run, and what it saw there that no message told it: which guards its alternations chose, and
-/// what clocks showed.
+/// The history of a process in a run: its actions, and observations that no message carried. Such observations are the
+/// guards that its alternations chose, and the times that its clocks showed.
 ///
-/// A process can repeat its history with other messages and without a machine: its alternations choose, and its clocks
-/// show, what they did in the original run. If all processes do exactly what their histories say, a run on the machine
-/// with these messages would have taken the same course, event for event. The reason is that the machine and the kernel
-/// know nothing else of a program: by induction over the events, each process would have seen what it saw in the
-/// original run. If a process does something else, the run has departed from its history. (T. LeBlanc and J.
-/// Mellor-Crummey, Debugging parallel programs with Instant Replay, IEEE Transactions on Computers C-36(4), 1987; that
-/// messages come in the same order on each channel however processes take turns is G. Kahn's, The semantics of a simple
+/// A process can repeat its history with other messages and without a machine. Its alternations choose the same guards,
+/// and its clocks show the same times, as in the original run. Suppose that all processes do exactly what their
+/// histories say. Then a run on the machine with these messages would have had the same events. The reason is that the
+/// machine and the kernel know nothing else of a program: by induction over the events, each process would have seen
+/// what it saw in the original run. If a process acts differently, the run has departed from its history. (T. LeBlanc
+/// and J. Mellor-Crummey, Debugging parallel programs with Instant Replay, IEEE Transactions on Computers C-36(4),
+/// 1987. The order of processes does not change the order of messages on a channel: G. Kahn, The semantics of a simple
 /// language for parallel programming, 1974.)
 ///
-/// REQUIRES of the program: what a process does, and what it sends, follows from its messages and from what is noted
-/// here. No two processes share what one of them changes, not even components of one PAR.
+/// REQUIRES of the program: the actions and messages of a process follow from its messages and from the observations
+/// recorded here. Two processes, even components of one PAR, share no data that one of them changes.
 class ReplayLog {
 public:
     enum class Action : std::uint64_t {
@@ -57,10 +58,10 @@ public:
         bits
     };
 
-    /// Makes a history that records what a process does. REQUIRES: `name` is different for each process of the course;
-    /// the course outlives the history.
+    /// Makes a history that records the actions of a process. REQUIRES: `name` is different for each process of the
+    /// session; the session outlives the history.
     ReplayLog(ReplaySession& course, std::uint64_t name) : course_(course), name_(name) {}
-    /// Makes a history that repeats the original. REQUIRES: the original outlives it, and does not change meanwhile.
+    /// Makes a history that repeats the original. REQUIRES: the original outlives it, and does not change.
     ReplayLog(ReplaySession& course, const ReplayLog& original)
         : course_(course), name_(original.name_), original_(&original) {
         next_component_ = original.components_.begin();
@@ -68,15 +69,15 @@ public:
     ReplayLog(const ReplayLog&) = delete;
     ReplayLog& operator=(const ReplayLog&) = delete;
 
-    /// Returns whether the process repeats a history; its computations and delays take no time then.
+    /// Returns whether the process repeats a history. Its computations and delays then take no time.
     bool repeats() const { return original_ != nullptr; }
 
-    // Called for the process's actions, in their order.
+    // The next functions are called for the process's actions, in order.
 
-    /// Records an action. `what` is less than 2^56, or a hash of which 56 bits suffice. `how` always has the same
-    /// number of words for the same kind of action. Throws ReplayDivergence if the process acts more often than in its
-    /// original, or if any process has departed. A different action is detected at the next observation (observe()) or
-    /// at the end of the process.
+    /// Records an action. `what`: less than 2^56, or a hash of which 56 bits are enough. `how`: always the same number
+    /// of words for the same kind of action. Throws ReplayDivergence if the process acts more often than its original,
+    /// or if any process has departed. A different action is detected at the next observation (observe()) or at the end
+    /// of the process.
     void record(Action action, std::uint64_t what, std::initializer_list<std::uint64_t> how = {}) {
         if (is_silent_)
             return;
@@ -86,12 +87,12 @@ public:
         for (std::uint64_t word : how)
             fingerprint_.mix(word);
     }
-    /// Records an action that destructors may do: a departure is noted, but not thrown.
+    /// Records an action that destructors may perform. A departure is recorded, but not thrown.
     void record_quietly(Action, std::uint64_t what);
     /// Returns an observation that messages do not carry: the result of `look`, or, when repeating, the value that the
-    /// original saw. Actions of the process during `look` are not recorded apart. Throws ReplayDivergence if the
-    /// original did not make this observation at this point, or if any process has departed. Reading the clock then
-    /// returns 0 and does not throw, since destructors may do it; it throws only after 100,000 such reads.
+    /// original saw. Actions of the process during `look` are not recorded separately. Throws ReplayDivergence if the
+    /// original did not make this observation at this point, or if any process has departed. Destructors may read the
+    /// clock, so a clock reading returns 0 instead of throwing. After 100,000 such readings it throws, too.
     template <std::invocable Look>
     std::int64_t observe(Action what, Look look) {
         if (is_silent_)
@@ -104,20 +105,20 @@ public:
         note_observation(what, seen);
         return seen;
     }
-    /// Notes an operation that cannot be repeated, or that would be refused on the machine.
+    /// Records an operation that cannot be repeated, or that the machine would refuse.
     void record_unrepeatable();
-    /// Returns the history of the next component of a PAR, which begins now.
+    /// Returns the history of the next component of a PAR. The component begins now.
     ReplayLog& component();
-    /// Notes that all components that had begun have ended. Their histories are not used any more.
+    /// Records that all components that had begun have ended. Their histories are not used any more.
     void components_have_ended();
     /// Returns the name of the next channel that the process makes.
     std::uint64_t next_channel();
-    /// Notes that the process has ended. Throws ReplayDivergence if it has departed from its original.
+    /// Records that the process has ended. Throws ReplayDivergence if it has departed from its original.
     void end();
 
 private:
     struct Seen {
-        std::uint64_t when_and_what; ///< how many actions were before it, and what it asked for
+        std::uint64_t when_and_what; ///< number of actions before the observation, and the kind of observation
         std::int64_t value;
     };
     std::uint64_t when_and_what(Action what) const { return actions_ << 8 | static_cast<std::uint64_t>(what); }
@@ -137,17 +138,18 @@ private:
 
     ReplaySession& course_;
     std::uint64_t name_;
-    const ReplayLog* original_ = nullptr; ///< null while it is noted
-    Fingerprint fingerprint_;             ///< of the actions
-    std::uint64_t actions_ = 0;           ///< what it saw included
-    std::vector<Seen> seen_;              ///< of the original
-    std::size_t seen_again_ = 0;          ///< how many of its original's
+    const ReplayLog* original_ = nullptr; ///< null while the history is recorded
+    Fingerprint fingerprint_;             ///< fingerprint of the actions
+    std::uint64_t actions_ = 0;           ///< number of actions, including observations
+    std::vector<Seen> seen_;              ///< observations of the original run
+    std::size_t seen_again_ = 0;          ///< number of the original's observations that have been repeated
     std::uint64_t asked_in_vain_ = 0;
-    std::uint64_t channels_ = 0; ///< that it has made
-    std::uint64_t begun_ = 0;    ///< components
+    std::uint64_t channels_ = 0; ///< number of channels that the process has made
+    std::uint64_t begun_ = 0;    ///< number of components that have begun
     std::list<ReplayLog> components_;
-    std::list<ReplayLog>::const_iterator next_component_; ///< of its original
-    bool is_silent_ = false;                              ///< what it does is a part of something that is noted
+    std::list<ReplayLog>::const_iterator next_component_; ///< next component of the original
+    bool is_silent_ = false;                              ///< the current actions are part of an observation and are
+                                                          ///< not recorded
 };
 
 } // namespace placedpar

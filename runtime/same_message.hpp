@@ -11,9 +11,9 @@
 
 namespace placedpar {
 
-/// Whether two messages of a protocol are the same. A carrier that sends one message to several channels at once asks.
-/// Returns nothing if that is not known: the type has no ==, and its bytes do not determine its value. An == of its
-/// base class counts as its own.
+/// Determines whether two messages of a protocol are the same. Used by a carrier that sends one message to several
+/// channels at once. The answer is unknown if the type has no == and its bytes do not determine its value. An == of a
+/// base class counts as the type's own.
 template <class T>
 struct SameMessage {
     static constexpr bool by_equality = requires(const T& a, const T& b) {
@@ -32,7 +32,7 @@ struct SameMessage {
     }
 };
 
-// The standard's containers have an == for every element type, but it does not compile if the elements have none.
+// The standard's containers have an == for every element type, but it does not compile if the elements have no ==.
 
 template <class T>
 struct SameMessage<std::vector<T>> {
@@ -62,7 +62,7 @@ struct SameMessage<std::array<T, n>> {
     }
 };
 
-/// An empty variant is the same as another of its kind.
+/// Two variants that hold the same empty alternative are the same.
 template <class... Variants>
 struct SameMessage<std::variant<Variants...>> {
     template <class T>

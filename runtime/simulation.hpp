@@ -18,21 +18,22 @@
 
 namespace placedpar {
 
-/// How a run ended, and when its work did (see wait_until_work_is_over).
+/// How a run ended, and the time of the end of its work (see wait_until_work_is_over).
 struct RunResult {
     Ending ending = Ending::completed;
     Time time{};                   ///< virtual time at the end of the work
     std::uint64_t fingerprint = 0; ///< fingerprint of the whole run
-    std::uint64_t events = 0; ///< number of the machine's events: the host's cost of the run, besides the processes
-    /// If the run ended stuck: all processes that are left. If it was stopped before its end: those that would never
-    /// have gone on, however long it had lasted.
+    std::uint64_t events = 0;      ///< number of events of the machine; they cost host time, as the processes do
+    /// The deadlock of a run that ended stuck, with all processes that are left. If the run was stopped before its end,
+    /// the deadlock has only processes that would never have continued.
     std::optional<Deadlock> deadlock;
-    /// Processes that had not had a single turn at the end, because other processes occupied their processor or it was
-    /// halted. In order of creation.
+    /// Processes that never had a turn, because other processes occupied their processor or the processor was halted.
+    /// In the order of creation.
     std::vector<std::string> never_ran;
 };
 
-/// Processes and the devices that they run on, to be run once. Where a program that uses PlacedPar as a library begins.
+/// Processes and the devices on which they run. A simulation runs once. A program that uses PlacedPar as a library
+/// begins here.
 ///
 ///     Simulation simulation;
 ///     auto& t800 = simulation.add<hardware::Processor>("t800");
@@ -42,10 +43,10 @@ struct RunResult {
 ///     RunResult result = simulation.run();
 ///
 /// 1. Devices, channels and processes are made before run(); run() is called once.
-/// 2. A device may refer to those that were added before it. When the simulation is destroyed, the processes go first,
-///    then the devices, the last one first.
-/// 3. Channels, and everything else that the processes refer to, must outlive run().
-/// 4. All of this happens on one thread; only interrupt() may be called from elsewhere.
+/// 2. A device may refer to devices that were added before it. When the simulation is destroyed, it destroys the
+/// processes first, then the devices, the last device first.
+/// 3. Channels, and all other objects to which the processes refer, must outlive run().
+/// 4. All calls are made on one thread; only interrupt() may be called from another thread.
 class Simulation {
 public:
     Simulation() = default;
@@ -54,43 +55,42 @@ public:
     ~Simulation();
 
     /// Makes a device, Device(kernel, arguments...), and owns it. A device is any class that works on a kernel: an
-    /// executive, a link, a router, or one of the caller's own.
+    /// executive, a link, a router, or a class of the caller.
     template <class Device, class... Arguments>
     requires std::constructible_from<Device, Kernel&, Arguments...> Device& add(Arguments&&... arguments) {
         auto device = std::make_shared<Device>(kernel_, std::forward<Arguments>(arguments)...);
         devices_.push_back(device);
         return *device;
     }
-    /// Adds a process that starts when the simulation does. Without an executive its program takes no time.
+    /// Adds a process that starts at the beginning of the run. Without an executive its program takes no time.
     Process& process(std::string name, Process::Body, Executive* on = nullptr, Priority = Priority::low);
-    /// Adds a process and declares the channel ends that it will use, as a netlist does:
-    /// `simulation.process("ping", {there.out(), back.in()}, ...)`. Without the ends, the report of a deadlock before
-    /// the first communication cannot name the partners. Throws std::logic_error when another process already owns an
-    /// end.
+    /// Adds a process and declares the channel ends that it will use, as a netlist does: `simulation.process("ping",
+    /// {there.out(), back.in()}, ...)`. Without this declaration, the report of a deadlock before the first
+    /// communication cannot name the partners. Throws std::logic_error if another process already owns one of the ends.
     Process& process(std::string name, const std::vector<DeclaredEnd>&, Process::Body, Executive* on = nullptr,
                      Priority = Priority::low);
     /// Returns the processes in the order of their creation.
     const std::list<Process>& processes() const { return processes_; }
 
-    /// Selects another of the program's possible courses: see Kernel::shuffle.
+    /// Selects another possible execution of the program: see Kernel::shuffle.
     void shuffle(std::uint64_t seed) { kernel_.shuffle(seed); }
-    /// The sink must outlive run().
+    /// REQUIRES: the sink outlives run().
     void trace_to(TraceSink& sink) { kernel_.trace_to(sink); }
 
-    /// Runs until every process has ended, none can go on, or the limit is reached; calls `work_over` when the work is,
-    /// for figures that are to be those of the work. Rethrows what a process threw;
-    /// throws std::overflow_error when the next thing to happen lies beyond the end of virtual time, and
-    /// std::logic_error when another simulation is running on this thread or this one has run before.
+    /// Runs until every process has ended, no process can continue, or the limit is reached. Calls `work_over` at the
+    /// end of the work, for measurements of the work alone. Rethrows what a process threw. Throws std::overflow_error
+    /// if the next event is beyond the end of virtual time. Throws std::logic_error if another simulation is running on
+    /// this thread, or if this simulation has run before.
     RunResult run(
         Time limit = Time::max(), const std::function<void()>& work_over = [] {});
-    /// The process whose exception run() rethrew.
+    /// Returns the failure of the process whose exception run() rethrew.
     const std::optional<Failure>& who_failed() const { return kernel_.who_failed(); }
-    /// Ends a run that is under way. May be called from a signal handler or another thread.
+    /// Ends the current run. May be called from a signal handler or another thread.
     void interrupt() { kernel_.interrupt(); }
 
 private:
     Kernel kernel_;
-    std::vector<std::shared_ptr<void>> devices_; ///< each destroyed as the class that was added
+    std::vector<std::shared_ptr<void>> devices_; ///< shared_ptr<void> destroys each device as an object of its class
     std::list<Process> processes_;
 };
 

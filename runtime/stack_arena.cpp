@@ -15,13 +15,14 @@ constexpr std::size_t stacks_in_a_piece = 256;
 std::size_t slice_bytes() { return Stack::zone_bytes + Stack::bytes(); }
 std::size_t piece_bytes() { return stacks_in_a_piece * slice_bytes(); }
 
-/// The most stacks that mprotect guards. With more, a program would exceed the 65,530 mappings that Linux allows.
+/// The largest number of stacks that mprotect guards. With more stacks, a program would exceed the 65,530 mappings that
+/// Linux allows.
 constexpr std::size_t most_protected = 16'000;
-/// MADV_GUARD_INSTALL of Linux 6.13, which Debian 12's headers do not have. A process that touches these pages gets
-/// SIGSEGV, as with mprotect, but the mapping is not split.
+/// MADV_GUARD_INSTALL of Linux 6.13, which Debian 12's headers do not define. Access to a guarded page raises SIGSEGV,
+/// as with mprotect, but does not split the mapping.
 constexpr int guard_install = 102;
 
-/// Guards a zone, and returns whether that was possible. `number` zones were guarded before.
+/// Guards a zone. Returns whether this was possible. `number`: zones guarded before.
 bool guard_zone(std::byte* zone, std::size_t number) {
     if (SwitchedStack::is_watched())
         return false;
@@ -42,7 +43,7 @@ bool Stack::was_left_for(const void* address) const {
 
 bool Stack::has_overflowed() const { return is_written(bottom - 64, bottom); }
 
-/// A piece of memory that a thread keeps while no arena uses it; null memory if there is none.
+/// A piece of memory that a thread keeps for its next arena. Its memory is null if there is no such piece.
 struct StackArena::Kept {
     ~Kept() {
         if (piece.memory)
@@ -78,7 +79,7 @@ Stack StackArena::allocate() {
     return {zone + Stack::zone_bytes, guarded};
 }
 
-/// Adds a piece without huge pages, since each of those would make several whole stacks resident.
+/// Adds a piece of memory without huge pages. A huge page would make several whole stacks resident.
 void StackArena::add_piece() {
     pieces_.reserve(pieces_.size() + 1);
     if (kept().piece.memory) {

@@ -7,27 +7,28 @@
 
 namespace placedpar {
 
-/// A fiber's stack. Below it lies a zone that must not be written to; at its other end stands its Worker.
+/// A fiber's stack. Below the stack is a zone that must not be written to. At the stack's upper end is its Worker.
 struct Stack {
-    std::byte* bottom = nullptr; ///< the lowest address of the stack; the zone ends here
-    bool guarded = false;        ///< a write to the zone faults at once
+    std::byte* bottom = nullptr; ///< lowest address of the stack, at which the zone ends
+    bool guarded = false;        ///< true: a write to the zone faults at once
 
     static constexpr std::size_t usual_bytes = 256 * 1024;
-    /// Only the pages that a process touches take memory. AddressSanitizer's red zones make stack frames several
-    /// times larger.
+    /// Returns the size of a stack. Only the pages that a process touches take memory. AddressSanitizer's red zones
+    /// make stack frames several times larger.
     static std::size_t bytes() { return SwitchedStack::is_watched() ? 4 * usual_bytes : usual_bytes; }
-    static constexpr std::size_t zone_bytes = 64 * 1024; ///< more than most arrays, which are not written in order
+    static constexpr std::size_t zone_bytes = 64 * 1024; ///< more than the size of most arrays, which may be written in
+                                                         ///< any order
 
-    /// Returns whether a fault at the address is an overflow of this stack: into its guarded zone, or through a zone
-    /// that is not guarded.
+    /// Returns whether a fault at the address is an overflow of this stack. This is so if the address is in the guarded
+    /// zone. If the zone is not guarded, it is so if the address is below the zone and the zone has been written to.
     bool was_left_for(const void* address) const;
-    /// Returns whether the end of the zone, which was all zeros, has been overwritten. For stacks that are not guarded.
+    /// Returns whether the end of the zone has been overwritten; it was all zeros. For stacks that are not guarded.
     bool has_overflowed() const;
 };
 
-/// The memory of many stacks, reserved in large pieces; the operating system provides pages when they are touched. A
-/// thread keeps the first piece of an arena for its next one. The stacks in it are already guarded and touched, which
-/// would otherwise take a tenth of a short run's time.
+/// The memory of many stacks, reserved in large pieces. The operating system provides pages when they are touched. A
+/// thread keeps the first piece of an arena for its next arena, because the stacks in this piece are already guarded
+/// and touched. To do this again would take a tenth of a short run's time.
 class StackArena {
 public:
     StackArena() = default;
@@ -35,8 +36,8 @@ public:
     StackArena(const StackArena&) = delete;
     StackArena& operator=(const StackArena&) = delete;
 
-    /// Returns a stack that lasts as long as the arena. Its content is undefined, but its zone is all zeros. From Linux
-    /// 6.13 on all stacks are guarded, before that only the first 16,000. Throws std::bad_alloc.
+    /// Returns a stack that exists as long as the arena. Its content is undefined, but its zone is all zeros. Since
+    /// Linux 6.13 all stacks are guarded, before only the first 16,000. Throws std::bad_alloc.
     Stack allocate();
     bool all_guarded() const { return all_guarded_; }
 

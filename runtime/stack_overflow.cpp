@@ -15,7 +15,7 @@ namespace {
 struct sigaction handled_before;
 thread_local StackOverflowWatch::WhoOverflowed who_overflowed = nullptr;
 
-/// Writes without allocating memory, since the fault may have happened during an allocation.
+/// Writes without allocating memory, because the fault may have happened during an allocation.
 void write_error(std::string_view text) noexcept {
     while (!text.empty()) {
         ssize_t written = write(STDERR_FILENO, text.data(), text.size());
@@ -25,14 +25,15 @@ void write_error(std::string_view text) noexcept {
     }
 }
 
-/// When it returns, the fault happens again and goes to the handler that was installed before.
+/// Reports a stack overflow. After this returns, the fault happens again and goes to the handler that was installed
+/// before.
 void on_fault(int, siginfo_t* fault, void*) {
     if (auto user = who_overflowed ? who_overflowed(fault->si_addr) : std::nullopt)
         report_stack_overflow(*user);
     sigaction(SIGSEGV, &handled_before, nullptr);
 }
 
-/// Installs the handler for the whole program.
+/// Installs the fault handler for the whole program.
 void handle_faults() {
     static std::mutex one_at_a_time;
     std::lock_guard lock(one_at_a_time);

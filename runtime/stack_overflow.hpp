@@ -6,19 +6,19 @@
 
 namespace placedpar {
 
-/// Names the process that a stack belongs to.
+/// Names the process that owns a stack.
 struct StackUser {
-    std::string_view process; ///< at the outermost level
-    bool is_component;        ///< the stack belongs to a component of its PAR, not to the process itself
+    std::string_view process; ///< name of the process at the outermost level
+    bool is_component;        ///< the stack belongs to a component of the process's PARs
 };
 
-/// While it exists, a stack overflow of a process on this thread is reported on standard error, with the process's
-/// name, before the program ends by SIGSEGV. Other faults are passed on to the previous handler. It does nothing under
-/// AddressSanitizer, which prints its own report.
+/// Reports a stack overflow of a process on this thread, as long as the object exists. The report on standard error
+/// names the process; then the program ends by SIGSEGV. Other faults go to the previous handler. Under AddressSanitizer
+/// the object does nothing, because the sanitizer prints its own report.
 class StackOverflowWatch {
 public:
-    /// Returns the owner of the stack that overflowed at the address of a fault, if there is one. It is called in a
-    /// signal handler.
+    /// Returns the owner of the stack that overflowed at the address of a fault, if there is an owner. It is called in
+    /// a signal handler.
     using WhoOverflowed = std::optional<StackUser> (*)(const void* address);
 
     explicit StackOverflowWatch(WhoOverflowed);
@@ -27,7 +27,7 @@ public:
     StackOverflowWatch& operator=(const StackOverflowWatch&) = delete;
 
 private:
-    std::vector<char> handler_stack_; ///< empty if the thread had one already
+    std::vector<char> handler_stack_; ///< empty if the thread already had a stack for handlers
 };
 
 /// Reports on standard error that the owner has used up its stack. May be called from a signal handler.

@@ -1,6 +1,7 @@
 #include "runtime/switched_stack.hpp"
 
-// They are declared in <sanitizer/common_interface_defs.h>; here they are null where the program has no sanitizer.
+// These functions are declared in <sanitizer/common_interface_defs.h>. Here they are weak, so they are null in a
+// program without a sanitizer.
 extern "C" {
 [[gnu::weak]] void __sanitizer_start_switch_fiber(void** fake_stack, const void* bottom, std::size_t bytes);
 [[gnu::weak]] void __sanitizer_finish_switch_fiber(void* fake_stack, const void** bottom_left, std::size_t* bytes_left);

@@ -4,20 +4,20 @@
 
 namespace placedpar {
 
-/// Tells AddressSanitizer of every switch from one fiber's stack to another, since otherwise it would report an
-/// exception as a jump out of the stack. Whether the sanitizer is present is tested at run time, because a program
-/// compiled with it may link rooms that are not. Without the sanitizer, this does nothing.
+/// Reports every switch from one fiber's stack to another to AddressSanitizer. Without this the sanitizer would report
+/// an exception as a jump out of the stack. The class tests at run time whether the sanitizer is present: a program
+/// compiled with the sanitizer may link rooms compiled without it. Without the sanitizer, the class does nothing.
 ///
-/// 1. lies_at, once the stack's memory is known.
-/// 2. To switch: leave_for(the other stack), then switch.
-/// 3. On arrival: arrive; the first time arrive_from(the stack that was left).
+/// 1. Call lies_at() once the stack's memory is known.
+/// 2. To switch, call leave_for(the other stack), then switch.
+/// 3. On arrival, call arrive(); the first time, call arrive_from(the stack that was left).
 class SwitchedStack {
 public:
-    /// Whether this program has AddressSanitizer.
+    /// Returns whether this program has AddressSanitizer.
     static bool is_watched();
     void leave_for(const SwitchedStack& to);
     void arrive();
-    /// Notes the first arrival, and where the stack that was left lies.
+    /// Handles the first arrival on this stack. Records the memory of the stack that was left.
     void arrive_from(SwitchedStack& from);
     void lies_at(const void* bottom, std::size_t bytes) { bottom_ = bottom, bytes_ = bytes; }
 

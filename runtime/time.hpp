@@ -6,12 +6,12 @@
 
 namespace placedpar {
 
-/// Virtual time since the start of the simulation: an integer of picoseconds, so that the cycles of 20 and
-/// 25 MHz clocks and the bits of 5, 10 and 20 Mbit/s links are exact. It lasts for 106 days; a later moment is
-/// represented by Time::max(), which never comes: a run that has nothing earlier left to do ends with an error.
+/// Virtual time since the start of the simulation, in whole picoseconds. In this unit the cycles of 20 and 25 MHz
+/// clocks, and the bits of 5, 10 and 20 Mbit/s links, are exact. Virtual time lasts for 106 days. A later time is
+/// represented by Time::max(), which never comes: a run ends with an error if it has no earlier event left.
 using Time = std::chrono::duration<std::int64_t, std::pico>;
 
-/// Cycles of an executive's clock: a type of its own, so that cycles and times cannot be mistaken for each other.
+/// Cycles of an executive's clock. This is a type of its own, so that cycles and times cannot be confused.
 enum class Cycles : std::int64_t {};
 
 constexpr Cycles operator+(Cycles a, Cycles b) {
@@ -19,27 +19,27 @@ constexpr Cycles operator+(Cycles a, Cycles b) {
 }
 constexpr Cycles operator*(std::int64_t n, Cycles c) { return Cycles{n * static_cast<std::int64_t>(c)}; }
 
-__extension__ typedef __int128 WideInteger; ///< periods * 1e12 does not fit 64 bits after nine seconds
+__extension__ typedef __int128 WideInteger; ///< needed because periods * 1e12 exceeds 64 bits after nine seconds
 
-/// A number of picoseconds as a time, at most Time::max(). REQUIRES: count >= 0.
+/// Converts a number of picoseconds to a time, at most Time::max(). REQUIRES: count >= 0.
 constexpr Time clamped(WideInteger count) {
     return count > Time::max().count() ? Time::max() : Time{static_cast<std::int64_t>(count)};
 }
 
-/// Returns the duration of `periods` periods (cycles of a clock, bits on a wire) at a frequency, to the nearest
-/// picosecond, at most Time::max(). REQUIRES: periods >= 0, hertz > 0.
+/// Returns the duration of `periods` periods at a frequency, rounded to the nearest picosecond, at most Time::max(). A
+/// period is a cycle of a clock or a bit on a wire. REQUIRES: periods >= 0, hertz > 0.
 constexpr Time duration_of(std::int64_t periods, std::int64_t hertz) {
     constexpr std::int64_t picoseconds_in_a_second = 1'000'000'000'000;
     return clamped((WideInteger{periods} * picoseconds_in_a_second + hertz / 2) / hertz);
 }
 
-/// `n * each`, at most Time::max(). REQUIRES: n >= 0, each >= 0.
+/// Returns `n * each`, at most Time::max(). REQUIRES: n >= 0, each >= 0.
 constexpr Time times(std::int64_t n, Time each) { return clamped(WideInteger{n} * each.count()); }
 
-/// `t + by`, at most Time::max(). REQUIRES: t >= 0.
+/// Returns `t + by`, at most Time::max(). REQUIRES: t >= 0.
 constexpr Time later(Time t, Time by) { return by > Time::max() - t ? Time::max() : t + by; }
 
-/// Computes duration_of for one frequency, without its division of 128 bits.
+/// Computes duration_of for one frequency, without a division of 128 bits.
 class Clock {
 public:
     /// REQUIRES: hertz > 0.
@@ -58,14 +58,15 @@ public:
 private:
     std::int64_t hertz_;
     Time cycle_;                                                           ///< rounded down
-    std::int64_t left_ = 1'000'000'000'000 % hertz_;                       ///< the rest of a cycle, in picoseconds /
+    std::int64_t left_ = 1'000'000'000'000 % hertz_;                       ///< remainder of a cycle, in picoseconds /
                                                                            ///< hertz
-    std::int64_t most_ = (Time::max().count() - hertz_ / 2) / (left_ + 1); ///< most cycles for which 64 bits are enough
+    std::int64_t most_ = (Time::max().count() - hertz_ / 2) / (left_ + 1); ///< largest number of cycles for which 64
+                                                                           ///< bits are enough
 };
 
 constexpr double in_milliseconds(Time t) { return static_cast<double>(t.count()) * 1e-9; }
 
-/// Formats a time for reports, in a unit that suits its size: "1.234567 ms".
+/// Formats a time for reports in a unit that suits its size: "1.234567 ms".
 std::string to_string(Time);
 
 } // namespace placedpar

@@ -17,14 +17,14 @@ struct Alarm final : Event {
     Process& process;
 };
 
-/// Returns the value that the process sees: the recorded one if it repeats a history.
+/// Returns the value that the process sees. If it replays a history, this is the recorded value.
 template <class Look>
 std::int64_t seen_by(const Process& self, ReplayLog::Action what, Look look) {
     ReplayLog* history = self.history();
     return history ? history->observe(what, look) : look();
 }
 
-// Not inlined, since few processes keep histories, and the frames of the others stay small.
+// The next functions are not inlined, so that the stack frames of the many processes without a history stay small.
 
 [[gnu::noinline]] Time now_as_seen(Kernel& kernel) {
     return Time{seen_by(kernel.running(), ReplayLog::Action::now, [&] {
@@ -33,7 +33,7 @@ std::int64_t seen_by(const Process& self, ReplayLog::Action what, Look look) {
     })};
 }
 
-/// Records a delay, and returns whether the process only repeats a history.
+/// Records a delay. Returns whether the process only replays a history.
 [[gnu::noinline]] bool only_repeats(ReplayLog& history, Time due) {
     history.record(ReplayLog::Action::delay, 0, {static_cast<std::uint64_t>(due.count())});
     return history.repeats();
@@ -43,7 +43,7 @@ Time tick_of(const Process& self) {
     return self.executive() ? self.executive()->tick(self.priority()) : std::chrono::microseconds{1};
 }
 
-/// Returns the lowest bits of a number as a signed word.
+/// Returns the lowest `bits` bits of a number as a signed word.
 std::int32_t as_word(std::int64_t number, int bits) {
     int above = 64 - bits;
     return static_cast<std::int32_t>(static_cast<std::int64_t>(static_cast<std::uint64_t>(number) << above) >> above);
@@ -128,7 +128,7 @@ Time Timer::moment_after(std::int32_t ticks) const {
         return times(since_start, tick());
     auto round = std::uint64_t{1} << bits();
     auto to_come = static_cast<std::int64_t>(static_cast<std::uint64_t>(std::int64_t{ticks} - reading) % round);
-    return times(since_start + to_come + 1, tick()); // half of a round at most
+    return times(since_start + to_come + 1, tick()); // at most half of a round
 }
 
 void Timer::wait_after(std::int32_t ticks, const SourceLocation& where) const {

@@ -6,17 +6,18 @@
 
 namespace placedpar {
 
-// One program serves every processor: code that gains from wide registers is compiled for each width, and the widest
-// that the processor has is chosen at run time. INVARIANT: all widths give the same bits. No width may therefore
+// One program serves every processor. Code that profits from wide registers is compiled for each width. At run time the
+// widest registers that the processor has are chosen. INVARIANT: all widths give the same bits. So no width may
 // contract a multiplication and an addition into one rounding: compile with -ffp-contract=off.
 // Rejected: Google Highway and similar libraries. Their functions can be called only from code marked for their target,
 // so a user's plain struct could not be evaluated in wide registers.
 
-/// Doubles in a register: SSE2 or another processor's own registers, AVX2, AVX-512.
+/// The possible numbers of doubles in a register: 2 (SSE2, or another processor's own registers), 4 (AVX2), 8
+/// (AVX-512).
 inline constexpr std::array<std::size_t, 3> vector_widths{2, 4, 8};
 
-/// A register of that width. It is not one template, since GCC 12 miscompiles vectors whose size depends on a
-/// parameter.
+/// A register of `width` doubles. There is a specialisation for each width, because GCC 12 miscompiles vectors whose
+/// size depends on a parameter.
 template <std::size_t width>
 struct Registers;
 template <>
@@ -35,13 +36,13 @@ struct Registers<8> {
     typedef std::uint64_t Words __attribute__((vector_size(64)));
 };
 
-/// Returns the greatest of vector_widths that this processor has.
+/// Returns the largest of vector_widths that this processor has.
 std::size_t widest_vector_width();
 
-/// Returns the width in use: the widest, unless a test or a benchmark has set another.
+/// Returns the width in use. It is the widest, unless a test or a benchmark has set another.
 std::size_t vector_width();
-/// Sets the width in use. Throws std::invalid_argument if the width is not in vector_widths, or exceeds the widest one
-/// that the processor has.
+/// Sets the width in use. Throws std::invalid_argument if the width is not in vector_widths, or if the processor does
+/// not have it.
 void use_vector_width(std::size_t width);
 
 #ifdef __x86_64__
@@ -52,7 +53,7 @@ void use_vector_width(std::size_t width);
 #define PLACEDPAR_AVX512 gnu::noinline
 #endif
 
-/// Calls `work.operator()<width>()`, compiled for the width in use together with everything inlined into it.
+/// Calls `work.operator()<width>()`. The call, with everything inlined into it, is compiled for the width in use.
 template <class Work>
 [[gnu::flatten]] void in_vectors_of_2(const Work& work) {
     work.template operator()<2>();

@@ -14,10 +14,10 @@ namespace placedpar {
 
 namespace {
 
-/// Bytes at the top of a stack, in whole lines of the cache.
+/// The size of a worker at the top of its stack, in bytes. It is rounded up to whole cache lines.
 constexpr std::size_t bytes_of_worker = (sizeof(Worker) + 63) / 64 * 64;
 
-/// Gives Boost the memory of a stack below its worker.
+/// Gives Boost the part of a stack below its worker.
 struct InArena {
     std::byte* bottom;
 
@@ -49,8 +49,8 @@ Worker::Worker(Kernel& kernel, const Stack& stack_memory) : memory(stack_memory)
     context_ = kernel.fibers_.scheduler->newest_worker();
 }
 
-// A process first reads its registers, at the end of its stack, and its youngest frames above them. Without the
-// prefetch it would wait for each line.
+// A process first reads its registers, which are at the end of its stack, and its youngest frames above them. Without
+// the prefetch it would wait for each cache line.
 void Worker::fetch_stack(Process* leaves, const Process& next) {
     constexpr std::ptrdiff_t line = 64, lines_below = 2, lines_above = 8;
     if (leaves)

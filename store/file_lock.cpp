@@ -22,7 +22,7 @@ FileLock::FileLock(const std::filesystem::path& path, const std::string& shown, 
         int reason = errno;
         ::close(file_);
         throw UserError(fmt::format("{}: {}", shown,
-                                    reason == EWOULDBLOCK ? fmt::format("another {} is using it", user)
+                                    reason == EWOULDBLOCK ? fmt::format("another {} is using the file", user)
                                                           : std::string(std::strerror(reason))));
     }
 }

@@ -100,7 +100,7 @@ std::string render(const std::vector<Diagnostic>& diagnostics) {
 
 std::string not_shown(std::size_t count, Severity severity) {
     auto word = severity == Severity::error ? "error" : "warning";
-    return count == 0 ? "" : fmt::format("... {} further {}{} not shown\n", count, word, count == 1 ? "" : "s");
+    return count == 0 ? "" : fmt::format("... {} more {}{} not shown\n", count, word, count == 1 ? "" : "s");
 }
 
 } // namespace placedpar

@@ -41,8 +41,8 @@ std::optional<Diagnostic> binary_problem(const File& file) {
     auto byte = fmt::format("0x{:02x}", static_cast<unsigned char>(*odd));
     return problem_at(file, line, static_cast<std::size_t>(odd - start) + 1,
                       std::ranges::any_of(text, is_of_binary_file)
-                          ? "this is a binary file, not text: it holds the byte " + byte
-                          : "the control character " + byte + " does not belong in a text: remove it");
+                          ? "this is a binary file, not text: it contains the byte " + byte
+                          : "the control character " + byte + " is not allowed in a text: remove it");
 }
 
 /// Reports the first line that is too long.
@@ -52,9 +52,9 @@ std::optional<Diagnostic> long_line_problem(const File& file) {
     for (std::size_t start = 0; start < text.size(); ++number) {
         auto end = std::min(text.find('\n', start), text.size());
         if (auto bytes = file->line(number).size(); bytes > longest_source_line)
-            return problem_at(
-                file, number, longest_source_line + 1,
-                fmt::format("the line is too long: it has {} bytes, {} are allowed", bytes, longest_source_line));
+            return problem_at(file, number, longest_source_line + 1,
+                              fmt::format("the line is too long: it has {} bytes, but at most {} bytes are allowed",
+                                          bytes, longest_source_line));
         start = end + 1;
     }
     return std::nullopt;
@@ -71,7 +71,7 @@ std::string why_not_a_file(const std::filesystem::path& path) {
     std::error_code error;
     auto status = std::filesystem::status(path, error);
     if (status.type() == std::filesystem::file_type::not_found)
-        return "there is no such file";
+        return "this file does not exist";
     if (status.type() == std::filesystem::file_type::directory)
         return "this is a directory, not a file";
     if (status.type() == std::filesystem::file_type::none || status.type() == std::filesystem::file_type::unknown)
@@ -90,7 +90,7 @@ LoadedSource check_source(std::string shown_path, std::string text, std::size_t 
         text.erase(end);
     if (text.size() > largest_source_bytes)
         return refused(std::move(shown_path),
-                       fmt::format("the file is too large: it may have {} bytes", largest_source_bytes));
+                       fmt::format("the file is too large: at most {} bytes are allowed", largest_source_bytes));
     auto file = std::make_shared<const SourceFile>(std::move(shown_path), std::move(text), first_line);
     auto problem = binary_problem(file);
     if (!problem)
@@ -117,7 +117,7 @@ LoadedSource read_source(std::istream& in, const std::string& shown_path) {
 LoadedSource read_standard_input(const std::string& shown_path) {
     LoadedSource read = read_source(std::cin, shown_path);
     bool nothing = read.problems.empty() && read.file->text().empty();
-    return nothing ? refused(shown_path, "there is nothing on standard input, or it is closed") : read;
+    return nothing ? refused(shown_path, "standard input is empty or closed") : read;
 }
 
 } // namespace

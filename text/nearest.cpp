@@ -28,6 +28,13 @@ std::string completed(std::string_view typed, const std::vector<std::string>& ca
     return found;
 }
 
+/// Returns the first candidate such as "csp.worker" whose part after the last dot is the typed text; "" if none is.
+std::string without_group(std::string_view typed, const std::vector<std::string>& candidates) {
+    const std::string end = "." + std::string(typed);
+    auto found = std::ranges::find_if(candidates, [&](const std::string& each) { return each.ends_with(end); });
+    return found == candidates.end() ? "" : *found;
+}
+
 } // namespace
 
 std::string lower_case(std::string_view word) {
@@ -58,6 +65,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::string nearest_name(std::string_view wanted, const std::vector<std::string>& candidates) {
     if (wanted.size() > longest_word)
         return "";
+    if (std::string grouped = without_group(wanted, candidates); !wanted.empty() && !grouped.empty())
+        return grouped;
     auto wanted_lower = lower_case(wanted);
     std::string best;
     std::pair best_distance(most_edits(wanted) + 1, std::size_t{0}); // second: differences of case count, too

@@ -15,7 +15,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// Returns what a misspelt word means: the nearest candidate, which may differ in at most a third of the word's
 /// letters. Case decides only between equally near candidates, and then the first wins. If no candidate is within one
-/// letter, the only one that begins with the word is preferred. Returns "" if no candidate is near enough.
+/// letter, the only one that begins with the word is preferred. A candidate such as "csp.worker" is meant by "worker".
+/// Returns "" if no candidate is near enough.
 std::string nearest_name(std::string_view wanted, const std::vector<std::string>& candidates);
 
 /// Returns `unknown WHAT "wanted"; did you mean "name"?`; if no candidate is near, the text after the semicolon is

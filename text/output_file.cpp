@@ -147,7 +147,7 @@ void require_writable(const fs::path& path) {
     if (is_standard_stream(path))
         return give_standard_output_to_a_file();
     if (takes_standard_output(path))
-        refuse(path, "standard output goes there; choose another name");
+        refuse(path, "standard output is written to the same file; choose another name");
     if (!is_written_as_it_goes(destination_of(path)))
         OutputFile file(path); // removed again by the destructor
 }
@@ -160,7 +160,7 @@ void require_apart(std::span<const fs::path> outputs, const fs::path& input) {
             refuse(outputs[i], "the output file is also the input; choose another name");
         for (std::size_t j = 0; j < i; ++j)
             if (!outputs[j].empty() && are_one_file(outputs[i], outputs[j]))
-                refuse(outputs[i], "it would be written twice; choose two names");
+                refuse(outputs[i], "two outputs have the same file name; choose two names");
     }
 }
 

@@ -19,8 +19,8 @@ inline constexpr std::size_t most_warnings = 200;
 /// Reading stops after this many errors at places that already have an error, as a line in a loop would cause.
 inline constexpr std::size_t most_repeated = 50;
 
-/// Thrown when reading on makes no sense: too many errors, a bound exceeded. The last diagnostic says why. It is not
-/// an error of its own: the reader that owns the reporter catches it.
+/// Thrown to stop reading after too many errors or an exceeded bound. The last diagnostic gives the reason. The reader
+/// that owns the reporter catches this exception, so it never reaches the user.
 struct GiveUp {};
 
 /// Collects what is wrong while a text is read.

@@ -65,7 +65,7 @@ std::string_view without_mark(std::string_view comment) {
 void check_row(std::string_view line, const TextRow& row, std::size_t open_quote, std::vector<Diagnostic>& faults) {
     if (open_quote > 0)
         faults.push_back(
-            error_at(row.line, open_quote, "the quote is not closed", "a quote ends on the line it begins"));
+            error_at(row.line, open_quote, "a quoted value has no closing quote", "close the quote on the same line"));
     std::string_view inside = line.substr(0, line.find_last_not_of(blanks) + 1);
     if (std::size_t end = inside.find('\r'); end != std::string_view::npos)
         faults.push_back(error_at(row.line, end + 1, "a carriage return within a line", "lines end in LF or in CR LF"));
@@ -76,7 +76,7 @@ void check_header(std::string_view line, const TextRow& header, std::vector<Diag
         faults.push_back(
             error_at(header.line, mark + 1,
                      fmt::format("the columns are separated by {}", line[mark] == ';' ? "semicolons" : "tabs"),
-                     "separate them by commas, and write numbers with a point"));
+                     "separate the columns by commas, and write numbers with a decimal point"));
 }
 
 void add_row(TextTable& table, TextRow row, std::vector<Diagnostic>& faults) {

@@ -5,8 +5,8 @@
 namespace placedpar {
 
 /// A file that is written in the destination's folder and then replaces the destination. If the file system supports
-/// it, the file has no name until then, so nothing is left even if the program is killed. Otherwise its name is that of
-/// the destination followed by the process number and ".part".
+/// it, the file has no name until then, so nothing is left even if the program is killed. Otherwise its name is the
+/// destination's name followed by the process number and ".part".
 class TemporaryFile {
 public:
     /// Creates the file with the usual permissions of a new file. If it cannot be opened, errno says why.

@@ -120,7 +120,7 @@ std::string script(std::string text) {
 
 std::string refuse_shell(const std::string& name) {
     bool known = name == "bash" || name == "zsh" || name == "words"; // "words" is for the scripts
-    return known ? "" : fmt::format("there is nothing for the shell \"{}\": it is one of bash, zsh", name);
+    return known ? "" : fmt::format("no completion for the shell \"{}\"; expected bash or zsh", name);
 }
 
 struct CompletionOptions {
@@ -134,7 +134,9 @@ Action declare_completion(Options& command, const std::string&) {
         .required()
         .check(refuse_shell)
         .type("bash|zsh");
-    command.add("WORDS", options->words, "asked by the scripts: what can the last of these words be?");
+    command.add("WORDS", options->words,
+                "internal: the scripts ask for the possible values of the last of these "
+                "words");
     return [options, command] {
         print_out(options->shell == "bash"  ? script(bash_script)
                   : options->shell == "zsh" ? script(zsh_script)
@@ -147,7 +149,7 @@ Action declare_completion(Options& command, const std::string&) {
 
 extern const Command completion_command{
     .name = "completion",
-    .about = "Prints what a shell needs to complete commands, options and names",
+    .about = "Prints a script with which a shell completes commands, options and names",
     .place = 110,
     .declare = declare_completion,
     .values =

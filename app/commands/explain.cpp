@@ -39,10 +39,10 @@ struct ExplainOptions {
     std::array<std::filesystem::path, 3> outputs() const { return {json, recorded.trace, recorded.page}; }
 };
 
-/// Throws UserError for a value change dump, which has waveforms only.
+/// Throws UserError for a value change dump, which has waveforms only, and for a drawing.
 void require_path_format(const std::filesystem::path& path) {
     require_trace_format(path);
-    if (lower_case(path.extension().string()) == ".vcd")
+    if (std::string ending = lower_case(path.extension().string()); ending == ".vcd" || ending == ".svg")
         throw UserError(
             fmt::format("{}: a critical path can be drawn in .json only, for ui.perfetto.dev", path.string()));
 }
@@ -113,7 +113,8 @@ void write_output(const Explanation& explanation, const Network& network, const 
 std::string why_not_compared(Ending ending) {
     return ending == Ending::completed
                ? ""
-               : fmt::format("runs are compared by when their work is done, and this one did not complete ({})",
+               : fmt::format("a comparison needs the time at which the work is done, but this run did not "
+                             "complete ({})",
                              name_of(ending));
 }
 
@@ -163,13 +164,14 @@ Action declare_explain(Options& command, const std::string& typed) {
     auto options = std::make_shared<ExplainOptions>();
     add_netlist(command, options->netlist);
     add_seed(command, options->seed);
-    command.add("--until", options->until, "stops the run at this moment of the machine's time");
-    add_file(command, "--json", options->json, "writes the explanation for machines");
+    command.add("--until", options->until, "stops the run at this simulated time");
+    add_file(command, "--json", options->json, "writes the explanation as JSON");
     add_file(command, "--trace", options->recorded.trace,
-             "writes a timeline with the critical path in it, for ui.perfetto.dev (.json)");
+             "writes a timeline with the critical path, for ui.perfetto.dev (.json)");
     add_file(command, "--page", options->recorded.page,
-             "writes the run as a page to look at in a browser, with the critical path as a line");
-    command.add_flag("--no-what-if", options->no_what_if, "does not try out what changes of the machine would gain");
+             "writes an HTML page that shows the run, with the critical path as a line");
+    command.add_flag("--no-what-if", options->no_what_if,
+                     "leaves out the runs that measure what changes of the machine would gain");
     return [options, typed] { return explain(*options, typed); };
 }
 

@@ -27,27 +27,38 @@ ExitCode generate_netlist(const GenerateOptions& options) {
 void add_wish(Options& command, generate::TopologyRequest& request) {
     command.add("TOPOLOGY", request.topology, fmt::format("{}", fmt::join(generate::names_of_topologies(), ", ")))
         .required();
-    command.add("--size", request.size, "of a mesh or torus rows and columns, of figure-e2 chains and their length")
+    command
+        .add("--size", request.size,
+             "number of processors; mesh, torus: rows x columns; figure-e2: chains x "
+             "processors in a chain")
         .type("PROCESSORS|NxN")
         .required();
-    add_count(command, "--branches", request.branches, "of a tree: how many are below each; 2 unless said");
-    add_count(command, "--chord", request.chord, "of a chordal ring: how far chords lead; about its root unless said");
-    add_count(command, "--degree", request.degree, "of a chordal ring: links of each to others, 3 or 4; 3 unless said");
-    add_file(command, "--job", request.job, "what runs on it: KIND is a kind of process, one on each processor",
+    add_count(command, "--branches", request.branches, "tree: number of children of a processor; default: 2");
+    add_count(command, "--chord", request.chord,
+              "chordal ring: processors that a chord skips ahead; default: about the "
+              "square root of the size");
+    add_count(command, "--degree", request.degree, "chordal ring: links of a processor, 3 or 4; default: 3");
+    add_file(command, "--job", request.job,
+             "software: a farm, islands, or one process of the kind KIND on each "
+             "processor",
              "farm|islands|KIND")
         .show_default();
-    command.add("--host", request.host, "where the host's process runs: on a node where no link is left for a wire")
+    command
+        .add("--host", request.host,
+             "where the host's process runs; choose node if no processor has a link "
+             "left for the workstation")
         .one_of({"workstation", "node"})
         .show_default();
-    add_file(command, "--output", request.output, "of a KIND: its array of outputs to its neighbours", "PORT")
+    add_file(command, "--output", request.output, "the kind's array of outputs to the neighbours", "PORT")
         .show_default();
-    add_file(command, "--input", request.input, "of a KIND: its array of inputs from them", "PORT").show_default();
+    add_file(command, "--input", request.input, "the kind's array of inputs from the neighbours", "PORT")
+        .show_default();
 }
 
 Action declare_generate(Options& command, const std::string&) {
     auto options = std::make_shared<GenerateOptions>();
     add_wish(command, options->request);
-    add_file(command, "-o,--out", options->out, "writes it there, not to standard output");
+    add_file(command, "-o,--out", options->out, "writes the netlist to this file; default: standard output");
     return [options] { return generate_netlist(*options); };
 }
 
@@ -55,7 +66,7 @@ Action declare_generate(Options& command, const std::string&) {
 
 extern const Command generate_command{
     .name = "generate",
-    .about = "Writes the netlist of a machine: a topology, its size, and a job to run on it",
+    .about = "Writes the netlist of a machine with a given topology, size and software",
     .place = 21,
     .declare = declare_generate,
     .values = generate::names_of_topologies,

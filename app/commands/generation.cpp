@@ -24,7 +24,8 @@ struct GenerationOptions {
 
 void require_folder_for_frames(const std::filesystem::path& folder) {
     if (is_standard_stream(folder))
-        throw UserError("--frames -: frames are files in a folder; standard output is none");
+        throw UserError("--frames -: frames are written as files into a folder, not to standard output; name a "
+                        "folder");
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     require_writable(folder / "frame.svg");
@@ -72,10 +73,10 @@ Action declare_generation(Options& command, const std::string&) {
     auto options = std::make_shared<GenerationOptions>();
     add_seed(command, options->walk.seed);
     add_count(command, "--population", options->walk.population, "strings of four bits").show_default();
-    add_count(command, "--generations", options->generations, "how many are walked through")
+    add_count(command, "--generations", options->generations, "number of generations to show")
         .check(not_at_least_one)
         .show_default();
-    command.add("--function", options->walk.function, "fitness of x, the string as a number")
+    command.add("--function", options->walk.function, "fitness function of x, the number that the string represents")
         .type("square|ones|impulse")
         .show_default();
     command.add("--crossover", options->walk.crossover_probability, "probability of crossover")
@@ -84,7 +85,8 @@ Action declare_generation(Options& command, const std::string&) {
     command.add("--mutation", options->walk.mutation_probability, "probability of mutation of a bit")
         .type("P")
         .show_default();
-    add_file(command, "--frames", options->frames, "draws the steps on the four-dimensional hypercube, SVG", "FOLDER");
+    add_file(command, "--frames", options->frames, "draws the steps on the four-dimensional hypercube, as SVG files",
+             "FOLDER");
     return [options] { return walk_generations(*options); };
 }
 
@@ -92,7 +94,7 @@ Action declare_generation(Options& command, const std::string&) {
 
 extern const Command generation_command{
     .name = "generation",
-    .about = "Walks through a generation of a genetic algorithm by hand",
+    .about = "Shows a generation of a genetic algorithm step by step",
     .place = 130,
     .declare = declare_generation,
 };

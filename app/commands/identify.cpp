@@ -27,7 +27,8 @@ void require_whole_way(const IdentifyOptions& options) {
         {{"--rising", options.rising}, {"--on", !options.netlist.empty()}, {"--window", options.window.has_value()}}};
     for (const auto& [option, typed] : of_thesis)
         if (typed)
-            throw UserError(fmt::format("{} needs --way thesis; --way whole uses all samples at once", option));
+            throw UserError(
+                fmt::format("{} works only with --way thesis; --way whole uses all samples at once", option));
 }
 
 /// Throws UserError for options that the way lacks.
@@ -43,8 +44,8 @@ void require_one_way(const IdentifyOptions& options) {
                                                                  {"--offset auto", options.offset == "auto"}}};
     for (const auto& [option, typed] : of_thesis)
         if (typed)
-            throw UserError(fmt::format("{} needs --way thesis, which searches the first transient; --way service "
-                                        "takes all movements as they come",
+            throw UserError(fmt::format("{} works only with --way thesis, which searches the first transient; "
+                                        "--way service uses all movements in order",
                                         option));
 }
 
@@ -52,7 +53,8 @@ void require_files(const IdentifyOptions& options) {
     const std::filesystem::path output[] = {options.json};
     const std::string inputs[] = {options.record, options.machine, options.netlist};
     if (std::ranges::count_if(inputs, is_standard_stream) > 1)
-        throw UserError("standard input is one file: only one of RECORD, --machine and --on can be \"-\"");
+        throw UserError("standard input can be read only once: at most one of RECORD, --machine and --on can be "
+                        "\"-\"");
     for (const std::string& input : inputs)
         require_apart(output, input);
     if (!options.json.empty())
@@ -86,7 +88,7 @@ Action declare_identify(Options& command, const std::string& typed) {
 
 extern const Command identify_command{
     .name = "identify",
-    .about = "Finds the hydraulic compliances that a record of motion shows",
+    .about = "Identifies hydraulic compliances from a record of a motion",
     .place = 70,
     .declare = declare_identify,
 };

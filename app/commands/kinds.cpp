@@ -23,8 +23,9 @@ namespace {
 
 std::string list_kinds(const Catalogue& catalogue) {
     return print_kinds(catalogue) +
-           fmt::format("\nsay {0} kinds NAME for ports, parameters and measures, or a device's attributes; --json for "
-                       "all of it; {0} kinds {1} for what genetic algorithms can search for, {0} kinds {2} for how\n",
+           fmt::format("\n{0} kinds NAME prints the ports, parameters and measures of a process, or the "
+                       "attributes of a device.\n{0} kinds {1} lists the search problems of genetic algorithms, "
+                       "{0} kinds {2} their policies. --json prints everything.\n",
                        program_name(), problems_group, policies_group);
 }
 
@@ -107,9 +108,9 @@ std::vector<std::string> names_of_kinds() {
 Action declare_kinds(Options& command, const std::string&) {
     auto options = std::make_shared<KindsOptions>();
     command.add("NAME", options->name,
-                "a kind, a problem, what there is to decide (selection) or a policy (tournament), for all about "
-                "it. A group such as csp, or problems, or policies, for a list");
-    command.add_flag("--json", options->json, "prints everything about them for machines");
+                "a kind, a problem, a step of the search (selection) or a policy (tournament): prints its "
+                "description. A group (csp, problems, policies): prints a list");
+    command.add_flag("--json", options->json, "prints all descriptions as JSON");
     return [options] { return kinds(*options); };
 }
 
@@ -117,7 +118,7 @@ Action declare_kinds(Options& command, const std::string&) {
 
 extern const Command kinds_command{
     .name = "kinds",
-    .about = "Lists the kinds of processes and devices that a netlist can use, problems and policies",
+    .about = "Lists the process kinds, devices, search problems and policies that a netlist can use",
     .place = 50,
     .declare = declare_kinds,
     .values = names_of_kinds,

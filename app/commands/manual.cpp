@@ -61,10 +61,11 @@ std::string manual(const DeclaredCommand& program) {
     for (const DeclaredCommand& command : program.commands)
         page += describe_command(command);
     page += ".SH \"EXIT STATUS\"\n" + as_typed(program.footer);
-    page += ".SH FILES\ndocs/ and examples/, of which this page and the commands speak, are in the folder "
-            "share/doc/placedpar\n"
-            "beside the one that holds the program, as in /usr/share/doc/placedpar, and at the top of the sources.\n";
-    return page + ".SH ENVIRONMENT\n.TP\n.B NO_COLOR\nwhen set and not empty, nothing is coloured on a terminal\n";
+    page += ".SH FILES\nThis page and the commands name files in docs/ and examples/. These folders are "
+            "installed in\nshare/doc/placedpar, for example /usr/share/doc/placedpar, and are at the top of the "
+            "source tree.\n";
+    return page + ".SH ENVIRONMENT\n.TP\n.B NO_COLOR\nIf this variable is set and not empty, the program prints "
+                  "no colours.\n";
 }
 
 Action declare_manual(Options& command, const std::string&) {

@@ -58,22 +58,28 @@ void add_limits(Options& command, ServiceLimits& limits) {
     auto add = [&](const char* name, auto& value, const char* type, Bounds bounds, const char* about) {
         add_number(command, "Limits", name, value, type, bounds, about);
     };
-    add("--max-clients", limits.clients, "N", {1, 65536}, "connections at once");
-    add("--max-machines", limits.machines, "N", {1, 1e6}, "machines known at once");
-    add("--max-clients-per-peer", limits.clients_per_peer, "N", {1, 65536}, "connections of one address");
-    add("--max-machines-per-peer", limits.machines_per_peer, "N", {1, 1e6}, "machines that one address introduces");
+    add("--max-clients", limits.clients, "N", {1, 65536}, "simultaneous connections");
+    add("--max-machines", limits.machines, "N", {1, 1e6}, "machines known at the same time");
+    add("--max-clients-per-peer", limits.clients_per_peer, "N", {1, 65536},
+        "simultaneous connections from one address");
+    add("--max-machines-per-peer", limits.machines_per_peer, "N", {1, 1e6},
+        "machines first announced from one address");
     add("--max-takeovers", limits.takeovers_per_peer, "N", {1, 1e6},
-        "of a machine's control, by one address in a minute");
-    add("--known-after", limits.known_s, "S", {0, 1e9}, "of samples, 1000 at least, that make a machine known");
-    add("--newcomer-timeout", limits.newcomer_s, "S", timeouts, "a machine without sample and connection is forgotten");
-    add("--history", limits.history, "N", {1, 1e6}, "estimates, and alarms, of a machine kept in the state file");
-    add("--max-line", limits.line_bytes, "BYTES", {100, 1 << 24}, "length of a message");
-    add("--max-queue", limits.queue_bytes, "BYTES", {1 << 14, 1 << 30}, "waiting to be sent to one client");
-    add("--hello-timeout", limits.hello_s, "S", timeouts, "from the connection to the hello");
-    add("--line-timeout", limits.line_s, "S", timeouts, "from the first byte of a line to the last");
-    add("--idle-timeout", limits.idle_s, "S", timeouts, "without a line");
-    add("--stall-timeout", limits.stall_s, "S", timeouts, "without the client reading");
-    add("--closing-timeout", limits.closing_s, "S", timeouts, "for a client to read the last message");
+        "takeovers of a machine's control by one address in a minute");
+    add("--known-after", limits.known_s, "S", {0, 1e9},
+        "time span of samples after which a machine is known; at least 1000 "
+        "samples");
+    add("--newcomer-timeout", limits.newcomer_s, "S", timeouts,
+        "time after which an unknown machine without sample and connection is "
+        "forgotten");
+    add("--history", limits.history, "N", {1, 1e6}, "estimates, and alarms, of each machine that the state file keeps");
+    add("--max-line", limits.line_bytes, "BYTES", {100, 1 << 24}, "longest message");
+    add("--max-queue", limits.queue_bytes, "BYTES", {1 << 14, 1 << 30}, "most bytes waiting to be sent to one client");
+    add("--hello-timeout", limits.hello_s, "S", timeouts, "longest time from the connection to the hello");
+    add("--line-timeout", limits.line_s, "S", timeouts, "longest time from the first byte of a line to the last");
+    add("--idle-timeout", limits.idle_s, "S", timeouts, "longest time without a line");
+    add("--stall-timeout", limits.stall_s, "S", timeouts, "longest time in which the client reads nothing");
+    add("--closing-timeout", limits.closing_s, "S", timeouts, "time for a client to read the last message");
 }
 
 void add_diagnosis(Options& command, DiagnosisSettings& diagnosis) {
@@ -82,14 +88,15 @@ void add_diagnosis(Options& command, DiagnosisSettings& diagnosis) {
     };
     WindowSettings& window = diagnosis.search.window;
     add("--population", diagnosis.search.population, "N", {3, 10000}, "individuals of a population set");
-    add("--bits", diagnosis.bits, "N", {4, 16}, "of one compliance");
-    add("--window", window.length, "N", {1, exact_fitness_terms}, "samples of the window");
-    add("--trials", window.trials, "N", {1, 1000}, "generations a sample");
+    add("--bits", diagnosis.bits, "N", {4, 16}, "length of one compliance in the string");
+    add("--window", window.length, "N", {1, exact_fitness_terms}, "samples in the window");
+    add("--trials", window.trials, "N", {1, 1000}, "generations for each sample");
     add("--gate", diagnosis.gate.slope_psi_per_s, "PSI/S", {0, 1e6},
         "rms slope of the pressure below which an estimate is frozen");
     add("--inconsistent-over", diagnosis.inconsistent_over, "FRACTION", {0.01, 100},
-        "estimates are flagged at this spread between population sets");
-    add("--stale-after", diagnosis.stale_after_s, "S", {0.01, 1e9}, "older estimates take no part in cross-checks");
+        "spread between population sets above which estimates are flagged");
+    add("--stale-after", diagnosis.stale_after_s, "S", {0.01, 1e9},
+        "age above which estimates take no part in cross-checks");
 }
 
 struct MonitorOptions {
@@ -102,15 +109,19 @@ void add_options(Options& command, MonitorOptions& options) {
     auto add = [&](const char* name, auto& value, const char* type, Bounds bounds, const char* about) {
         add_number(command, "Options", name, value, type, bounds, about);
     };
-    command.add("--address", settings.address, "where to listen").show_default();
-    add("--port", options.port, "N", {0, 65535}, "0: any free one, which is printed");
-    add("--http", options.http, "N", {0, 65535}, "a page for browsers, /metrics and /healthz there; none unless said");
-    add_file(command, "--unix", settings.unix_path, "listen on a socket there, and on a port only if that is given",
+    command.add("--address", settings.address, "address to listen on").show_default();
+    add("--port", options.port, "N", {0, 65535}, "port to listen on; 0: any free port, which is printed");
+    add("--http", options.http, "N", {0, 65535},
+        "port for HTTP: a page for browsers, /metrics and /healthz; default: no "
+        "HTTP");
+    add_file(command, "--unix", settings.unix_path,
+             "listen on this socket file; listen on a port only if --port is given, "
+             "too",
              "PATH");
-    add_file(command, "--token-file", settings.token_file, "the word that clients have to say to be served");
+    add_file(command, "--token-file", settings.token_file, "file with the token that clients must send");
     command.add("--host-name", settings.host_names,
-                "a name by which browsers come, such as a proxy's; more than once for more");
-    add_file(command, "--state", settings.state, "keeps what is known over a restart: a database of SQLite");
+                "host name that browsers use for this server, such as a proxy's; may be repeated");
+    add_file(command, "--state", settings.state, "file (SQLite) that keeps the state of all machines over a restart");
     add_seed(command, settings.seed);
     add_limits(command, settings.limits);
     add_diagnosis(command, settings.diagnosis);
@@ -134,7 +145,7 @@ ExitCode serve(const ServiceSettings& settings) {
         print_out(fmt::format("placedpar monitor: page at http://{}:{}/\n", for_browsers(settings.address),
                               service.http_port()));
     service.run();
-    log.say(settings.state.empty() ? "stopped" : fmt::format("stopped; {} is written", settings.state));
+    log.say(settings.state.empty() ? "stopped" : fmt::format("stopped; the state was written to {}", settings.state));
     return ExitCode::success;
 }
 

@@ -49,11 +49,11 @@ struct OptimiseOptions {
 
 Study searched_study(const OptimiseOptions& options) {
     if (!lower_case(options.study).ends_with(".toml"))
-        throw UserError(
-            fmt::format("{}: a search is stated by a study (.toml) that has a table [search]", options.study));
+        throw UserError(fmt::format("{}: expected a study (.toml) with a table [search]", options.study));
     Study study = read_study(options.study);
     if (!study.search)
-        throw UserError(fmt::format("{}: it has no table [search], which says what to minimise: minimise = \"time\"",
+        throw UserError(fmt::format("{}: the study has no table [search]; add one that names the measure to "
+                                    "minimise: minimise = \"time\"",
                                     options.study));
     study.search->seed = options.seed.value_or(study.search->seed);
     study.search->population = options.population.value_or(study.search->population);
@@ -77,7 +77,7 @@ Network network_with(const Study& study, const Overrides& settings) {
         study.netlist, settings, known_problems(0), [](const std::string&) {}, study.read);
 }
 
-/// Returns the netlist as it is, or one of its machines if it is not valid as it is.
+/// Returns the unchanged netlist, or one of the study's machines if the unchanged netlist is not valid.
 Network some_network(const Study& study, const MachineSpace& space) {
     try {
         return network_with(study, space.fixed());
@@ -135,7 +135,7 @@ std::optional<double> seconds_of(const Study& study, Session& session) {
     return StudySweep(study, session.results).seconds_a_run(session.interruption);
 }
 
-/// Returns the time of a run of the netlist as it is or, if that is not valid, of the first machine. Returns nullopt if
+/// Returns the time of a run of the unchanged netlist or, if it is not valid, of the first machine. Returns nullopt if
 /// interrupted.
 std::optional<double> seconds_of_a_run(Session& session) {
     std::optional<double> seconds = seconds_of(study_of(session.study, {session.space.fixed()}), session);
@@ -194,17 +194,17 @@ std::optional<std::vector<PathPart>> path_of(Session& session, const Overrides& 
     return known ? std::optional(path.parts()) : std::nullopt;
 }
 
-/// Returns why the best machine takes another time than the netlist as it is; "" if that is not a valid machine or the
-/// search was interrupted.
+/// Explains why the best machine and the unchanged netlist take different times. Returns "" if the unchanged netlist is
+/// not valid or the search was interrupted.
 std::string reason_of(Session& session, const Optimum& optimum, const Overrides& best) {
     if (!optimum.start.merit.feasible)
         return "";
     ProgressLine line;
-    line.show("why it is: two runs for their critical paths");
+    line.show("comparing critical paths: two runs");
     auto start = path_of(session, session.space.fixed()), end = path_of(session, best);
     if (start && end)
         return print_paths(*start, *end) + "\n";
-    return session.interruption.requested() ? "" : "the runs are too long for their critical paths to be compared\n\n";
+    return session.interruption.requested() ? "" : "the critical paths are not compared: the runs are too long\n\n";
 }
 
 /// Returns the settings of the best machine, whichever search found it.
@@ -214,7 +214,7 @@ Overrides best_settings(const Session& session, const SearchCourse& all) {
 
 void print_optimum(Session& session, const Optimum& optimum, const StudySummary& summary) {
     const Overrides best = best_settings(session, optimum.together());
-    print_out(fmt::format("{} of {}; the best of them:\n\n{}\n{}\n", counted(session.space.count(), "combination"),
+    print_out(fmt::format("{} of {}; the best combinations:\n\n{}\n{}\n", counted(session.space.count(), "combination"),
                           counted(session.space.names().size(), "setting"), print_summary(summary),
                           print_comparison(optimum)));
     print_out(reason_of(session, optimum, best) + fmt::format("the best: {}\nresults: {}\n",
@@ -226,7 +226,7 @@ void print_optimum(Session& session, const Optimum& optimum, const StudySummary&
 ExitCode end_of(const Session& session) {
     if (!session.interruption.requested())
         return ExitCode::success;
-    print_error(fmt::format("interrupted; the runs that ended are in {}: the same command goes on from them\n",
+    print_error(fmt::format("interrupted; {} keeps the finished runs: type the same command again to continue\n",
                             session.results.path().string()));
     return ExitCode::interrupted;
 }
@@ -254,11 +254,12 @@ ExitCode optimise(const OptimiseOptions& typed) {
 }
 
 void add_search_size(Options& command, OptimiseOptions& options) {
-    add_count(command, "--seed", options.seed, "of the search's random numbers, in the place of the study's");
+    add_count(command, "--seed", options.seed, "seed of the search's random numbers; default: the study's");
     add_number(command, "--population", options.population, 4, StudySearch::most_population,
-               "machines of a generation");
-    add_number(command, "--generations", options.generations, 1, StudySearch::most_generations, "how many are bred");
-    command.add("--until", options.until, "stops a run at this moment of the machine's time");
+               "number of machines in a generation");
+    add_number(command, "--generations", options.generations, 1, StudySearch::most_generations,
+               "number of generations");
+    command.add("--until", options.until, "stops each run at this simulated time");
     add_jobs(command, options.jobs, "number of parallel runs; default: number of cores");
 }
 
@@ -266,14 +267,15 @@ Action declare_optimise(Options& command, const std::string&) {
     auto options = std::make_shared<OptimiseOptions>();
     command.add("STUDY", options->study, "a study (.toml) with a table [search]").required().check(not_a_name);
     add_search_size(command, *options);
-    command.add_flag("--random", options->random, "draws as many machines at random, to compare");
-    command.add_flag("--exhaustive", options->exhaustive, "tries all machines out, to compare");
+    command.add_flag("--random", options->random, "also tries the same number of random machines, for comparison");
+    command.add_flag("--exhaustive", options->exhaustive, "also tries all machines, for comparison");
     add_file(command, "--results", options->results,
              "file of the results, which is read and extended; default: the study's name with .sqlite, in this folder");
-    add_file(command, "--csv", options->csv, "writes the best machines, or the front, as comma-separated values");
-    add_file(command, "--svg", options->svg, "draws the search, or the front");
-    command.add_flag("--yes", options->yes, "begins even very many runs without a question");
-    command.add_flag("--any-version", options->any_version, "adds to results that another version of PlacedPar made");
+    add_file(command, "--csv", options->csv,
+             "writes the best machines, or the Pareto front, as comma-separated values");
+    add_file(command, "--svg", options->svg, "draws the course of the search, or the Pareto front");
+    command.add_flag("--yes", options->yes, "starts any number of runs without asking");
+    command.add_flag("--any-version", options->any_version, "adds runs to results of another version of PlacedPar");
     return [options] { return optimise(*options); };
 }
 

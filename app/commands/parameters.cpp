@@ -15,7 +15,7 @@ ExitCode print_parameters() {
 
 extern const Command parameters_command{
     .name = "parameters",
-    .about = "Prints the constants of the excavator, as a file for --machine",
+    .about = "Prints the constants of the excavator in the format that --machine reads",
     .place = 90,
     .declare = [](Options&, const std::string&) -> Action { return print_parameters; },
 };

@@ -32,8 +32,8 @@ struct RecordOptions {
 
 LinksInMotion moving_of(const RecordOptions& options, const RecordScenario& scenario) {
     if (!scenario.any_links && !(options.links.empty() && options.configuration.empty()))
-        throw UserError(fmt::format("--{}: {} has links and a configuration of its own; the scenario links "
-                                    "takes any",
+        throw UserError(fmt::format("--{}: the scenario \"{}\" has fixed links and a fixed configuration; use "
+                                    "the scenario \"links\" to choose them",
                                     options.links.empty() ? "configuration" : "link", scenario.name));
     return {options.configuration.empty() ? Configuration::a : *configuration_named(options.configuration),
             links_of(options.links.empty() ? "bucket,boom" : options.links)};
@@ -68,16 +68,17 @@ ExitCode record(const RecordOptions& options) {
 }
 
 void declare_options(Options& command, RecordOptions& options) {
-    command.add("SCENARIO", options.scenario, "one of those below").required();
-    add_links(command, options.links, "that move in the scenario links: bucket,boom if not given");
-    add_configuration(command, options.configuration, "of the main valve in the scenario links: a if not given");
-    add_set(command, options.set, "gives a parameter another value, perhaps with its unit");
-    command.add("--noise", options.noise, "of the sensors: none, low, mid or high").type("LEVEL");
-    add_file(command, "--machine", options.machine, "constants that differ from those of placedpar parameters");
-    add_seed(command, options.seed, "of the sensors' noise");
-    add_file(command, "--out", options.out, "writes the record there, not to standard output");
+    command.add("SCENARIO", options.scenario, "one of the scenarios below").required();
+    add_links(command, options.links, "links that move, for the scenario \"links\"; default: bucket,boom");
+    add_configuration(command, options.configuration,
+                      "configuration of the main valve, for the scenario \"links\"; default: a");
+    add_set(command, options.set, "sets a parameter, for example to .005 or \"4.1e-11 m^3/Pa\"");
+    command.add("--noise", options.noise, "noise of the sensors: none, low, mid or high").type("LEVEL");
+    add_file(command, "--machine", options.machine, "file with constants that replace those of placedpar parameters");
+    add_seed(command, options.seed, "seed of the sensors' noise");
+    add_file(command, "--out", options.out, "writes the record to this file; default: standard output");
     command.add_flag("--list", options.list,
-                     "lists the scenario's parameters instead: name, value, unit, mark, source");
+                     "lists the scenario's parameters (name, value, unit, mark, source) and makes no record");
     command.add_footer("scenarios:\n" + list_record_scenarios());
 }
 
@@ -91,7 +92,7 @@ Action declare_record(Options& command, const std::string&) {
 
 extern const Command record_command{
     .name = "record",
-    .about = "Simulates a motion of the machine and writes what its sensors say",
+    .about = "Simulates a motion of the excavator and writes the readings of its sensors",
     .place = 80,
     .declare = declare_record,
     .values = names_of_scenarios,

@@ -63,7 +63,8 @@ const Experiment& find_experiment(const std::string& name) {
 
 void require_folder_for_plots(const std::filesystem::path& folder) {
     if (is_standard_stream(folder))
-        throw UserError("--plots -: plots are files in a folder; standard output is none");
+        throw UserError("--plots -: plots are written as files into a folder, not to standard output; name a "
+                        "folder");
     require_gnuplot();
     std::error_code error;
     std::filesystem::create_directories(folder, error);
@@ -101,19 +102,20 @@ void require_printed(const Experiment& experiment, const ReplayOptions& options)
         if (each.has_printed)
             having.push_back(each.name);
     if (options.against == "printed" && !experiment.has_printed)
-        throw UserError(fmt::format("--against printed has no effect on {}, where no other figures are expected than "
-                                    "the printed ones; it is for {}",
+        throw UserError(fmt::format("--against printed has no effect on {}, which has no other expected figures; "
+                                    "it applies to {}",
                                     experiment.name, fmt::join(having, ", ")));
 }
 
 void require_study(const Experiment& experiment, const ReplayOptions& options) {
     if (experiment.seeds == 0 && (options.seeds != 0 || !options.resume.empty()))
-        throw UserError(fmt::format("{} is not a study over several seeds, so --seeds and --resume have no effect",
-                                    experiment.name));
+        throw UserError(
+            fmt::format("{} does not run several seeds, so --seeds and --resume have no effect", experiment.name));
     if (options.resume.empty())
         return;
     if (is_standard_stream(options.resume))
-        throw UserError("--resume -: runs are kept in a file that is read again; standard output is none");
+        throw UserError("--resume -: runs are kept in a file and read from it later, so standard output cannot "
+                        "be used; name a file");
     require_writable(options.resume);
 }
 
@@ -155,8 +157,8 @@ std::string what_is_left(const ReplayOptions& options, const UnfinishedRun& unfi
     if (unfinished.ending != Ending::interrupted || find_experiment(options.experiment).seeds == 0)
         return "";
     return options.resume.empty()
-               ? "hint: with --resume FILE the runs that ended are kept\n"
-               : fmt::format("the runs that ended are in {}: the same command goes on from them\n", options.resume);
+               ? "hint: --resume FILE keeps the finished runs\n"
+               : fmt::format("{} keeps the finished runs: type the same command again to continue\n", options.resume);
 }
 
 ExitCode replay(const ReplayOptions& options, const std::string& typed) try {
@@ -178,18 +180,23 @@ ExitCode replay(const ReplayOptions& options, const std::string& typed) try {
 
 Action declare_replay(Options& command, const std::string& typed) {
     auto options = std::make_shared<ReplayOptions>();
-    command.add("EXPERIMENT", options->experiment, "one of those below").required();
+    command.add("EXPERIMENT", options->experiment, "one of the experiments below").required();
     add_seed(command, options->seed);
-    add_file(command, "--json", options->json, "writes the cells for machines");
-    add_file(command, "--plots", options->plots, "writes the experiment's plots, SVG, and their curves, CSV", "FOLDER");
-    add_number(command, "--seeds", options->seeds, 1, most_seeds, "of a study, instead of its own number");
-    add_file(command, "--resume", options->resume, "keeps each run of a study there, and goes on from those it has");
+    add_file(command, "--json", options->json, "writes all compared figures as JSON");
+    add_file(command, "--plots", options->plots, "writes the experiment's plots (SVG) and their curves (CSV)",
+             "FOLDER");
+    add_number(command, "--seeds", options->seeds, 1, most_seeds,
+               "number of seeds, for experiments that run several; default: the "
+               "experiment's own number");
+    add_file(command, "--resume", options->resume,
+             "keeps finished runs in this file, and skips the runs that it already has");
     command
         .add("--against", options->against,
-             "judges what follows from the thesis's measurements, or also what it prints instead")
+             "expected: judges figures that follow from the thesis's measurements; printed: judges the figures "
+             "that the thesis prints where they differ")
         .one_of({"expected", "printed"})
         .show_default();
-    command.add_flag("--yes", options->yes, "begins even very many runs without a question");
+    command.add_flag("--yes", options->yes, "starts any number of runs without asking");
     command.add_footer("experiments:\n" + list_experiments());
     return [options, typed] { return replay(*options, typed); };
 }
@@ -198,7 +205,7 @@ Action declare_replay(Options& command, const std::string& typed) {
 
 extern const Command replay_command{
     .name = "replay",
-    .about = "Runs an experiment of the thesis beside the thesis's figures",
+    .about = "Repeats an experiment of the thesis and compares the figures",
     .place = 60,
     .declare = declare_replay,
     .values = names_of_experiments,

@@ -71,7 +71,8 @@ void require_report_outputs(const ReportOptions& options, const std::filesystem:
     if (!options.svg.empty() || !options.page.empty())
         require_gnuplot();
     else if (!options.over.empty())
-        throw UserError("--over says what the plot is drawn over: say also where it is to go, by --svg or --page");
+        throw UserError("--over names the horizontal axis of a plot, but no plot was asked for: add --svg or "
+                        "--page");
 }
 
 /// Throws UserError for a measure that no run has, if any run completed.
@@ -101,18 +102,17 @@ ExitCode report(const ReportOptions& options) {
 
 Action declare_report(Options& command, const std::string&) {
     auto options = std::make_shared<ReportOptions>();
-    command.add("STUDY", options->study, "a study, a netlist, or the file with the results of one that was swept")
+    command.add("STUDY", options->study, "a results file (.sqlite), or the study or netlist whose sweep made it")
         .required()
         .check(not_a_name);
     command.add_list("--measure", options->measures, "MEASURE",
-                     "another measure than those of the sweep; as often as wanted: nothing is run again");
-    command.add_list(
-        "--relative-to", options->relative_to, "NAME=VALUE",
-        "divides each figure by that of the run which is the same but for this setting; as often as wanted");
-    add_file(command, "--over", options->over, "what the plot is drawn over", "NAME");
+                     "a measure to show instead of the sweep's; may be repeated; needs no new runs");
+    command.add_list("--relative-to", options->relative_to, "NAME=VALUE",
+                     "divides each figure by the figure of the run with this setting, all else equal; may be repeated");
+    add_file(command, "--over", options->over, "the setting on the plot's horizontal axis", "NAME");
     add_file(command, "--csv", options->csv, "writes the table as comma-separated values");
-    add_file(command, "--svg", options->svg, "draws the measures");
-    add_file(command, "--page", options->page, "writes a page of HTML with both, that needs no other file");
+    add_file(command, "--svg", options->svg, "draws the measures as SVG");
+    add_file(command, "--page", options->page, "writes one self-contained HTML page with tables and plots");
     return [options] { return report(*options); };
 }
 
@@ -120,7 +120,7 @@ Action declare_report(Options& command, const std::string&) {
 
 extern const Command report_command{
     .name = "report",
-    .about = "Shows what is known of a study: tables, plots, a page",
+    .about = "Shows a study's results as tables, plots or a page",
     .place = 23,
     .declare = declare_report,
 };

@@ -62,11 +62,11 @@ struct FinishedRun {
 void require_outputs(const RunOptions& options) {
     auto outputs = options.outputs();
     if (options.seeds > 1 && !options.recorded.trace.empty())
-        throw UserError(fmt::format("--trace: a timeline is of one run, and --seeds asks for {}", options.seeds));
+        throw UserError(fmt::format("--trace: a timeline shows one run, but --seeds asks for {} runs", options.seeds));
     if (options.seeds > 1 && !options.recorded.page.empty())
-        throw UserError(fmt::format("--page: a page is of one run, and --seeds asks for {}", options.seeds));
+        throw UserError(fmt::format("--page: a page shows one run, but --seeds asks for {} runs", options.seeds));
     if (options.recorded.window.is_part() && options.recorded.trace.empty() && options.recorded.page.empty())
-        throw UserError("--trace-from and --trace-until say which part of a run --trace or --page shows");
+        throw UserError("--trace-from and --trace-until limit what --trace or --page shows: give one of them, too");
     if (!options.recorded.trace.empty())
         require_trace_format(options.recorded.trace);
     if (!options.convergence.empty())
@@ -211,25 +211,27 @@ ExitCode run(const RunOptions& options, const std::string& typed) {
 }
 
 void add_searches(Options& command, RunOptions& options) {
-    add_count(command, "--seeds", options.seeds, "runs with so many seeds, from --seed on, and compares the searches")
+    add_count(command, "--seeds", options.seeds,
+              "number of runs, with consecutive seeds from --seed on; compares their "
+              "searches")
         .check(not_at_least_one)
         .show_default();
-    add_file(command, "--log", options.log, "writes every generation of every search: comma-separated, in long form");
+    add_file(command, "--log", options.log, "writes every generation of every search as comma-separated values");
     add_file(command, "--convergence", options.convergence,
-             "draws best, mean and diversity over the generations, SVG; with --seeds medians and quartiles");
-    command.add_flag("--yes", options.yes, "begins even very many runs without a question");
+             "draws best fitness, mean fitness and diversity over the generations as SVG; with --seeds medians "
+             "and quartiles");
+    command.add_flag("--yes", options.yes, "starts any number of runs without asking");
     command.add_flag("--watch", options.watch,
-                     "shows the same while it runs, on a terminal; lines where there is none");
+                     "shows best, mean and diversity during the run: a curve on a terminal, else lines of text");
 }
 
 void add_trace(Options& command, RunOptions& options) {
     Option trace = add_file(command, "--trace", options.recorded.trace,
-                            "writes a timeline, by its ending for ui.perfetto.dev (.json) or GTKWave (.vcd)");
-    command.add("--trace-from", options.recorded.window.from,
-                "begins the timeline, or the page, at this moment of the machine's time");
-    command.add("--trace-until", options.recorded.window.until, "ends the timeline, or the page, at this moment");
+                            "writes a timeline for ui.perfetto.dev (.json) or GTKWave (.vcd), or draws it (.svg)");
+    command.add("--trace-from", options.recorded.window.from, "begins the timeline or page at this simulated time");
+    command.add("--trace-until", options.recorded.window.until, "ends the timeline or page at this simulated time");
     add_count(command, "--trace-limit", options.recorded.window.most_entries,
-              "ends the timeline when it has so many slices and messages")
+              "ends the timeline after this number of slices and messages")
         .show_default()
         .needs(trace);
 }
@@ -238,14 +240,13 @@ Action declare_run(Options& command, const std::string& typed) {
     auto options = std::make_shared<RunOptions>();
     add_netlist(command, options->netlist);
     add_seed(command, options->seed);
-    command.add("--shuffle", options->shuffle, "runs what is ready in an order drawn from this seed: another course")
+    command.add("--shuffle", options->shuffle, "runs ready processes in a random order that this seed determines")
         .type("SEED")
         .check(not_a_whole_number);
-    command.add("--until", options->until, "stops the run at this moment of the machine's time");
-    add_file(command, "--json", options->json, "writes the report for machines");
+    command.add("--until", options->until, "stops the run at this simulated time");
+    add_file(command, "--json", options->json, "writes the report as JSON");
     add_searches(command, *options);
-    add_file(command, "--page", options->recorded.page,
-             "writes the run as a page to look at in a browser, HTML in one file");
+    add_file(command, "--page", options->recorded.page, "writes one self-contained HTML page that shows the run");
     add_trace(command, *options);
     return [options, typed] { return run(*options, typed); };
 }
@@ -254,7 +255,7 @@ Action declare_run(Options& command, const std::string& typed) {
 
 extern const Command run_command{
     .name = "run",
-    .about = "Runs a netlist and reports what it computed and what it cost",
+    .about = "Runs a netlist and reports results and times",
     .place = 10,
     .declare = declare_run,
 };

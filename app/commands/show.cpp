@@ -40,7 +40,7 @@ void require_apart_from_inputs(const std::filesystem::path& output, const Networ
 
 void require_drawing(const ShowOptions& options) {
     if (options.software && options.format != "svg")
-        throw UserError("--software is for the drawing: --format svg --software");
+        throw UserError("--software works only with the drawing: --format svg --software");
 }
 
 ExitCode show(const ShowOptions& options) {
@@ -60,13 +60,12 @@ Action declare_show(Options& command, const std::string&) {
     auto options = std::make_shared<ShowOptions>();
     add_netlist(command, options->netlist);
     command
-        .add("--format", options->format,
-             "the netlist language, a drawing, a drawing for Graphviz, JSON, or a model for Spin")
+        .add("--format", options->format, "output format: netlist language, drawing, Graphviz, JSON, or model for Spin")
         .one_of({"cfs", "svg", "dot", "json", "promela"})
         .show_default();
     command.add_flag("--software", options->software,
-                     "with --format svg: draws processes and channels, not processors and wires");
-    add_file(command, "-o,--out", options->out, "writes it there, not to standard output");
+                     "with --format svg: draws processes and channels instead of processors and wires");
+    add_file(command, "-o,--out", options->out, "writes to this file; default: standard output");
     return [options] { return show(*options); };
 }
 
@@ -74,7 +73,7 @@ Action declare_show(Options& command, const std::string&) {
 
 extern const Command show_command{
     .name = "show",
-    .about = "Prints the elaborated network",
+    .about = "Prints a netlist's network with every loop and condition written out",
     .place = 40,
     .declare = declare_show,
 };

@@ -63,11 +63,11 @@ bool varies(const StudyTable& table, const std::string& name) {
 /// Applies the axis to the table. A table assigns its runs to cells, so each setting can have only one value.
 void set_in_table(StudyTable& table, const StudyAxis& axis) {
     if (axis.count() > 1)
-        throw UserError(
-            fmt::format("{} has several values, and the study's table \"{}\" takes one", axis.name, table.name));
+        throw UserError(fmt::format("{} was given several values, but the study's table \"{}\" takes one value",
+                                    axis.name, table.name));
     if (varies(table, axis.name))
-        throw UserError(fmt::format("the columns, rows or relative_to of the study's table \"{}\" set {}, which the "
-                                    "command line leaves to them",
+        throw UserError(fmt::format("the study's table \"{}\" sets {} in its columns, rows or relative_to, so "
+                                    "the command line cannot set it",
                                     table.name, axis.name));
     table.shared[axis.name] = axis.at(0);
 }
@@ -77,7 +77,7 @@ void add_settings(Study& study, const SweepOptions& options) {
     for (const std::string& text : options.settings) {
         StudyAxis axis = read_axis(text);
         if (std::ranges::find(given, axis.name) != given.end())
-            throw UserError(fmt::format("{}: {} is given values twice", text, axis.name));
+            throw UserError(fmt::format("{}: {} is set twice", text, axis.name));
         given.push_back(axis.name);
         for (StudyProduct& product : study.products)
             set_axis(product, axis);
@@ -134,8 +134,8 @@ private:
 
     std::string left(std::uint64_t ended) const {
         if (ended == 0)
-            return seconds() < patience_seconds ? "none has ended yet"
-                                                : "none has ended yet; --until stops runs that do not end";
+            return seconds() < patience_seconds ? "none has finished yet"
+                                                : "none has finished yet; --until stops endless runs";
         auto runs = static_cast<double>(missing_.runs - std::min(made_ + ended, missing_.runs));
         return print_duration(seconds() * runs / static_cast<double>(ended)) + " left";
     }
@@ -150,7 +150,7 @@ private:
 };
 
 void say_interrupted(const StudyResults& results) {
-    print_error(fmt::format("interrupted; the runs that ended are in {}: the same command goes on from them\n",
+    print_error(fmt::format("interrupted; {} keeps the finished runs: type the same command again to continue\n",
                             results.path().string()));
 }
 
@@ -193,8 +193,9 @@ ExitCode print_tables(const Study& study, StudyResults& results) {
     for (const Comparison& table : tables)
         out += "\n" + print_comparison(table);
     out += study.notes.empty() ? "" : "\n" + study.notes;
-    print_out(out + "\n" +
-              (is_any_judged(tables) ? print_verdict(tables, "table") : "no cell has a tolerance: none is judged\n"));
+    print_out(
+        out + "\n" +
+        (is_any_judged(tables) ? print_verdict(tables, "table") : "nothing is judged: no cell has a tolerance\n"));
     return are_within_tolerance(tables) ? ExitCode::success : ExitCode::missed_tolerance;
 }
 
@@ -246,10 +247,12 @@ ExitCode sweep(const SweepOptions& typed) {
 
 void add_size(Options& command, SweepOptions& options) {
     add_count(command, "--seed", options.seed, "the first seed; default: 1");
-    add_count(command, "--seeds", options.seeds, "runs each combination with so many seeds, from the first on")
+    add_count(command, "--seeds", options.seeds, "number of seeds for each combination, counted from the first seed")
         .check(not_at_least_one);
-    command.add("--until", options.until, "stops a run at this moment of the machine's time");
-    add_jobs(command, options.jobs, "number of parallel runs; default: number of cores, or one in each rank of mpirun");
+    command.add("--until", options.until, "stops each run at this simulated time");
+    add_jobs(command, options.jobs,
+             "number of parallel runs; default: number of cores, or one for each rank of "
+             "mpirun");
 }
 
 Action declare_sweep(Options& command, const std::string&) {
@@ -259,16 +262,16 @@ Action declare_sweep(Options& command, const std::string&) {
         .check(not_a_name);
     command
         .add("SETTING", options->settings,
-             "NAME=VALUES: what is tried out, all combinations of it: slaves=0..7, linkspeed=5M,10M")
+             "NAME=VALUES: values to try, in all combinations: slaves=0..7 linkspeed=5M,10M")
         .type("");
     command.add_list("--measure", options->measures, "MEASURE",
-                     "what is to be known of the runs: time, master.T_exe, max(slave.T_c); as often as wanted");
+                     "a measure to report: time, master.T_exe, max(slave.T_c); may be repeated");
     add_size(command, *options);
     add_read_options(command, options->read);
     add_file(command, "--results", options->results,
              "file of the results, which is read and extended; default: the study's name with .sqlite, in this folder");
-    command.add_flag("--yes", options->yes, "begins even very many runs without a question");
-    command.add_flag("--any-version", options->any_version, "adds to results that another version of PlacedPar made");
+    command.add_flag("--yes", options->yes, "starts any number of runs without asking");
+    command.add_flag("--any-version", options->any_version, "adds runs to results of another version of PlacedPar");
     return [options] { return sweep(*options); };
 }
 
@@ -276,7 +279,7 @@ Action declare_sweep(Options& command, const std::string&) {
 
 extern const Command sweep_command{
     .name = "sweep",
-    .about = "Runs a netlist with many settings and seeds, on all cores, and keeps what comes of it",
+    .about = "Runs a netlist with many settings and seeds on all cores, and keeps the results",
     .place = 22,
     .declare = declare_sweep,
 };

@@ -53,7 +53,7 @@ std::string message_of(const TellOptions& options) {
         refuse_words(fmt::format("\"{}\" is not a command for the monitor", words[0]));
     std::size_t more = words.size() - 1;
     if (more < saying->least_words || more > saying->most_words)
-        refuse_words(fmt::format("{} is followed by {} words", words[0], more));
+        refuse_words(fmt::format("wrong number of words after {}: {}", words[0], more));
     json::object message{{"type", words[0]}};
     if (more >= 1)
         message["machine"] = words[1];
@@ -69,21 +69,24 @@ std::string message_of(const TellOptions& options) {
 ExitCode tell(const TellOptions& options) {
     std::string message = message_of(options);
     if (options.place.port == 0 && options.place.unix_path.empty())
-        throw UserError("where is the monitor? --port N, or --unix PATH");
+        throw UserError("the monitor's address is missing: give --port N or --unix PATH");
     print_out(monitor::ask_service(options.place, message));
     return ExitCode::success;
 }
 
 Action declare_tell(Options& command, const std::string&) {
     auto options = std::make_shared<TellOptions>();
-    command.add("WORDS", options->words, "alarms; load; forget MACHINE; acknowledge or shelve MACHINE ALARM LINK...")
+    command
+        .add("WORDS", options->words,
+             "the command: alarms, load, forget MACHINE, acknowledge MACHINE ALARM "
+             "LINK... or shelve MACHINE ALARM LINK...")
         .required();
-    command.add("--address", options->place.address, "where it listens").show_default();
-    add_number(command, "--port", options->place.port, 1, 65535, "the port there");
-    add_file(command, "--unix", options->place.unix_path, "a socket in the file system, in place of a port", "PATH");
-    add_file(command, "--token-file", options->place.token_file, "the word that it wants to hear");
+    command.add("--address", options->place.address, "host on which the monitor listens").show_default();
+    add_number(command, "--port", options->place.port, 1, 65535, "port on which the monitor listens");
+    add_file(command, "--unix", options->place.unix_path, "the monitor's socket file, instead of a port", "PATH");
+    add_file(command, "--token-file", options->place.token_file, "file with the token that the monitor expects");
     add_number(command, "--for", options->for_s, 0, 30 * 86400,
-               "seconds on the shelf; 0 takes an alarm from there; 28800 unless said");
+               "shelve: seconds without notifications of the alarm; 0 ends the shelving; default: 28800");
     return [options] { return tell(*options); };
 }
 
@@ -92,7 +95,7 @@ Action declare_tell(Options& command, const std::string&) {
 /// Sends one message to a running monitor and prints its answer, a line of JSON.
 extern const Command tell_command{
     .name = "tell",
-    .about = "Tells a running monitor to forget a machine, or that an alarm has been seen",
+    .about = "Sends a command to a running monitor: list alarms, acknowledge or shelve one, forget a machine",
     .place = 140,
     .declare = declare_tell,
 };

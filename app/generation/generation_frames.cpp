@@ -92,7 +92,8 @@ DrawnHypercube mutated_cube(const WalkedGeneration& walked) {
             cube.lines.push_back(walked.crossed[i].to_string() + " becomes " + walked.mutated[i].to_string());
         }
     if (cube.lines.empty())
-        cube.lines = {walked.crossed.empty() ? "drawn anew: no fitness was positive" : "no bit was flipped"};
+        cube.lines = {walked.crossed.empty() ? "all strings are drawn at random, because no fitness was positive"
+                                             : "no bit was flipped"};
     return cube;
 }
 
@@ -105,7 +106,7 @@ std::vector<DrawnHypercube> draw_walk(const WalkedGeneration& walked) {
 }
 
 VertexLegend walk_legend() {
-    return {{VertexLook::member, "of the population"},
+    return {{VertexLook::member, "in the population"},
             {VertexLook::parent, "parent; thick links: the space between mates"},
             {VertexLook::offspring, "new offspring"},
             {VertexLook::empty, "no individual"}};

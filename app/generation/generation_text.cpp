@@ -32,7 +32,7 @@ std::string evaluation_text(const WalkedGeneration& walked) {
 
 std::string reproduction_text(const WalkedGeneration& walked) {
     if (walked.parents.empty())
-        return "step 1: no sector has any width: the whole population is drawn anew\n";
+        return "step 1: every sector has width 0, so the whole population is drawn at random\n";
     std::string out = "step 1: reproduction, a spin of the wheel for each place\n  place   spin  in sector  copy\n";
     for (std::size_t i = 0; i < walked.parents.size(); ++i)
         out += fmt::format("  {:5}  {:.3f}  {:9}  {}\n", i + 1, walked.spins[i], walked.parents[i] + 1,
@@ -51,14 +51,14 @@ std::string mating_text(const WalkedGeneration& walked, std::size_t pair) {
     std::string out = fmt::format("  {} and {}  {:.3f}  ", 2 * pair + 1, 2 * pair + 2, mating.drawn);
     if (!mating.crossed)
         return out + fmt::format("not crossed: {}, {}\n", a.to_string(), b.to_string());
-    return out + fmt::format("{} x {}  ->  {}, {}   (they differ in {})\n", cut_in_two(a, mating.cut),
+    return out + fmt::format("{} x {}  ->  {}, {}   (differing bits: {})\n", cut_in_two(a, mating.cut),
                              cut_in_two(b, mating.cut), walked.crossed[2 * pair].to_string(),
                              walked.crossed[2 * pair + 1].to_string(), difference(a, b));
 }
 
 std::string crossover_text(const WalkedGeneration& walked, const WalkSettings& settings) {
-    std::string out = fmt::format("step 2: crossover of neighbours, where the number drawn is below {}; the characters "
-                                  "before the cut change places\n  mates    drawn\n",
+    std::string out = fmt::format("step 2: crossover of neighbours if the number drawn is below {}; the mates "
+                                  "swap the characters before the cut\n  mates    drawn\n",
                                   settings.crossover_probability);
     for (std::size_t pair = 0; pair < walked.matings.size(); ++pair)
         out += mating_text(walked, pair);

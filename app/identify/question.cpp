@@ -29,7 +29,7 @@ Side side_asked(const IdentifyOptions& options) { return options.side == "outlet
 double offset_asked(const std::string& text) {
     std::optional<double> inches = parse_number<double>(text);
     if (!inches || !(std::abs(*inches) <= greatest_spool_offset_in))
-        throw UserError(fmt::format("--offset {}: it takes auto, none, or a number of inches from -{} to {}", text,
+        throw UserError(fmt::format("--offset {}: expected auto, none, or a number of inches from -{} to {}", text,
                                     greatest_spool_offset_in, greatest_spool_offset_in));
     return *inches;
 }

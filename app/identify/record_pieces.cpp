@@ -88,7 +88,7 @@ std::string RecordPieces::next_lines() {
 std::optional<hydraulics::Record> RecordPieces::next() {
     const std::string lines = next_lines();
     if (bytes_ == 0 && !stopped_ && shown_ == shown_input("-"))
-        refuse(shown_, "there is nothing on standard input, or it is closed");
+        refuse(shown_, "standard input is empty or closed");
     if (lines.empty() && first_) {
         finish();
         return std::nullopt;

@@ -79,7 +79,8 @@ private:
             return wanted;
         for (Link link : links_of(first.links())) // throws with the channels that the first link lacks
             require_channels(first, link, areas_from(first.channels(), link, areas_asked(options)));
-        throw UnfitRecord("no link has inlet_pressure, angle and one of spool, servo, inlet_area with bypass_area");
+        throw UnfitRecord("no link has all readings that identification needs: inlet_pressure, angle, and spool "
+                          "or servo or (inlet_area and bypass_area)");
     }
 
     Diagnosis made(const IdentifyOptions& options, const Record& first) const {
@@ -100,8 +101,8 @@ private:
         }
         LinkReader& boom = readers[index_of(Link::boom)];
         if (offset && (!links_.contains(Link::boom) || boom.from != AreasFrom::spool))
-            throw UserError(fmt::format("--offset {}: the areas of these links do not come from the boom's spool, so "
-                                        "that it has no effect",
+            throw UserError(fmt::format("--offset {}: the option has no effect, because no area is computed from "
+                                        "the boom's spool",
                                         options.offset));
         boom.spool_offset_in = offset ? offset_asked(options.offset) : 0;
         return readers;
@@ -131,15 +132,15 @@ std::string print_beginning(const Identifying& identifying, const IdentifyOption
     for (Link link : links_of(identifying.links()))
         names.push_back(name_of(link));
     const Sampling& sampling = identifying.diagnosis().sampling();
-    return fmt::format("{} in configuration {}; a search of {}, {} a sample\n{}\n", fmt::join(names, ", "),
+    return fmt::format("{} in configuration {}; search with {}, {} per sample\n{}\n", fmt::join(names, ", "),
                        options.configuration, counted(identifying.settings().search.population, "individual"),
                        counted(identifying.settings().search.window.trials, "generation"),
                        sampling.readings > 1 ? fmt::format("{}\n", print_sampling(sampling)) : "");
 }
 
 [[noreturn]] void refuse_rest(const Identifying& identifying) {
-    throw UnfitRecord(fmt::format("no movement in {}: no valve opens while the pressure allows flow into the cylinder, "
-                                  "or for too few samples",
+    throw UnfitRecord(fmt::format("no movement in {}: in a movement, a valve opens long enough while the "
+                                  "pressure lets oil flow into the cylinder",
                                   counted(identifying.diagnosis().samples(), "sample")));
 }
 

@@ -1,16 +1,15 @@
 #include "app/identify/ways.hpp"
 
+#include "app/identify/on_machine.hpp"
 #include "app/identify/question.hpp"
 #include "app/options/link_options.hpp"
 #include "app/options/netlist_options.hpp"
-#include "app/signals.hpp"
 #include "app/standard_error.hpp"
 #include "explore/load.hpp"
 #include "explore/process_search.hpp"
 #include "identification/flags.hpp"
 #include "identification/report/identification_report.hpp"
 #include "identification/whole_search.hpp"
-#include "report/run_report.hpp"
 #include "text/counted.hpp"
 #include "text/output_file.hpp"
 #include "text/standard_streams.hpp"
@@ -45,8 +44,8 @@ IdentificationWay way_of(const IdentifyOptions& options, IdentificationWay way) 
     way.usable.rising = options.rising;
     way.search.validate();
     if (std::size_t needed = samples_for_first_generation(way); way.usable.count < needed)
-        throw UserError(
-            fmt::format("--samples {}: expected at least {}, for the first generation", way.usable.count, needed));
+        throw UserError(fmt::format("--samples {}: expected at least {}, which the first generation needs",
+                                    way.usable.count, needed));
     return way;
 }
 
@@ -69,7 +68,7 @@ struct Case {
 
 std::string print_calibration(const std::optional<SpoolOffset>& found) {
     if (!found)
-        return "spool offset: not calibrated, for the record has no second of steady motion\n";
+        return "spool offset: not calibrated, because the record has no second of steady motion\n";
     return fmt::format("spool offset: {:+.5f} in, standard error {:.5f}, from {} samples of steady motion\n",
                        found->offset_in, found->deviation_in, found->samples);
 }
@@ -106,8 +105,8 @@ Case read_case(const IdentifyOptions& options, const IdentificationWay& way) {
         asked.loaded.record = averaged(asked.loaded.record, asked.sampling);
     if (!uses_spool(asked.loaded.record, asked.question)) {
         if (asked.question.spool_offset_in)
-            throw UserError(fmt::format("--offset {}: the areas of these links do not come from the boom's "
-                                        "spool, so that it has no effect",
+            throw UserError(fmt::format("--offset {}: the option has no effect, because no area is computed from "
+                                        "the boom's spool",
                                         options.offset));
     } else if (automatic) {
         calibrate(asked);
@@ -115,36 +114,20 @@ Case read_case(const IdentifyOptions& options, const IdentificationWay& way) {
     return asked;
 }
 
-/// Runs the identification as processes of a simulated machine, and reports whether the answer equals the native one.
-ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, std::uint64_t seed,
-                        boost::json::object& json) {
-    InterruptedBySignals interruption;
-    RunReport report = run_netlist(search.network, search.problems, {.seed = seed, .interruption = &interruption});
-    print_out(fmt::format("\n{}\n", print_report(report, search.network)));
-    if (report.result.ending != Ending::completed)
-        return exit_code_of(report.result.ending);
-    std::vector<double> here = native.estimates.back().compliance_in3_per_psi, there = search.compliances(report);
-    for (std::size_t j = 0; j < native.links.size(); ++j)
-        print_out(fmt::format("{}: {:.5f} in^3/psi natively, {:.5f} by the processes: {}\n",
-                              compliance_name(native.circuit[j]), here[j], there[j],
-                              here[j] == there[j] ? "the same" : "not the same"));
-    json["by_processes"] = boost::json::array(there.begin(), there.end());
-    return here == there ? ExitCode::success : ExitCode::missed_tolerance;
-}
-
 /// Prints the settings of a search over the whole movement, the limit of the record, and the cost.
 std::string print_whole(const Identified& identified, const ComplianceSearch& prepared, const WholeWay& whole,
                         const SearchCost& cost) {
     std::string text = fmt::format(
-        "\nsettings for {}: {} rounds of {}, {} for each compliance in {} code, an elite of {}\n"
-        "after each round, the missing flows are weighed by their scatter at the best individual\n"
-        "limit that the noise of these samples leaves (Cramer-Rao):",
+        "\nsettings for {}: {} rounds of {}, {} for each compliance in {} code, an elite of {}\nafter each "
+        "round, each link's flow error is weighed by its scatter at the best individual\nleast possible standard "
+        "error with the noise of these samples (Cramer-Rao limit):",
         counted(identified.links.size(), "link"), whole.rounds, counted(whole.way.search.window.trials, "generation"),
         counted(whole.way.bits, "bit"), whole.way.coding == Coding::gray ? "Gray" : "natural", whole.way.search.elite);
     for (const LinkIdentified& link : identified.links)
         text += fmt::format("{} {} {:.1f} %", &link == &identified.links.front() ? "" : ",", name_of(link.link),
                             100 * link.standard_error / link.compliance_in3_per_psi);
-    return text + fmt::format("\ncost: {:.0f} individuals at {}; {:.0f} s on one T800 of 20 MHz, {:.0f} s on 16\n",
+    return text + fmt::format("\ncost: {:.0f} individuals, evaluated at {}; {:.0f} s on one T800 of 20 MHz, "
+                              "{:.0f} s on 16 T800s\n",
                               cost.individuals, counted(prepared.samples.size(), "sample"), cost.seconds,
                               cost.seconds_on_16);
 }
@@ -202,7 +185,8 @@ ExitCode identify_by_thesis(const IdentifyOptions& options, boost::json::object&
     print_out(print_identified(identified, prepared, asked.way));
     for (auto& [key, value] : identified_json(identified, prepared))
         json[key] = value;
-    ExitCode ended = processes ? run_on_machine(*processes, identified, options.seed, json) : ExitCode::success;
+    ExitCode ended =
+        processes ? run_on_machine(*processes, identified, prepared, options.seed, json) : ExitCode::success;
     bool doubted = options.strict && identified.flagged();
     return ended == ExitCode::success && doubted ? ExitCode::missed_tolerance : ended;
 }

@@ -22,7 +22,9 @@ std::string not_a_number_within(const std::string& text, std::uint64_t least, st
 
 std::string not_at_least_one(const std::string& text) { return text == "0" ? "at least 1" : ""; }
 
-std::string not_a_name(const std::string& text) { return text.empty() ? "it takes a name" : ""; }
+std::string not_a_name(const std::string& text) {
+    return text.empty() ? "the name is empty; expected a file name" : "";
+}
 
 void add_seed(Options& command, std::uint64_t& seed, const std::string& about) {
     add_count(command, "--seed", seed, about).show_default();

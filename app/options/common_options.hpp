@@ -18,7 +18,7 @@ std::string not_a_name(const std::string& text);       ///< for a name, which ca
 
 /// Declares --seed, by default for every random stream.
 void add_seed(Options& command, std::uint64_t& seed,
-              const std::string& about = "what all random numbers are drawn from: the same seed, the same run");
+              const std::string& about = "seed of all random numbers: equal seeds give equal runs");
 
 /// Declares an option that counts something. It accepts digits only, for a number of at most 64 bits. CLI11 itself
 /// would accept -1 and too large numbers as the greatest number, and 010 as eight.

@@ -18,7 +18,7 @@ struct IdentifyOptions {
     double bias = 400;
     bool strict = false;
 
-    // Not used by --way service
+    // --way service does not use these members.
     std::string coding, netlist, side = "inlet";
     std::vector<std::string> set;
     ReadOptionsTyped read; ///< for the netlist

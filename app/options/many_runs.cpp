@@ -53,7 +53,7 @@ bool are_meant(const RunsAhead& ahead, const Interruption& interruption) {
                         print_duration(*seconds * static_cast<double>(ahead.runs) / static_cast<double>(ahead.at_once)),
                         counted(ahead.at_once, "core"));
     if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0)
-        throw UserError(many + "; --yes begins with them");
+        throw UserError(many + "; add --yes to start them");
     print_error(fmt::format("{}. Begin? [y/N] ", many));
     std::string answer;
     if (!wait_for_answer(interruption) || !std::getline(std::cin, answer))

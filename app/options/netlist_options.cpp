@@ -24,7 +24,7 @@ std::pair<std::string, std::string> cut_at_equals(const std::string& option, con
                                                   const std::string& takes) {
     std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
-        throw UserError(fmt::format("{} {}: it takes {}", option, text, takes));
+        throw UserError(fmt::format("{} {}: expected {}", option, text, takes));
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
@@ -42,13 +42,13 @@ Overrides overrides_of(std::span<const std::string> settings, const std::string&
 
 std::vector<Option> add_read_options(Options& command, ReadOptionsTyped& options) {
     return {command.add_list("-I", options.include, "FOLDER",
-                             "where files that the netlist includes are, if not beside it; as often as wanted"),
+                             "folder to search for included files, besides the netlist's own; may be repeated"),
             command.add_list("--use", options.use, "PROGRAM=KIND",
-                             "puts a process kind in the place of a program that the netlist uses, such as --use "
+                             "runs a process kind instead of a program that the netlist names, such as --use "
                              "sim.lku=ga.master"),
             command.add_list("--fault", options.fault, "FAULT",
-                             "something that fails, in the words of the netlist's statement, such as --fault "
-                             "'t[0].link[1] silent (from = 20ms)'; as often as wanted")};
+                             "adds a fault, written as in a netlist, such as --fault 't[0].link[1] silent (from "
+                             "= 20ms)'; may be repeated")};
 }
 
 ReadOptions read_options_of(const ReadOptionsTyped& typed) {
@@ -56,7 +56,7 @@ ReadOptions read_options_of(const ReadOptionsTyped& typed) {
     options.faults = typed.fault;
     for (const std::string& folder : typed.include) {
         if (std::error_code error; !std::filesystem::is_directory(folder, error))
-            throw UserError(fmt::format("-I {}: there is no such folder", folder));
+            throw UserError(fmt::format("-I {}: this folder does not exist", folder));
         options.include_folders.emplace_back(folder);
     }
     for (const std::string& each : typed.use) {
@@ -70,7 +70,7 @@ ReadOptions read_options_of(const ReadOptionsTyped& typed) {
 void add_netlist(Options& command, NetlistOptions& options) {
     command.add("FILE", options.file, "the netlist").required().check(not_a_name);
     add_set(command, options.set,
-            "sets a val, an attribute or a parameter: slaves=3, linkspeed=10M, slave[2].elite=1; as often as wanted");
+            "sets a val, an attribute or a parameter: slaves=3, linkspeed=10M, slave[2].elite=1; may be repeated");
     add_read_options(command, options.read);
 }
 

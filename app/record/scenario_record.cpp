@@ -25,8 +25,8 @@ void require_measurable(const Record& record, const RecordScenario& scenario) {
         return;
     std::string value = std::isnan(reading->value) ? "nan" : fmt::format("{:.3g}", reading->value);
     throw UserError(fmt::format(
-        "{} cannot be simulated with these parameters: {}.{} would be {} {} at {:.3f} s; one of them is far too large "
-        "or far too small",
+        "{} cannot be simulated with these parameters: {}.{} would be {} {} at {:.3f} s; some parameter is far "
+        "too large or far too small",
         scenario.name, name_of(reading->link), name_of(reading->sensor), value,
         units_of(quantity_of(reading->sensor)).front().name, reading->time_s));
 }
@@ -37,8 +37,8 @@ Record simulated(const RecordScenario& scenario, const LinksInMotion& moving, co
     try {
         return scenario.make(parameters, moving, [&] { return noise.uniform(); });
     } catch (const std::domain_error&) { // from Boost's solver: the flows at the ends of the interval have equal signs
-        throw UserError(fmt::format("{} cannot be simulated with these parameters: no pressure balances the flows; one "
-                                    "of them is far too large or far too small",
+        throw UserError(fmt::format("{} cannot be simulated with these parameters: no pressure balances the "
+                                    "flows; some parameter is far too large or far too small",
                                     scenario.name));
     }
 }
@@ -94,8 +94,9 @@ std::string description_of(const RecordScenario& scenario, const LinksInMotion& 
     std::string command = fmt::format("{} record {}{} --seed {}{}", program_name(), scenario.name,
                                       scenario.any_links ? options_of(moving) : "", seed, options);
     return fmt::format("{}: {}\nmade by: {}\nseed {}; {}\n{}{}\n", scenario.name, scenario.about, command, seed,
-                       lines.empty() ? "every parameter is the program's own" : "parameters that were set:", lines,
-                       true_compliances(scenario, moving, parameters));
+                       lines.empty() ? "every parameter has the program's default value"
+                                     : "parameters that differ from the program's defaults:",
+                       lines, true_compliances(scenario, moving, parameters));
 }
 
 } // namespace

@@ -28,7 +28,7 @@ double number_of(const Parameter& parameter, const std::string& text) {
     auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc() || !std::isfinite(number))
         refuse(parameter, text,
-               fmt::format("it takes a number, in {} unless a unit follows",
+               fmt::format("expected a number, in {} if no unit follows",
                            parameter.unit.empty() ? "no unit" : parameter.unit));
     std::string_view rest(end, text.data() + text.size());
     rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
@@ -38,8 +38,8 @@ double number_of(const Parameter& parameter, const std::string& text) {
     const Unit* unit = unit_named(rest);
     if (!unit || unit->quantity != quantity)
         refuse(parameter, text,
-               quantity == Quantity::number ? std::string("it has no unit")
-                                            : fmt::format("\"{}\" is not a unit of {}; it takes {}", rest,
+               quantity == Quantity::number ? std::string("this parameter has no unit; leave the unit out")
+                                            : fmt::format("\"{}\" is not a unit of {}; expected {}", rest,
                                                           name_of(quantity), list_units(quantity)));
     return number * unit->factor;
 }
@@ -62,7 +62,7 @@ const Parameter& parameter_called(const RecordScenario& scenario, const Paramete
             names.push_back(each.name);
     std::string nearest = did_you_mean(name, names);
     throw UserError(fmt::format(
-        "--set {}: {} has no such parameter; {}", name, scenario.name,
+        "--set {}: the scenario {} has no such parameter; {}", name, scenario.name,
         nearest.empty() ? fmt::format("{} record {} --list shows its parameters", program_name(), scenario.name)
                         : nearest));
 }
@@ -102,7 +102,7 @@ Parameters scenario_parameters(const RecordScenario& scenario, const Parameters&
     if (!noise.empty()) {
         std::vector<Parameter> rows = noise_rows(machine, noise);
         if (rows.empty())
-            throw UserError(fmt::format("--noise {}: it takes none, low, mid or high", noise));
+            throw UserError(fmt::format("--noise {}: expected none, low, mid or high", noise));
         for (Parameter& row : rows)
             parameters.put(std::move(row));
     }

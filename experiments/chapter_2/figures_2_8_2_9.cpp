@@ -85,8 +85,12 @@ constexpr Row rows[]{
      .known = {5.2, 13.1, 35.6},
      .known_as_printed = {39.9, 42.5, 48.2, 54.7, 58.1},
      .tolerance = 0.1},
-    {.name = "  its time", .unit = "s", .value = peak_time_of, .known = {0.533, 0.482, 0.527}, .tolerance = 0.0015},
-    {.name = "settled within 2 %",
+    {.name = "  time of the overshoot",
+     .unit = "s",
+     .value = peak_time_of,
+     .known = {0.533, 0.482, 0.527},
+     .tolerance = 0.0015},
+    {.name = "time to settle within 2 %",
      .unit = "s",
      .value = settling_time_of,
      .known = {0.715, 0.954, 3.742},
@@ -164,7 +168,7 @@ Replay replay_figures_2_8_2_9(const ReplayContext&) {
 
 extern const Experiment figures_2_8_2_9_experiment{
     .name = "figures-2-8-2-9",
-    .about = "a P-D loop's step response, and what a greater compliance does to it",
+    .about = "a P-D loop's step response with the compliance C and 4 C",
     .chapter = "2",
     .number = 3,
     .run = replay_figures_2_8_2_9,

@@ -25,7 +25,7 @@ Replay replay_logger_rates(const ReplayContext& context) {
 
 extern const Experiment logger_rates_experiment{
     .name = "logger-rates",
-    .about = "what is said of sound and of faulty machines by loggers of 50 Hz to 5 kHz",
+    .about = "verdicts on sound and faulty machines with loggers of 50 Hz to 5 kHz",
     .chapter = "3",
     .number = 8,
     .run = replay_logger_rates,

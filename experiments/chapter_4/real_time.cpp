@@ -26,7 +26,7 @@ Replay replay_real_time(const ReplayContext& context) {
 
 extern const Experiment real_time_experiment{
     .name = "real-time",
-    .about = "which machine would have identified a transient while it lasts",
+    .about = "machines that could identify a transient while it lasts",
     .chapter = "4",
     .number = 3,
     .run = replay_real_time,

@@ -162,8 +162,9 @@ std::vector<TrackRow> rows_of_all(const std::vector<PlantStudy>& studies) {
     return rows;
 }
 
-/// Judges the exact optimum. Least squares over the same window is the optimum of what the genetic algorithms search.
-/// Without noise they cannot follow sooner, and least squares finds the plant before the change to the last bits.
+/// Judges the exact optimum. Least squares over the same window is the optimum of the genetic algorithms' fitness.
+/// Without noise the genetic algorithms cannot follow sooner, and before the change least squares finds the plant to
+/// the last bits.
 Comparison judged_optimum(const std::vector<PlantStudy>& exact, const std::vector<PlantStudy>& searched) {
     Comparison comparison{.name = "least squares as the exact optimum, noiseless", .against = "known"};
     const PlantStudy& optimum = exact[1];
@@ -208,7 +209,8 @@ Replay replay_baselines(const ReplayContext& context) {
         plot.panels.push_back(pole_panel("estimates, " + std::string(scenario.name), others));
         rows.insert(rows.end(), others.begin(), others.end());
         comparisons.push_back(tracks_comparison(std::string("medians, ") + scenario.name, rows));
-        comparisons.push_back(claims_comparison(std::string("claims, ") + scenario.name, claims_of(exact, searched)));
+        comparisons.push_back(
+            claims_comparison(std::string("claims, ") + scenario.name, claims_of(exact, searched), Judge::own));
     }
     return replay_of(std::move(comparisons), {{"baselines", plot}});
 }

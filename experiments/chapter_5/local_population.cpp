@@ -54,7 +54,8 @@ std::vector<Claim> maximisation_claims(const std::vector<TaskStudy>& studies) {
                               "",
                               ratio(study.taken.back(), study.taken.front()),
                               {},
-                              1.1});
+                              1.1,
+                              ClaimVerdict::fails});
     return claims;
 }
 
@@ -148,7 +149,7 @@ Replay replay_local_population(const ReplayContext& context) {
 
 extern const Experiment local_population_experiment{
     .name = "local-population",
-    .about = "how small an island may be, in maximisation and in identification (5.2.1)",
+    .about = "how small an island may be for maximisation and for identification (5.2.1)",
     .chapter = "5",
     .number = 8,
     .run = replay_local_population,

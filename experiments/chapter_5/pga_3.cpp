@@ -111,7 +111,7 @@ Replay replay_pga_3(const ReplayContext& context) {
 
 extern const Experiment pga_3_experiment{
     .name = "pga-3",
-    .about = "islands with windows of their own: which follows a change, which withstands noise (Figure 5.5)",
+    .about = "islands with different windows: their response to a change and to noise (Figure 5.5)",
     .chapter = "5",
     .number = 3,
     .run = replay_pga_3,

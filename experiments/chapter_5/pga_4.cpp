@@ -38,25 +38,32 @@ std::vector<TrackRow> rows_of(const PlantStudy& study, const std::vector<std::st
 }
 
 /// Tests "Reduced the response delay from 100 generations to 50", as at least 40 to an eye, and with noise "very
-/// similar" to window 30, as at most a third more deviation. A rule must also be quicker than a random island.
+/// similar" to window 30, as at most a third more deviation. A rule must also be quicker than a random island. No rule
+/// is expected to gain 40 generations; only "row" is expected to be quicker, at the cost of deviation in strong noise.
 std::vector<Claim> claims_of(const PlantStudy& study, const std::string& rule) {
     auto of = [&](const std::string& choice, Tracking figure) { return study.of(study.answer(choice), figure); };
     auto less_delay = [&](const std::string& choice) {
         return less(of(choice, Tracking::delay_20), of(rule, Tracking::delay_20));
     };
-    std::vector<Claim> claims{
-        {rule + ": delay, window 30 less the rule", "generations", less_delay(longest_window), 40, {}},
-        {rule + ": error during, random island less the rule",
-         "",
-         less(of("random", Tracking::error_during), of(rule, Tracking::error_during)),
-         0.001,
-         {}}};
+    std::vector<Claim> claims{{rule + ": delay, window 30 less the rule",
+                               "generations",
+                               less_delay(longest_window),
+                               40,
+                               {},
+                               ClaimVerdict::fails},
+                              {rule + ": error during, random island less the rule",
+                               "",
+                               less(of("random", Tracking::error_during), of(rule, Tracking::error_during)),
+                               0.001,
+                               {},
+                               rule == "row" ? ClaimVerdict::holds : ClaimVerdict::fails}};
     if (study.islands.plant.noise > 0)
         claims.push_back({rule + ": deviation, the rule by window 30",
                           "",
                           ratio(of(rule, Tracking::deviation_after), of(longest_window, Tracking::deviation_after)),
                           {},
-                          1.33});
+                          1.33,
+                          rule == "row" && study.islands.plant.noise == 1 ? ClaimVerdict::fails : ClaimVerdict::holds});
     return claims;
 }
 
@@ -107,7 +114,7 @@ Replay replay_pga_4(const ReplayContext& context) {
 
 extern const Experiment pga_4_experiment{
     .name = "pga-4",
-    .about = "active error analysis: the printed rule, readings of it, and an island at random (Figure 5.6)",
+    .about = "active error analysis: the printed rule, its interpretations, and a random island (Figure 5.6)",
     .chapter = "5",
     .number = 4,
     .run = replay_pga_4,

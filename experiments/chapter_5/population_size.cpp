@@ -118,7 +118,7 @@ Replay replay_population_size(const ReplayContext& context) {
 
 extern const Experiment population_size_experiment{
     .name = "population-size",
-    .about = "how large a population should be, in maximisation and in identification (5.2.1)",
+    .about = "how large a population should be for maximisation and for identification (5.2.1)",
     .chapter = "5",
     .number = 7,
     .run = replay_population_size,

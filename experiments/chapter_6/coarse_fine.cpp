@@ -137,6 +137,51 @@ Panel table_6_4_panel(const std::string& title, const std::vector<Tally>& tallie
     return panel;
 }
 
+/// Returns the string of a reading whose alpha and beta, the two fields after the delay, have these codes.
+Genome string_at(const Recoding& reading, std::uint64_t alpha, std::uint64_t beta) {
+    Genome bred(reading.length());
+    bred.set_field(reading.bits[0], reading.bits[1], alpha);
+    bred.set_field(reading.bits[0] + reading.bits[1], reading.bits[2], beta);
+    return reading.to_problem(bred);
+}
+
+/// Returns all pairs of alpha and beta that a reading can express.
+Series grid(const Recoding& reading, const std::string& name) {
+    Series points{.name = name, .stroke = Stroke::points};
+    for (std::uint64_t alpha = 0; alpha < std::uint64_t{1} << reading.bits[1]; ++alpha)
+        for (std::uint64_t beta = 0; beta < std::uint64_t{1} << reading.bits[2]; ++beta) {
+            std::vector<double> parameters = plant_search_problem().decode(string_at(reading, alpha, beta));
+            points.points.push_back({parameters[1], parameters[2]});
+        }
+    return points;
+}
+
+/// Returns the panel with other axes, without the points beyond them.
+Panel part_of(Panel panel, const std::string& title, const Axis& x, const Axis& y) {
+    panel.title = title;
+    panel.x = x;
+    panel.y = y;
+    for (Series& series : panel.series)
+        std::erase_if(series.points,
+                      [&](const Point& at) { return at.x < x.from || at.x > x.to || at.y < y.from || at.y > y.to; });
+    return panel;
+}
+
+/// Draws the grid of a coarse search with 4 bits a parameter, and that of the fine search around one of its points.
+Plot figure_6_7() {
+    Recoding coarse = plant_reading(4), fine = coarse;
+    fine.around = string_at(coarse, 13, 11);
+    std::vector<double> bias_point = plant_search_problem().decode(*fine.around);
+    Panel whole{
+        .x = {"alpha", -1, 1},
+        .y = {"beta", -1, 1},
+        .series = {grid(coarse, "coarse, 16 x 16"),
+                   grid(fine, "fine, 16 x 16"),
+                   {.name = "bias point", .points = {{bias_point[1], bias_point[2]}}, .stroke = Stroke::points}}};
+    return {"Figure 6.7: what a coarse and a fine search of 4 bits a parameter can express",
+            {whole, part_of(whole, "around the bias point", {"alpha", 0.45, 0.8}, {"beta", 0.2, 0.55})}};
+}
+
 Replay replay_coarse_fine(const ReplayContext& context) {
     CoarseTable with_elite = coarse_table(context, "an elite of one", plant_settings, &CoarseRow::with_elite);
     CoarseTable letter = coarse_table(context, "to the letter", letter_settings, &CoarseRow::to_the_letter);
@@ -144,8 +189,8 @@ Replay replay_coarse_fine(const ReplayContext& context) {
     Plot plot{"Table 6.4: coarse searches that converged before the plant changed, with 95 % intervals",
               {table_6_4_panel("an elite of one, universal sampling", with_elite.tallies),
                table_6_4_panel("to the letter: roulette, no elite", letter.tallies)}};
-    Replay replay =
-        replay_of({with_elite.comparison, letter.comparison, pair, landscape_table(context)}, {{"table-6-4", plot}});
+    Replay replay = replay_of({with_elite.comparison, letter.comparison, pair, landscape_table(context)},
+                              {{"table-6-4", plot}, {"figure-6-7", figure_6_7()}});
     replay.drawings = {{"figure-6-6", draw_pair(pair_settings(24, 4), plant_search_problem().parameter_names())}};
     return replay;
 }
@@ -154,7 +199,7 @@ Replay replay_coarse_fine(const ReplayContext& context) {
 
 extern const Experiment coarse_fine_experiment{
     .name = "coarse-fine",
-    .about = "a coarse and a fine search in the place of one, and all strings of the coarse one: Tables 6.3, 6.4",
+    .about = "a coarse and a fine search in place of one, and all strings of the coarse search: Tables 6.3, 6.4",
     .chapter = "6",
     .number = 3,
     .run = replay_coarse_fine,

@@ -5,8 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-
-#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -49,7 +48,8 @@ Cell neighbours_cell(std::size_t bits, std::size_t differ, std::size_t counted) 
 }
 
 Comparison table_6_1() {
-    Comparison comparison{.name = "Table 6.1: vertices of a hypercube of dimension l by their bit difference from one"};
+    Comparison comparison{.name = "Table 6.1: number of vertices of a hypercube of dimension l at each bit "
+                                  "difference from one vertex"};
     for (std::size_t bits : {std::size_t{8}, std::size_t{4}}) {
         auto neighbours = count_neighbours(0b0101, bits);
         for (std::size_t differ = 0; differ <= bits; ++differ)
@@ -122,8 +122,8 @@ Comparison table_6_2() {
         comparison.add(compared_cell(row, "most from own parent", "", count(differ / 2), count(found.from_own), 0));
     }
     comparison.notes =
-        "own parent: A0 of A1 in 6.5. \"0 to integer(n/2) from A0, B0 respectively\" holds for the nearer "
-        "parent, not for the own one\n";
+        "own parent: for A1 the parent A0 of equation 6.5. \"0 to integer(n/2) from A0, B0 respectively\" holds "
+        "for the nearer\nparent, but not for the own parent\n";
     return comparison;
 }
 
@@ -187,6 +187,74 @@ std::string draw_figure_6_2() {
     return draw_hypercubes("Figure 6.2: a four-dimensional hypercube", {cube}, 1, {});
 }
 
+/// The function of Figure 6.1, of whole numbers from 0 to 15: linear at first, then with jumps and several maxima.
+constexpr std::array figure_6_1_values{0, 1, 2, 3, 4, 5, 9, 6, 2, 8, 3, 7, 1, 10, 5, 4};
+
+/// Returns the numbers at which the function is greater than at all of their neighbours.
+template <class Neighbours>
+std::vector<std::uint32_t> maxima(Neighbours neighbours_of) {
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t x = 0; x < figure_6_1_values.size(); ++x)
+        if (std::ranges::all_of(neighbours_of(x),
+                                [x](std::uint32_t other) { return figure_6_1_values[other] < figure_6_1_values[x]; }))
+            found.push_back(x);
+    return found;
+}
+
+std::vector<std::uint32_t> neighbours_on_the_line(std::uint32_t x) {
+    return x == 0                              ? std::vector{x + 1}
+           : x + 1 == figure_6_1_values.size() ? std::vector{x - 1}
+                                               : std::vector{x - 1, x + 1};
+}
+
+std::vector<std::uint32_t> neighbours_on_the_cube(std::uint32_t x) { return {x ^ 1, x ^ 2, x ^ 4, x ^ 8}; }
+
+Plot plot_figure_6_1() {
+    auto value_at = [](int x) {
+        return Point{static_cast<double>(x), static_cast<double>(figure_6_1_values[static_cast<std::size_t>(x)])};
+    };
+    Series line = curve({.name = "F(x)"}, static_cast<int>(figure_6_1_values.size()) - 1, value_at);
+    Series tops{.name = "maximum among two neighbours", .stroke = Stroke::points};
+    for (std::uint32_t x : maxima(neighbours_on_the_line))
+        tops.points.push_back(value_at(static_cast<int>(x)));
+    return {"Figure 6.1: a function on a line", {{.x = {"x", 0, 15}, .y = {"F(x)", 0, 12}, .series = {line, tops}}}};
+}
+
+/// Draws the same function on the hypercube. A vertex that is greater than all of its neighbours is a maximum there.
+std::string draw_figure_6_1() {
+    DrawnHypercube cube{.title = "the same 16 numbers, four neighbours each"};
+    std::vector<std::uint32_t> tops = maxima(neighbours_on_the_cube);
+    for (std::uint32_t x = 0; x < figure_6_1_values.size(); ++x) {
+        bool top = std::ranges::find(tops, x) != tops.end();
+        cube.vertices.push_back(
+            {x, top ? VertexLook::parent : VertexLook::member, fmt::format("F {}", figure_6_1_values[x])});
+    }
+    cube.lines = {fmt::format("On the line {} of 16 numbers are maxima, on the hypercube {}.",
+                              maxima(neighbours_on_the_line).size(), tops.size())};
+    return draw_hypercubes("Figure 6.1: a function mapped into a hypercube", {cube}, 1,
+                           {{VertexLook::parent, "maximum among its neighbours"}});
+}
+
+/// Draws the fitness of an impulse at 1011 over x, and over the bits of difference from the best string beside the
+/// share of right bits, which has a slope towards it.
+Plot plot_figure_6_5() {
+    auto fitness = [](std::uint32_t x) { return x == 0b1011 ? 1. : 0.; };
+    Series impulse = curve({.name = "impulse at 1011"}, 15, [&](int x) {
+        return Point{static_cast<double>(x), fitness(static_cast<std::uint32_t>(x))};
+    });
+    Series flat{.name = "impulse"}, slope{.name = "share of right bits"};
+    for (int differ = 0; differ <= 4; ++differ) {
+        flat.points.push_back({static_cast<double>(differ), differ == 0 ? 1. : 0.});
+        slope.points.push_back({static_cast<double>(differ), 1 - differ / 4.});
+    }
+    return {"Figure 6.5: an impulse, strings of four bits",
+            {{.title = "on the line", .x = {"x", 0, 15}, .y = {"fitness", 0, 1.1}, .series = {impulse}},
+             {.title = "on the hypercube",
+              .x = {"bits of difference from the best", 0, 4},
+              .y = {"fitness", 0, 1.1},
+              .series = {flat, slope}}}};
+}
+
 /// Draws the offspring of parents that differ in every bit of their space: 00...0 and 11...1.
 DrawnHypercube offspring_between_parents(std::size_t differ) {
     constexpr const char* spaces[]{"", "a link", "a plane", "a cube", "a hypercube of dimension 4"};
@@ -215,8 +283,10 @@ std::string draw_figure_6_3() {
 }
 
 Replay replay_hypercube(const ReplayContext& context) {
-    Replay replay = replay_of({table_6_1(), table_6_2(), reached_vertices(context)}, {});
-    replay.drawings = {{"figure-6-2", draw_figure_6_2()}, {"figure-6-3", draw_figure_6_3()}};
+    Replay replay = replay_of({table_6_1(), table_6_2(), reached_vertices(context)},
+                              {{"figure-6-1-line", plot_figure_6_1()}, {"figure-6-5", plot_figure_6_5()}});
+    replay.drawings = {
+        {"figure-6-1", draw_figure_6_1()}, {"figure-6-2", draw_figure_6_2()}, {"figure-6-3", draw_figure_6_3()}};
     return replay;
 }
 
@@ -224,7 +294,8 @@ Replay replay_hypercube(const ReplayContext& context) {
 
 extern const Experiment hypercube_experiment{
     .name = "hypercube",
-    .about = "vertices of a hypercube, and those that crossover reaches, counted: Tables 6.1, 6.2, Figures 6.2, 6.3",
+    .about = "counts of a hypercube's vertices, and of the vertices that crossover reaches: Tables 6.1, 6.2, "
+             "Figures 6.2, 6.3",
     .chapter = "6",
     .number = 1,
     .run = replay_hypercube,

@@ -11,8 +11,9 @@ namespace placedpar {
 /// value.
 Interval median_interval(const std::vector<double>& values);
 
-/// Returns the interval of the quotient of the sums of two figures per run, by the bootstrap over runs as in
-/// median_interval(). REQUIRES: as many figures of both, at least one; those below are positive.
+/// Returns the interval of the quotient of two sums, each over one figure per run, by the bootstrap over runs as in
+/// median_interval(). REQUIRES: `above` and `below` have the same size, at least 1; all figures in `below` are
+/// positive.
 Interval quotient_interval(const std::vector<double>& above, const std::vector<double>& below);
 
 } // namespace placedpar

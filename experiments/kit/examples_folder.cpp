@@ -52,7 +52,7 @@ fs::path examples_folder(const fs::path& program, const char* named) {
         looked += "\n  " + place.string();
     }
     throw UserError(
-        fmt::format("cannot find the examples; looked in{}\nset PLACEDPAR_EXAMPLES to their folder", looked));
+        fmt::format("cannot find the folder of examples; looked in{}\nset PLACEDPAR_EXAMPLES to that folder", looked));
 }
 
 } // namespace placedpar

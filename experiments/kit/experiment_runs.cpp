@@ -10,15 +10,15 @@ namespace {
 
 void require_end(const RunReport& report, const std::filesystem::path& netlist) {
     if (Ending ending = report.result.ending; ending != Ending::completed)
-        throw UnfinishedRun(
-            fmt::format("{} did not come to its end: placedpar run shows where it stands", netlist.string()), ending);
+        throw UnfinishedRun(fmt::format("{} did not complete: placedpar run shows where it stopped", netlist.string()),
+                            ending);
 }
 
 } // namespace
 
 void end_if_requested(const Interruption& interruption) {
     if (interruption.requested())
-        throw UnfinishedRun("interrupted: the experiment is not complete, and no table or plot of it was made",
+        throw UnfinishedRun("interrupted: the experiment is incomplete, so no table or plot was made",
                             Ending::interrupted);
 }
 

@@ -14,7 +14,8 @@ namespace placedpar {
 
 namespace {
 
-/// Names the figures by their indices, whose order the names keep. If a figure is not finite, its unit says what it is.
+/// Names the figures by their indices, in an order that sorting keeps. The unit of a figure that is not finite holds
+/// its text.
 StudyFigures with_names(const Figures& figures) {
     StudyFigures named;
     for (double figure : figures)

@@ -16,10 +16,10 @@ using Figures = std::vector<double>;
 /// Returns the seeds of this replay: as many as the experiment defines or --seeds states.
 Seeds seeds_of(const ReplayContext& context);
 
-/// Makes a run for each of those seeds, on all processors, as a study of a function. The figures are in the order of
-/// the seeds. Progress is reported as "what: 12 of 60 seeds". Runs that are in ReplayContext::results are not repeated;
-/// new ones are added to it. REQUIRES: `run` may be called from several threads at once; `what` is unique within the
-/// experiment. Throws what progress or a run throws, after the current runs have ended, and UnfinishedRun.
+/// Makes a run for each seed of the replay on all cores. The figures are in the order of the seeds. Progress is
+/// reported as "what: 12 of 60 seeds". Runs in ReplayContext::results are not repeated; new runs are added to these
+/// results. REQUIRES: `run` may be called from several threads at once; `what` is unique within the experiment. Throws
+/// what progress or a run throws, after the current runs have ended, and UnfinishedRun.
 std::vector<Figures> run_seeds(const ReplayContext& context, const std::string& what,
                                const std::function<Figures(std::uint64_t seed)>& run);
 

@@ -30,7 +30,7 @@ void require_whole(const StudyOutcome& outcome, const std::string& netlist) {
         throw UserError(outcome.refused);
     for (Ending ending : {Ending::stuck, Ending::time_limit})
         if (outcome.ended == name_of(ending))
-            throw UnfinishedRun(fmt::format("{} did not come to its end: placedpar run shows where it stands", netlist),
+            throw UnfinishedRun(fmt::format("{} did not complete: placedpar run shows where it stopped", netlist),
                                 ending);
 }
 
@@ -53,9 +53,9 @@ void StudyReplay::refuse(const std::string& why) const { throw UserError(fmt::fo
 
 void StudyReplay::require_tables() const {
     if (study_.tables.empty())
-        refuse("the study has no table, and a replay is made of tables: [[table]]");
+        refuse("the study has no [[table]], which a replay needs");
     if (study_.seeds != 1 || study_.first_seed != 1)
-        refuse("a replay runs its study with the seed that --seed says: leave out seeds and first_seed");
+        refuse("the seed of a replay comes from --seed: leave out seeds and first_seed");
 }
 
 void StudyReplay::look_at_netlists() const {
@@ -80,7 +80,7 @@ void StudyReplay::look_at_netlists() const {
 Comparison& StudyReplay::table(Replay& replay, const std::string& name) const {
     auto found = std::ranges::find(replay.comparisons, name, &Comparison::name);
     if (found == replay.comparisons.end())
-        refuse(fmt::format("the study has no table \"{}\", which the replay shows; it has \"{}\"", name,
+        refuse(fmt::format("the replay needs a table \"{}\", but the study has only \"{}\"", name,
                            fmt::join(replay.comparisons | std::views::transform(&Comparison::name), "\", \"")));
     return *found;
 }
@@ -91,14 +91,14 @@ double StudyReplay::number_in(const std::string& name) const {
     auto number =
         first == name.npos ? std::nullopt : parse_number<double>(std::string_view(name).substr(first, behind - first));
     if (!number)
-        refuse(fmt::format("the replay needs a number in \"{}\", as in \"12 slaves\"", name));
+        refuse(fmt::format("the replay needs a number in the name \"{}\", as in \"12 slaves\"", name));
     return *number;
 }
 
 StudyOutcome StudyReplay::outcome_of(const StudyRun& run) const {
     const std::optional<StudyOutcome> outcome = context_.results.find(run);
     if (!outcome)
-        refuse(fmt::format("the study has no run with {}, which the replay shows", shown_settings(run.set)));
+        refuse(fmt::format("the replay needs a run with {}, which the study lacks", shown_settings(run.set)));
     require_whole(*outcome, study_.netlist);
     return *outcome;
 }

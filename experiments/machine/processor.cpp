@@ -108,7 +108,8 @@ public:
         return longest;
     }
 
-    /// Returns the delay of a crossbar in bit times, one way: half of what a switch adds to a byte and its acknowledge.
+    /// Returns the delay of a crossbar in one direction, in bit times. This is half of the time that a switch adds to a
+    /// byte and its acknowledge.
     double crossbar_delay() {
         constexpr double bits_per_us = 20;
         double direct = microseconds_a_byte("0"), switched = microseconds_a_byte("1");
@@ -178,8 +179,9 @@ constexpr const char* cycles_table = "T4 notebook (pahihu/t4)";
 void compare_turns(OneProcessor& t800, Comparison& comparison) {
     auto [shortest, longest] = t800.shortest_and_longest_turn();
     comparison.add(
-        compare("turn beside another, shortest", {slices, "periods", 1, 0.05, 2, Origin::outcome}, shortest));
-    comparison.add(compare("turn beside another, longest", {slices, "periods", 2, 0.05, 2, Origin::outcome}, longest));
+        compare("turn beside another process, shortest", {slices, "periods", 1, 0.05, 2, Origin::outcome}, shortest));
+    comparison.add(
+        compare("turn beside another process, longest", {slices, "periods", 2, 0.05, 2, Origin::outcome}, longest));
     for (int others : {1, 3, 7})
         comparison.add(compare(fmt::format("wait beside {} other{}, longest", others, others == 1 ? "" : "s"),
                                {waits, "periods", 2.0 * others, 0.2, 2, Origin::outcome}, t800.longest_wait(others)));
@@ -217,7 +219,8 @@ Replay replay_processor(const ReplayContext& context) {
     context.progress("processor");
     OneProcessor t800(context);
     Replay replay{.comparisons = {compare_scheduler(t800), compare_memory(t800)}};
-    replay.constants = "an instruction of floating point is taken to be of 78 - 19 cycles, a division has 39\n";
+    replay.constants = "the longest floating-point instruction is assumed to take 78 - 19 cycles; a division "
+                       "takes 39 cycles\n";
     replay.fingerprint = t800.fingerprint();
     return replay;
 }

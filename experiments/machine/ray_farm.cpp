@@ -348,19 +348,22 @@ Cell farm_cell(const RayFarmRun& run) {
 
 Replay replay_ray_farm(const ReplayContext& context) {
     std::vector<RayFarmRun> runs = ray_farm_runs();
-    context.progress(fmt::format("{} runs of a farm", runs.size()));
-    std::atomic<std::size_t> next = 0;
+    std::atomic<std::size_t> next = 0, ended = 0;
     on_workers(
         count_cores(),
         [&](std::size_t) {
-            for (std::size_t i = next++; i < runs.size(); i = next++)
-                runs[runs.size() - 1 - i].result = RayFarm(runs[runs.size() - 1 - i].settings).run(); // longest first
+            for (std::size_t i = next++; i < runs.size(); i = next++) {
+                RayFarmRun& run = runs[runs.size() - 1 - i]; // the longest run first
+                run.result = RayFarm(run.settings).run();
+                ++ended;
+            }
         },
-        [&context] { end_if_requested(context.interruption); });
+        [&] { context.progress(fmt::format("{} of {} runs of a farm", ended.load(), runs.size())); });
     Comparison comparison{
         .name = "a farm on 73 transputers",
-        .notes = "What the real program printed at its host for each patch is not simulated, so that the calibrated\n"
-                 "cycles of a packet may stand for that, too. Which cards had 17, 35 and 53 workers is not known.\n",
+        .notes = "The real program printed a line at its host for each patch. The simulation leaves this out, so "
+                 "the calibrated cycles\nof a packet may include it. The source does not say which cards had 17, "
+                 "35 and 53 workers.\n",
         .against = "publ.",
         .judged = true,
         .names_origins = true};
@@ -379,7 +382,7 @@ Replay replay_ray_farm(const ReplayContext& context) {
 
 extern const Experiment ray_farm_experiment{
     .name = "ray-farm",
-    .about = "a farm on 73 transputers whose channels are routed, beside the times that were published",
+    .about = "a farm with routed channels on 73 transputers, beside published times",
     .chapter = "machine",
     .number = 4,
     .run = replay_ray_farm,

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 
 namespace placedpar {
@@ -21,8 +22,8 @@ std::string percent(Time part, Time whole) {
 Table accounts_of(const Explanation& explanation) {
     return table_of(explanation.accounts, [](const std::pair<const std::string, Account>& each) -> Row {
         const auto& [process, account] = each;
-        auto part = [life = account.life()](std::size_t width, const std::string& name, Time time) {
-            return Field::right(width, name, percent(time, life)).as(name + "_ps", time.count());
+        auto part = [life = account.life()](std::size_t width, const std::string& name, Time time, const char* key) {
+            return Field::right(width, name, percent(time, life)).as(key, time.count());
         };
         boost::json::object waiting_for;
         for (const auto& [partner, time] : account.waiting_for)
@@ -31,11 +32,11 @@ Table accounts_of(const Explanation& explanation) {
         if (!partner.empty())
             partner += fmt::format(" ({:.3f})", in_milliseconds(account.waiting_for.at(partner)));
         return {Field::left(0, "process", process).as("process"),
-                part(9, "computing", account.computing),
-                part(13, "communicating", account.communicating),
-                part(7, "waiting", account.waiting),
-                part(7, "ready", account.ready),
-                part(7, "delayed", account.delayed),
+                part(9, "computing", account.computing, "computing_ps"),
+                part(13, "communicating", account.communicating, "communicating_ps"),
+                part(11, "for partner", account.waiting, "waiting_ps"),
+                part(7, "ready", account.ready, "ready_ps"),
+                part(7, "delayed", account.delayed, "delayed_ps"),
                 Field::left(0, "most waited for (ms)", partner).as("waiting_for_ps", waiting_for)};
     });
 }
@@ -159,10 +160,9 @@ bool differs(const Answer& answer, Time whole) {
 
 std::string remark_on_slower(bool any) {
     return any ? "Slower though a part is faster: messages then come in another order, and what has to share a "
-                 "processor, "
-                 "a link or\na bus takes turns in another order (Graham's anomaly, Braess's paradox); or more "
-                 "processes "
-                 "share the work.\n"
+                 "processor, a link or\na bus takes turns in another order (Graham's anomaly, Braess's paradox); or "
+                 "more "
+                 "processes share the work.\n"
                : "";
 }
 
@@ -195,45 +195,53 @@ std::string print_answers(const Explanation& explanation) {
     return out + remark_on_slower(slower);
 }
 
-/// Returns the answer with the greatest gain among those that satisfy the condition; null if none gains .1 %.
-template <class Condition>
-const Answer* best(const Explanation& explanation, Condition takes) {
-    for (const Answer& answer : explanation.answers)
-        if (answer.completed() && takes(answer.change))
-            return answer.time < explanation.report.result.time && differs(answer, explanation.report.result.time)
-                       ? &answer
-                       : nullptr;
-    return nullptr;
+/// Returns whether the run gets shorter by at least .1 %.
+bool gains(const Answer& answer, Time whole) {
+    return answer.completed() && answer.time < whole && differs(answer, whole);
 }
 
-std::string print_gain(const Answer* answer, Time whole) {
-    return answer ? fmt::format("  {} {}: {} less time\n", answer->change.what, answer->change.change,
-                                percent(whole - answer->time, whole))
-                  : "";
+std::string print_gain(const Answer& answer, Time whole) {
+    return fmt::format("  {}: {} less time\n", name_of(answer.change), percent(whole - answer.time, whole));
 }
 
-std::string print_numbers(const Explanation& explanation) {
+/// Prints the greatest shares of the critical path, by what happened meanwhile: "computing 97.6 %, communicating 2.4
+/// %".
+std::string print_kinds_of_time(const Explanation& explanation) {
+    Time whole = explanation.report.result.time;
     std::string out;
-    for (const Answer& answer : explanation.answers)
-        if (answer.completed() && answer.change.of == Change::Of::number &&
-            answer.time < explanation.report.result.time && differs(answer, explanation.report.result.time))
-            out += print_gain(&answer, explanation.report.result.time);
-    return out;
+    for (const PathShare& share : shares_by_activity(explanation.path))
+        if (share.time >= whole / 1000)
+            out += fmt::format("{}{} {}", out.empty() ? "" : ", ", name_on_path(share.activity),
+                               percent(share.time, whole));
+    return out.empty() ? "" : fmt::format("  the critical path is {}\n", out);
 }
 
-/// Prints which part gains most at twice the speed, what one process or processor more would gain, and the gain of
-/// faster links, which readers usually ask about.
+/// A group of changes of which the verdict names the best.
+enum class Group { everything, part, number, links, none };
+
+Group group_of(const Change& change) {
+    if (change.of == Change::Of::number)
+        return Group::number;
+    if (change.what == "all links" && change.change == "as fast as can be")
+        return Group::links;
+    if (change.change != "twice as fast" || change.of == Change::Of::constant)
+        return Group::none;
+    return change.of == Change::Of::all ? Group::everything : Group::part;
+}
+
+/// Prints what the critical path consists of, then, greatest gain first, the best of three groups of changes (all
+/// processors, links or buses twice as fast; a part of the machine twice as fast; links as fast as can be), and each
+/// number of processes that gains if it is one higher.
 std::string print_verdict(const Explanation& explanation) {
     Time whole = explanation.report.result.time;
-    auto of_a_part = [](const Change& change) {
-        return change.change == "twice as fast" && (change.of == Change::Of::array || change.of == Change::Of::alone);
-    };
-    std::string out = print_gain(best(explanation, of_a_part), whole);
-    out += print_numbers(explanation);
-    out += print_gain(
-        best(explanation,
-             [](const Change& change) { return change.what == "all links" && change.change == "as fast as can be"; }),
-        whole);
+    std::string out = print_kinds_of_time(explanation);
+    std::set<Group> printed{Group::none};
+    for (const Answer& answer : explanation.answers) // the greatest gain first
+        if (Group group = group_of(answer.change); gains(answer, whole) && !printed.contains(group)) {
+            out += print_gain(answer, whole);
+            if (group != Group::number)
+                printed.insert(group);
+        }
     return out.empty() ? "" : painted(Paint::heading, "what holds it back\n") + out;
 }
 

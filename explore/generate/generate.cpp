@@ -18,7 +18,8 @@ namespace {
 void require_port(const ProcessKind& kind, const std::string& port, Direction direction, const char* option) {
     const PortDescription* found = kind.port(port);
     if (!found || found->direction != direction)
-        throw UserError(fmt::format("{} has no {} \"{}\" to connect with its neighbours; say which by {} PORT",
+        throw UserError(fmt::format("{} has no {} \"{}\" to connect with its neighbours; name the port with {} "
+                                    "PORT",
                                     kind.name, direction == Direction::output ? "output" : "input", port, option));
 }
 
@@ -43,8 +44,8 @@ Job job_of(const TopologyRequest& request, const Catalogue& catalogue, const Top
 
 std::string host_on_workstation(const TopologyRequest& request, const Topology& topology) {
     if (!topology.no_host.empty())
-        throw UserError(fmt::format("{} of size {}: {}, so none is left for a wire to the host; --host node places "
-                                    "the host's process on the first processor",
+        throw UserError(fmt::format("{} of size {}: {}, so no link is left for a wire to the host; --host node "
+                                    "places the host's process on the first processor",
                                     request.topology, request.size, topology.no_host));
     const HostWires& host = topology.host;
     std::vector<std::string> loops;
@@ -76,10 +77,9 @@ Network read(const TopologyRequest& request, const std::string& text, const Cata
     ReadResult result = read_netlist_text(text, catalogue, {}, "the netlist");
     for (const Diagnostic& each : result.diagnostics)
         if (each.message.starts_with(too_large))
-            refuse_size(request,
-                        fmt::format("its channels pass through so many processors that written out {}; say fewer, or a "
-                                    "topology of a smaller diameter",
-                                    each.message.substr(too_large.size())));
+            refuse_size(request, fmt::format("its channels pass through too many processors: written out {}; choose a "
+                                             "smaller size, or a topology of a smaller diameter",
+                                             each.message.substr(too_large.size())));
     if (!result.network)
         throw RefusedInput(render(result));
     return std::move(*result.network);
@@ -104,7 +104,8 @@ std::string command_of(const TopologyRequest& request) {
 
 std::string heading_of(const TopologyRequest& request, const Job& job, const Topology& topology,
                        const Distances& distances) {
-    return fmt::format("/* {}: {}, {} between them, at most {} of one, diameter {}.\n   {}\n   {} */\n\n",
+    return fmt::format("/* {}: {}, {} between them, at most {} at one processor, diameter {}.\n   {}\n   {} "
+                       "*/\n\n",
                        topology.about, counted(distances.processors, "processor"), counted(distances.links, "link"),
                        distances.degree, distances.diameter, job.about, command_of(request));
 }

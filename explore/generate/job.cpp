@@ -50,8 +50,8 @@ Job farm(const Topology& topology) {
         "        connect slave[i - 1].to_master to master.from_slaves[i - 1];\n";
     statements += fmt::format("        place slave[i - 1] on t{};\n    }}\n}}\n", topology.at);
     return {.has_host = true,
-            .about = "A farm: a master on the first processor, slaves on all others. Slaves that are not its "
-                     "neighbours are reached through others.",
+            .about = "A farm: a master on the first processor, slaves on all others. Messages to distant slaves "
+                     "pass through other processors.",
             .vals = std::string("val population nodes > 120 ? nodes : 120;\n") + workload,
             .statements = statements};
 }
@@ -65,7 +65,7 @@ Job islands(const Topology& topology) {
                                           fmt::format("place island{0} on t{0};", topology.at)});
     statements += print_channels(topology, "island", "to_neighbours", "from_neighbours");
     return {.has_host = true,
-            .about = "Islands: one on every processor, which exchanges individuals with its neighbours.",
+            .about = "Islands: one on every processor. Neighbours exchange individuals.",
             .vals = workload + population_of("nodes", "4"),
             .statements = statements};
 }
@@ -99,8 +99,8 @@ Job islands_with_slaves() {
                   "    }\n"
                   "}\n";
     return {.has_host = true,
-            .about = "Islands that are masters: one at the head of each chain, its slaves along it; each sends "
-                     "individuals to the next one in the ring.",
+            .about = "Islands: one at the head of each chain, with slaves along the chain. Each island sends "
+                     "individuals to the next island of the ring.",
             .vals = workload + population_of("clusters", "slaves + 4"),
             .statements = statements};
 }

@@ -14,7 +14,7 @@ std::size_t number_of(const std::string& text) { return parse_number<std::size_t
 
 void require_not_huge(const TopologyRequest& request, std::size_t processors) {
     if (processors > most_processors)
-        refuse_size(request, fmt::format("at most {} processors are generated", most_processors));
+        refuse_size(request, fmt::format("a generated machine has at most {} processors", most_processors));
 }
 
 } // namespace
@@ -37,7 +37,7 @@ Grid grid_of(const TopologyRequest& request, std::size_t least_rows, std::size_t
     Grid grid{number_of(request.size.substr(0, cross)), number_of(columns)};
     if (grid.rows < least_rows || grid.columns < least_columns)
         refuse_size(request,
-                    fmt::format("expected two numbers, 4x4 and the like, at least {}x{}", least_rows, least_columns));
+                    fmt::format("expected two numbers such as 4x4, at least {}x{}", least_rows, least_columns));
     require_not_huge(request, grid.rows);
     require_not_huge(request, grid.columns);
     require_not_huge(request, grid.rows * grid.columns);

@@ -19,8 +19,8 @@ std::string val(const char* name, std::size_t value) { return fmt::format("val {
 /// Throws UserError if a processor has more neighbours than links.
 void require_links(const TopologyRequest& request, std::size_t needed, const char* who, const char* instead) {
     if (needed > links_of_a_node)
-        refuse_size(request, fmt::format("{} needs {} links, and a transputer has {}; {}", who, needed, links_of_a_node,
-                                         instead));
+        refuse_size(request, fmt::format("{} needs {} links, but a transputer has {} links; {}", who, needed,
+                                         links_of_a_node, instead));
 }
 
 /// The reason for topologies in which every processor has four neighbours.
@@ -53,9 +53,9 @@ Topology ring(const TopologyRequest& request) {
 Topology tree(const TopologyRequest& request) {
     std::size_t nodes = count_of(request, 1), branches = request.branches.value_or(2);
     if (branches == 0)
-        refuse_size(request, "a tree has --branches 1, 2 or 3");
-    require_links(request, branches + 1, "a processor with one above it and its branches below", "say --branches 3");
-    return {.about = fmt::format("A tree of {}, each with up to {} below it", nodes, branches),
+        refuse_size(request, "--branches must be 1, 2 or 3");
+    require_links(request, branches + 1, "a processor with its parent and its children", "use --branches 3");
+    return {.about = fmt::format("A tree of {}, each with up to {} children", nodes, branches),
             .vals = {val("nodes", nodes), val("branches", branches)},
             .array = "[nodes]",
             .first = "[0]",
@@ -104,10 +104,10 @@ Topology torus(const TopologyRequest& request) {
 Topology hypercube(const TopologyRequest& request) {
     std::size_t nodes = count_of(request, 1);
     if (!std::has_single_bit(nodes))
-        refuse_size(request, fmt::format("its number of processors is a power of two: {} or {}", std::bit_floor(nodes),
-                                         std::bit_ceil(nodes)));
+        refuse_size(request, fmt::format("the number of processors must be a power of two, such as {} or {}",
+                                         std::bit_floor(nodes), std::bit_ceil(nodes)));
     auto dimensions = static_cast<std::size_t>(std::countr_zero(nodes));
-    require_links(request, dimensions, "every processor", "size 16 is the largest; cube-connected-cycles go on");
+    require_links(request, dimensions, "every processor", "use at most size 16, or cube-connected-cycles");
     return {.about = fmt::format("A hypercube of {} dimensions", dimensions),
             .vals = {val("dimensions", dimensions), "val nodes 1 << dimensions;"},
             .array = "[nodes]",
@@ -127,7 +127,7 @@ Topology cube_connected_cycles(const TopologyRequest& request) {
     while (dimensions << dimensions < nodes)
         ++dimensions;
     if (dimensions << dimensions != nodes)
-        refuse_size(request, "d dimensions have d * 2^d processors: 24, 64, 160, 384, 896 or 2048");
+        refuse_size(request, "the size must be d * 2^d for some dimension d: 24, 64, 160, 384, 896 or 2048");
     return {.about = fmt::format("Cube-connected cycles of {} dimensions", dimensions),
             .vals = {val("dimensions", dimensions), "val corners 1 << dimensions;", "val nodes corners * dimensions;"},
             .array = "[corners][dimensions]",
@@ -144,8 +144,8 @@ Topology cube_connected_cycles(const TopologyRequest& request) {
 
 Topology star(const TopologyRequest& request) {
     std::size_t nodes = count_of(request, 1);
-    require_links(request, nodes - 1, "its centre", "size 5 is the largest; a tree has more");
-    return {.about = fmt::format("A star of {}: a centre and what is around it", nodes),
+    require_links(request, nodes - 1, "its centre", "use at most size 5, or a tree");
+    return {.about = fmt::format("A star of {}: a centre that is connected with all others", nodes),
             .vals = {val("nodes", nodes)},
             .array = "[nodes]",
             .first = "[0]",
@@ -167,10 +167,11 @@ std::size_t usual_chord(std::size_t nodes) {
 Topology chordal_ring_of_three(const TopologyRequest& request, std::size_t nodes, std::size_t chord) {
     if (nodes % 2 == 1 || chord % 2 == 0)
         refuse_size(request,
-                    fmt::format("with three links each, chords lead from even to odd processors: the size must be even "
-                                "and chord {} odd; or say --degree 4",
+                    fmt::format("with three links for each processor, chords lead from even to odd processors: "
+                                "the size must be even and the chord {} odd; or use --degree 4",
                                 chord));
-    return {.about = fmt::format("A chordal ring of {}, with chords of {} from the even to the odd", nodes, chord),
+    return {.about =
+                fmt::format("A chordal ring of {}, with chords of length {} from even to odd processors", nodes, chord),
             .vals = {val("nodes", nodes), val("chord", chord)},
             .array = "[nodes]",
             .first = "[0]",
@@ -182,9 +183,11 @@ Topology chordal_ring_of_three(const TopologyRequest& request, std::size_t nodes
 
 Topology chordal_ring_of_four(const TopologyRequest& request, std::size_t nodes, std::size_t chord) {
     if (2 * chord >= nodes)
-        refuse_size(request, fmt::format("with four links each, chord {} must be less than half of the ring", chord));
+        refuse_size(request, fmt::format("with four links for each processor, the chord {} must be less than half "
+                                         "of the size",
+                                         chord));
     return {
-        .about = fmt::format("A chordal ring of {}, with chords of {} from each", nodes, chord),
+        .about = fmt::format("A chordal ring of {}, with a chord of length {} from each processor", nodes, chord),
         .vals = {val("nodes", nodes), val("chord", chord)},
         .array = "[nodes]",
         .first = "[0]",
@@ -199,16 +202,16 @@ Topology chordal_ring(const TopologyRequest& request) {
     std::size_t degree = request.degree.value_or(3);
     if (degree != 3 && degree != 4)
         refuse_size(request,
-                    fmt::format("--degree {}: a processor of a chordal ring has 3 or 4 links to others", degree));
+                    fmt::format("--degree {}: expected 3 or 4, the links of a processor of a chordal ring", degree));
     if (chord < 2 || chord + 1 >= nodes)
-        refuse_size(request, fmt::format("chord {} leads to a neighbour, or beyond the ring", chord));
+        refuse_size(request, fmt::format("chord {} leads to a neighbour or around the whole ring", chord));
     return degree == 3 ? chordal_ring_of_three(request, nodes, chord) : chordal_ring_of_four(request, nodes, chord);
 }
 
 /// Makes the machine of Figure E.2. Each master has a link of its own to the host.
 Topology figure_e2(const TopologyRequest& request) {
     Grid grid = grid_of(request, 1, 1);
-    return {.about = fmt::format("Figure E.2 of the thesis: a ring of {}, each the head of a chain of {}", grid.rows,
+    return {.about = fmt::format("Figure E.2 of the thesis: a ring of {}, each at the head of a chain of {}", grid.rows,
                                  grid.columns),
             .vals = {val("clusters", grid.rows), val("slaves", grid.columns - 1), "val nodes clusters * (slaves + 1);"},
             .array = "[clusters][slaves + 1]",
@@ -242,9 +245,9 @@ constexpr std::array<NamedTopology, 10> topologies{{
 
 void require_own_options(const TopologyRequest& request) {
     if (request.branches && request.topology != "tree")
-        throw UserError("--branches is for tree");
+        throw UserError("--branches works only with the topology tree");
     if ((request.chord || request.degree) && request.topology != "chordal-ring")
-        throw UserError("--chord and --degree are for chordal-ring");
+        throw UserError("--chord and --degree work only with the topology chordal-ring");
 }
 
 } // namespace

@@ -10,7 +10,7 @@ namespace {
 
 const StudyProduct& only_product(const Study& study) {
     if (study.products.size() > 1)
-        throw UserError("a search chooses from one product: leave out [[also]] and [[table]], which have further ones");
+        throw UserError("a study with [search] cannot have [[also]] or [[table]]: leave them out");
     return study.products.front();
 }
 
@@ -26,7 +26,7 @@ ParameterCoding coding_of(const StudyProduct& product) {
                               .bits = static_cast<std::size_t>(std::bit_width(values - 1)),
                               .whole = true});
     if (fields.empty())
-        throw UserError("there is nothing to choose from: no setting of the study has several values");
+        throw UserError("the search has nothing to choose: give some setting in [set] several values");
     return ParameterCoding(std::move(fields));
 }
 

@@ -193,7 +193,7 @@ std::string command_of(const Study& study, const Overrides& settings) {
 std::string print_why_none(const SearchCourse& course) {
     std::vector<std::pair<std::string, Infeasible>> reasons(course.why.begin(), course.why.end());
     std::ranges::stable_sort(reasons, std::greater(), [](const auto& each) { return each.second.machines; });
-    std::string out = fmt::format("none of {} can be built and completes its runs:",
+    std::string out = fmt::format("of {}, none can be built and completes its runs:",
                                   counted(course.tried.size(), "machine that was tried", "machines that were tried"));
     if (reasons.size() == 1)
         return out + "\n" + reasons.front().second.said;

@@ -39,7 +39,7 @@ bool MachineTrials::try_out(std::span<const std::uint64_t> machines, const std::
         if (trials_.contains(machine))
             continue;
         if (!space_.holds(machine)) {
-            trials_[machine].why = "the study's condition does not hold";
+            trials_[machine].why = "the study's condition \"where\" is not met";
         } else if (std::ranges::find(fresh, machine) == fresh.end()) {
             fresh.push_back(machine);
             settings.push_back(space_.settings(machine));

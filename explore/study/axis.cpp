@@ -98,10 +98,10 @@ double StudyValues::steps_to(double value) const {
 
 void StudyValues::count_steps(std::string_view text, double from, double to) {
     if (to < from)
-        refuse_range(text, fmt::format("the range is empty: it counts upwards, and {} is less than {}", to, from));
+        refuse_range(text, fmt::format("the range is empty: a range counts upwards, but {} is less than {}", to, from));
     if (multiplies_ ? step_ <= 1 || from <= 0 : step_ <= 0)
-        refuse_range(text, multiplies_ ? "a range is multiplied by more than 1, and begins above 0"
-                                       : "the step of a range is more than 0");
+        refuse_range(text, multiplies_ ? "a range with a factor must begin above 0 and have a factor above 1"
+                                       : "the step of a range must be more than 0");
     constexpr double rounding = 1e-9; // otherwise 0.1..0.9..0.1 could lack its last value
     double steps = steps_to(to);
     if (!(steps < most_values))
@@ -131,9 +131,8 @@ std::uint64_t StudyAxis::count() const {
     std::uint64_t sum = 0;
     for (const StudyValues& part : parts) {
         if (part.count() > std::numeric_limits<std::uint64_t>::max() - sum)
-            throw UserError(
-                fmt::format("{}: its {} ranges and values are more values than can be counted: more than {}", name,
-                            parts.size(), std::numeric_limits<std::uint64_t>::max()));
+            throw UserError(fmt::format("{}: its {} ranges and values have too many values to count: more than {}",
+                                        name, parts.size(), std::numeric_limits<std::uint64_t>::max()));
         sum += part.count();
     }
     return sum;
@@ -162,7 +161,7 @@ std::vector<StudyValues> read_values(const std::string& name, const std::string&
         std::size_t end = end_of_part(text, begin);
         std::string part = without_blanks(text.substr(begin, end - begin));
         if (part.empty())
-            throw UserError(fmt::format("{}={}: a value is missing; it takes values with commas between them, or a "
+            throw UserError(fmt::format("{}={}: a value is missing; expected values separated by commas, or a "
                                         "range, such as {}=1,2,5 or {}=0..7",
                                         name, text, name, name));
         try {
@@ -178,8 +177,7 @@ std::vector<StudyValues> read_values(const std::string& name, const std::string&
 StudyAxis read_axis(const std::string& text) {
     std::size_t equals = text.find('=');
     if (equals == text.npos || equals == 0)
-        throw UserError(
-            fmt::format("{}: a study takes NAME=VALUES, such as slaves=0..7 or linkspeed=5M,10M,20M", text));
+        throw UserError(fmt::format("{}: expected NAME=VALUES, such as slaves=0..7 or linkspeed=5M,10M,20M", text));
     std::string name = text.substr(0, equals);
     return {name, read_values(name, text.substr(equals + 1))};
 }

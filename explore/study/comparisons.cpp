@@ -28,7 +28,7 @@ public:
     std::string print() const {
         std::string out;
         for (const auto& [why, runs] : runs_)
-            out += fmt::format("-: no figure of the run with {}{}: {}\n", runs.front(),
+            out += fmt::format("-: the run with {}{} has no figure: {}\n", runs.front(),
                                runs.size() == 1 ? "" : fmt::format(" ({} such cells)", runs.size()), why);
         return out;
     }

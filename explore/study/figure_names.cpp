@@ -21,8 +21,8 @@ using MeaningsByName = std::map<std::string, std::set<std::string>>;
     const std::string meant = did_you_mean(name, names);
     throw UserError(fmt::format("the name \"{}\" is undefined; {}", name,
                                 !meant.empty()  ? meant
-                                : names.empty() ? "nothing has a name here"
-                                                : fmt::format("there are {}", fmt::join(names, ", "))));
+                                : names.empty() ? "no name is defined here"
+                                                : fmt::format("the defined names are {}", fmt::join(names, ", "))));
 }
 
 } // namespace
@@ -54,8 +54,8 @@ void FigureNames::require(const StudyExpression& expression, const FigureNames& 
             refuse_unknown_name(name, all);
         }
         if (meanings.size() > 1)
-            throw UserError(fmt::format("\"{}\" stands for {}: a name in an expression stands for one thing", name,
-                                        fmt::join(meanings, " and for ")));
+            throw UserError(
+                fmt::format("\"{}\" is ambiguous: it stands for {}", name, fmt::join(meanings, " and for ")));
     }
 }
 

@@ -43,7 +43,8 @@ std::string name_of_array(const std::string& figure) {
 
 std::string unknown_measure(const std::string& measure, const std::set<std::string>& known) {
     std::vector<std::string> names(known.begin(), known.end());
-    return unknown_name("measure", measure, names, fmt::format("the runs have {}", fmt::join(names, ", ")));
+    return unknown_name("measure", measure, names,
+                        fmt::format("the runs have the measures {}", fmt::join(names, ", ")));
 }
 
 /// Returns how many of the measurements the kind describes.
@@ -51,8 +52,9 @@ std::ptrdiff_t count_described(const ProcessKind& kind, const std::set<std::stri
     return std::ranges::count_if(kind.measurements, [&](const auto& each) { return measured.contains(each.name); });
 }
 
-/// Returns the description of a measurement by the kind of a process. The figures do not name the kind: it is taken to
-/// be one that describes most of the process's other measurements. Returns "" if no such kind describes it.
+/// Returns the description of a measurement by the kind of a process. The figures do not name the kind, so the kind
+/// that describes most of the process's other measurements is assumed. Returns "" if this kind does not describe the
+/// measurement.
 std::string description_of(const std::string& name, const std::set<std::string>& measured, const Catalogue& kinds) {
     std::ptrdiff_t most = 1;
     for (const auto& each : kinds.kinds())
@@ -133,11 +135,11 @@ StudyFigures figures_from(const std::string& text) {
     for (const auto& [name, value] : json.as_object()) {
         const boost::json::array& figure = value.as_array();
         if (figure.size() != 2 || !figure[0].is_number())
-            throw std::out_of_range("a figure is a number and its unit");
+            throw std::out_of_range("a figure lacks its number or unit");
         figures[std::string(name)] = {numbers.at(number++), std::string(figure[1].as_string())};
     }
     if (number != numbers.size())
-        throw std::out_of_range("a figure is there twice");
+        throw std::out_of_range("a figure occurs twice");
     return figures;
 }
 
@@ -154,8 +156,8 @@ StudyMeasure::StudyMeasure(const std::string& text) : text_(text), name_(text) {
         }
     if (name_.empty() || name_.find_first_of("(),") != name_.npos)
         throw UserError(
-            fmt::format("\"{}\" is not a measure: it takes PROCESS.NAME or time, or the min, max, mean or sum "
-                        "of an array of processes, such as master.T_exe or max(master.T_exe)",
+            fmt::format("\"{}\" is not a measure: expected time, PROCESS.NAME, or its min, max, mean or sum over "
+                        "an array of processes, such as master.T_exe or max(master.T_exe)",
                         text));
 }
 
@@ -194,7 +196,7 @@ std::string StudyMeasure::last_name() const {
 
 std::string there_is_no_measure(const StudyMeasure& measure, const StudyFigures& figures) {
     if (std::string about = not_come_to(measure, figures); !about.empty())
-        return fmt::format("no run has measured \"{}\": {}", measure.text(), about);
+        return fmt::format("no run measured \"{}\": {}", measure.text(), about);
     std::set<std::string> names;
     for (const auto& each : figures)
         names.insert(name_of_array(each.first));

@@ -16,8 +16,8 @@ namespace {
 /// results must not be mixed.
 void require_same(const Study& study, const std::string& digest) {
     if (digest_of(source_of(study, readable_network(study))) != digest)
-        throw UserError("its netlist, its options or its PlacedPar are not those of rank 0; every machine has to have "
-                        "the same files");
+        throw UserError("its netlist, its options or its version of PlacedPar differ from those of rank 0; every "
+                        "machine must have the same files");
 }
 
 } // namespace

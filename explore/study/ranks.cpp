@@ -38,8 +38,8 @@ std::unique_ptr<Ranks> ranks_of_mpirun() {
         return nullptr;
     void* module = load_module();
     if (!module)
-        throw UserError("mpirun started this PlacedPar, which was built without MPI: install libboost-mpi1.81-dev and "
-                        "openmpi-bin, and configure and build it again");
+        throw UserError("mpirun started this PlacedPar, which was built without MPI: install "
+                        "libboost-mpi1.81-dev and openmpi-bin, then configure and build PlacedPar again");
     using Make = Ranks*();
     return std::unique_ptr<Ranks>(reinterpret_cast<Make*>(dlsym(module, "placedpar_mpi_ranks"))());
 }
@@ -49,8 +49,9 @@ bool left_to_rank_zero(const std::string& command) {
     if (!ranks || ranks->count() == 1)
         return false;
     if (ranks->own() == 0)
-        throw UserError(fmt::format("{} ranks of mpirun would each make the same runs: {} works on one machine, on all "
-                                    "its cores, so start it without mpirun; sweep is shared among ranks",
+        throw UserError(fmt::format("{} ranks of mpirun would each make the same runs: {} already uses all cores "
+                                    "of one machine, so start it without mpirun; only sweep shares its runs "
+                                    "among ranks",
                                     ranks->count(), command));
     return true;
 }

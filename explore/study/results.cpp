@@ -66,12 +66,13 @@ void require_no_folder(const std::filesystem::path& path) {
     std::error_code ignored;
     if (is_standard_stream(path) ||
         (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)))
-        throw UserError(fmt::format("{}: results are kept in a file; name one, it need not exist yet", path.string()));
+        throw UserError(
+            fmt::format("{}: this is a folder; name a file for the results, which need not exist yet", path.string()));
 }
 
 void make_file(const std::filesystem::path& path) {
     if (!std::ofstream(path, std::ios::app))
-        throw UserError(fmt::format("{}: cannot be made: {}", path.string(), std::strerror(errno)));
+        throw UserError(fmt::format("{}: the file cannot be created: {}", path.string(), std::strerror(errno)));
 }
 
 std::uint64_t fingerprint_from(const std::string& text) { return parse_number<std::uint64_t>(text, 16).value(); }
@@ -157,12 +158,13 @@ auto StudyResults::parsed(Read read) {
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) {
-        refuse_damaged(fmt::format("a row is not as PlacedPar writes it: {}", error.what()));
+        refuse_damaged(fmt::format("PlacedPar did not write this row: {}", error.what()));
     }
 }
 
 void StudyResults::refuse_damaged(const std::string& where) const {
-    throw UserError(fmt::format("{}: it is damaged ({}): put back a copy from before, or move it away and begin again",
+    throw UserError(fmt::format("{}: the file is damaged ({}): restore an earlier copy, or move the file away "
+                                "and start again",
                                 path_.string(), where));
 }
 
@@ -197,13 +199,14 @@ void StudyResults::open(const StudySource& source, bool of_any_version) {
 
 StudyResults::StudyResults(const std::filesystem::path& path) : path_(path) {
     if (!std::filesystem::exists(path))
-        throw UserError(fmt::format("{}: there is no such file; {} sweep makes it", path.string(), program_name()));
+        throw UserError(fmt::format("{}: this file does not exist; {} sweep makes it", path.string(), program_name()));
     require_no_folder(path);
     guarded([&] {
         database_.emplace(path);
         database_->run("BEGIN");
         if (!is_ours())
-            throw UserError(fmt::format("{}: it is empty; {} sweep adds runs to it", path_.string(), program_name()));
+            throw UserError(
+                fmt::format("{}: the file is empty; {} sweep adds runs to it", path_.string(), program_name()));
         check();
     });
 }
@@ -227,23 +230,26 @@ bool StudyResults::is_ours() {
         if (application == 0 && database_->integer("SELECT count(*) FROM sqlite_schema") == 0)
             return false;
         if (application != results_application)
-            throw UserError(fmt::format("{}: it is a database of another program; name another file", path_.string()));
+            throw UserError(
+                fmt::format("{}: the file is a database of another program; name another file", path_.string()));
     } catch (const store::DatabaseError& error) {
         if (!error.damage())
             throw;
-        throw UserError(fmt::format("{}: it is not a file of results ({}): name another file, or move this one away",
+        throw UserError(fmt::format("{}: the file is not a results file ({}): name another file, or move this "
+                                    "file away",
                                     path_.string(), error.what()));
     }
     if (std::int64_t format = database_->integer("PRAGMA user_version"); format != results_format)
-        throw UserError(fmt::format("{}: its format is {}, of {} PlacedPar; this one knows {}", path_.string(), format,
-                                    format > results_format ? "a later" : "an earlier",
-                                    format > results_format
-                                        ? fmt::format("{}", results_format)
-                                        : fmt::format("{}, whose rows have checksums: report it with that one, or "
-                                                      "sweep again with another --results",
-                                                      results_format)));
+        throw UserError(fmt::format(
+            "{}: the file has format {}, from {} version of PlacedPar; this version "
+            "reads format {}",
+            path_.string(), format, format > results_format ? "a later" : "an earlier",
+            format > results_format ? fmt::format("{}", results_format)
+                                    : fmt::format("{}: use the other version to report it, or sweep again with another "
+                                                  "--results",
+                                                  results_format)));
     if (schema_of(*database_) != schema_of_ours())
-        refuse_damaged("its tables are not as PlacedPar made them");
+        refuse_damaged("its tables differ from those that PlacedPar makes");
     return true;
 }
 
@@ -264,7 +270,7 @@ void StudyResults::make(const StudySource& source) {
 void StudyResults::read_head() {
     store::Statement row(*database_, "SELECT netlist, options, version, measures, runs, sum, checksum FROM study");
     if (!row.step())
-        refuse_damaged("the row of table study is gone");
+        refuse_damaged("table study has no row");
     head_ = {{row.text(0), {}, row.text(1)}, row.text(2), row.text(3), row.integer(4), row.integer(5)};
     const std::int64_t checksum = row.integer(6);
     store::Statement texts(*database_, "SELECT path, text FROM texts ORDER BY place");
@@ -289,9 +295,9 @@ void StudyResults::read_runs() {
         sum ^= checksum;
     }
     if (count != head_.runs || sum != head_.sum)
-        refuse_damaged(count != head_.runs ? fmt::format("table runs has {}, and had {}",
+        refuse_damaged(count != head_.runs ? fmt::format("table runs has {}, but should have {}",
                                                          counted(static_cast<std::size_t>(count), "row"), head_.runs)
-                                           : "a row of table runs is of another file");
+                                           : "a row of table runs comes from another file");
 }
 
 void StudyResults::check() {
@@ -311,10 +317,10 @@ void StudyResults::require_same(const StudySource& wanted) {
         return;
     std::string why =
         kept.options != wanted.options
-            ? fmt::format("its runs were made with other options ({}, not {})", kept.options, wanted.options)
-            : fmt::format("its runs are those of {}, whose text differs from this netlist's", kept.netlist);
+            ? fmt::format("the file's runs were made with other options ({}, not {})", kept.options, wanted.options)
+            : fmt::format("the file's runs were made from {}, whose text differs from this netlist's", kept.netlist);
     throw UserError(
-        fmt::format("{}: {}; name another file{}, or move this one away", path_.string(), why, wanted.named_by));
+        fmt::format("{}: {}; name another file{}, or move this file away", path_.string(), why, wanted.named_by));
 }
 
 void StudyResults::require_version(bool of_any_version) {
@@ -322,8 +328,8 @@ void StudyResults::require_version(bool of_any_version) {
     if (kept == version_text())
         return;
     if (!of_any_version)
-        throw UserError(fmt::format("{}: its runs were made by version {}, and this is {}; name another file with "
-                                    "--results, or say --any-version to keep both in it",
+        throw UserError(fmt::format("{}: the file's runs were made by version {}, but this is version {}; name "
+                                    "another file with --results, or use --any-version to keep runs of both",
                                     path_.string(), kept, version_text()));
     head_.version = version_text();
 }
@@ -362,7 +368,7 @@ void StudyResults::keep(const StudyRun& run, const StudyOutcome& outcome) {
         database_->roll_back();
         head_.runs = runs_before;
         head_.sum = sum_before;
-        throw UserError(fmt::format("{}: {}; the runs that it has are kept, and the same command goes on from them",
+        throw UserError(fmt::format("{}: {}; its finished runs are kept: type the same command again to continue",
                                     path_.string(), error.what()));
     }
 }

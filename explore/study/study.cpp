@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
 
 [[noreturn]] void refuse_endless(const std::string& why) {
-    throw UserError(fmt::format("the study has more runs than can be counted: {} are more than {}", why, most));
+    throw UserError(fmt::format("the study has too many runs to count: {} are more than {}", why, most));
 }
 
 /// Throws UserError for a product with too many runs; the message names the settings that cause it.
@@ -28,7 +28,7 @@ constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
     for (const StudyAxis& axis : product.axes)
         if (std::uint64_t count = axis.count(); count > 1)
             values += fmt::format("{}{} of {}", several++ == 0 ? "" : ", ", count, axis.name);
-    refuse_endless(fmt::format("all combinations of {} with several values ({}), each with {},",
+    refuse_endless(fmt::format("all combinations of {} with several values ({}), each run with {},",
                                counted(several, "setting"), values, counted(seeds, "seed")));
 }
 
@@ -45,8 +45,7 @@ std::uint64_t count_with(std::uint64_t seeds, const StudyProduct& product) {
 
 void require_seeds(std::uint64_t first, std::uint64_t seeds) {
     if (seeds > 0 && first > most - (seeds - 1))
-        throw UserError(
-            fmt::format("cannot take {} from {} on: the greatest seed is {}", counted(seeds, "seed"), first, most));
+        throw UserError(fmt::format("{} from {} on exceed the greatest seed, {}", counted(seeds, "seed"), first, most));
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "explore/study/study_settings.hpp"
 #include "explore/study/toml_reader.hpp"
 #include "explore/time_text.hpp"
+#include "text/counted.hpp"
 
 #include <fmt/format.h>
 
@@ -44,10 +45,10 @@ private:
         handlers["measure"] = [&](const toml::node& node) { study_.measures = measures(node); };
         handlers["notes"] = [&](const toml::node& node) { study_.notes = text(node); };
         handlers["also"] = [&](const toml::node& node) {
-            read_in_turn(node, &StudyReader::read_product, "a further product is a table", "[[also]]");
+            read_in_turn(node, &StudyReader::read_product, "[[also]] must be a table", "[[also]]");
         };
         handlers["table"] = [&](const toml::node& node) {
-            read_in_turn(node, &StudyReader::read_figures, "it takes tables of figures", "[[table]]");
+            read_in_turn(node, &StudyReader::read_figures, "\"table\" must be a list of tables", "[[table]]");
         };
         handlers["include"] = [&](const toml::node& node) {
             for (const std::string& each : texts(node))
@@ -66,10 +67,10 @@ private:
         if (study_.figures.empty())
             study_.figures = {"time"};
         if (study_.netlist.empty())
-            report(top.source().begin, "it names no netlist", "netlist = \"figure-e2.cfs\"");
+            report(top.source().begin, "the study names no netlist", "netlist = \"figure-e2.cfs\"");
         if (study_.search && !study_.relative_to.empty())
-            report(top.get("relative_to")->source().begin, "a search compares figures as they are",
-                   "leave out relative_to, or [search]");
+            report(top.get("relative_to")->source().begin, "a search cannot use relative figures",
+                   "leave out relative_to or [search]");
         if (top.contains("set") || !top.contains("table"))
             add(std::move(product));
         for (const auto& [line, read_part] : parts_)
@@ -80,11 +81,11 @@ private:
     void require_simple(const toml::table& top) {
         if (top.contains("where") && !top.contains("set"))
             report(top.get("where")->source().begin,
-                   "a condition leaves out combinations of [set], and there is no [set]",
-                   "the runs of a table are all made; [[also]] has a condition of its own");
+                   "\"where\" selects combinations of [set], but the study has no [set]",
+                   "leave out \"where\": all runs of a table are made, and each [[also]] has its own \"where\"");
         if (top.contains("search"))
-            report(top.get("search")->source().begin, "a search makes no tables",
-                   "leave out [search], or [[table]]: a study of its own");
+            report(top.get("search")->source().begin, "a study with [search] cannot have [[table]]",
+                   "leave out [search] or [[table]]; use two studies for both");
     }
 
     /// Returns the handlers for a product's members.
@@ -126,15 +127,15 @@ private:
     void read_figures(const toml::table& source) {
         const toml::node* name = source.get("name");
         if (!name)
-            report(source.source().begin, "a table has a name", "name = \"as it was measured\"");
+            report(source.source().begin, "the table lacks a name", "name = \"as it was measured\"");
         TableRead read = read_like(source);
         read_table(source, of_table(read), "table");
         if (name && !tables_read_.emplace(read.table.name, read).second)
-            report(name->source().begin, fmt::format("another table is called \"{}\"", read.table.name));
+            report(name->source().begin, fmt::format("two tables have the name \"{}\"", read.table.name));
         if (read.columns)
             read_columns(*read.columns, read.table);
         if (!read.columns || !read.rows)
-            return report(source.source().begin, "a table has columns and rows", form_of_variants);
+            return report(source.source().begin, "the table lacks columns or rows", form_of_variants);
         if (read.table.columns.empty()) // reported already; without columns the rows cannot be checked
             return;
         read_rows(read);
@@ -150,8 +151,8 @@ private:
         auto found = tables_read_.find(name);
         if (found != tables_read_.end())
             return found->second;
-        report(like->source().begin, fmt::format("no table above this one is called \"{}\"", name),
-               "\"like\" takes the name of a table that stands above");
+        report(like->source().begin, fmt::format("no earlier table has the name \"{}\"", name),
+               "\"like\" takes the name of an earlier table");
         return {};
     }
 
@@ -175,7 +176,7 @@ private:
         std::string word = text(node);
         if (std::ranges::count_if(word, [](char each) { return (each & 0xC0) != 0x80; }) > most) // letters of UTF-8
             report(node.source().begin,
-                   fmt::format("\"{}\" is too long to stand above a figure: it takes {} letters", word, most));
+                   fmt::format("\"{}\" is too long to stand above a figure: expected at most {} letters", word, most));
         return word;
     }
 
@@ -189,7 +190,7 @@ private:
 
     void read_columns(const toml::node& node, StudyTable& table) {
         std::set<std::string> names;
-        for (const toml::table* each : tables_in(node, "it takes a list of tables", form_of_variants)) {
+        for (const toml::table* each : tables_in(node, "expected a list of tables", form_of_variants)) {
             read_table(*each, of_variant(table.columns.emplace_back()), "column");
             require_name(*each, "column", table.columns.back().name, names);
         }
@@ -198,17 +199,17 @@ private:
     void require_name(const toml::table& source, const char* what, const std::string& name,
                       std::set<std::string>& names) {
         if (!source.contains("name"))
-            report(source.source().begin, fmt::format("a {} has a name", what), form_of_variants);
+            report(source.source().begin, fmt::format("the {} lacks a name", what), form_of_variants);
         else if (!names.insert(name).second)
             report(source.get("name")->source().begin,
-                   fmt::format("another {} of the table is called \"{}\"", what, name));
+                   fmt::format("two {}s of the table have the name \"{}\"", what, name));
     }
 
     void read_rows(TableRead& read) {
         std::set<std::string> names;
         FigureNames known_names;
         known_names.add_measures(study_.figures);
-        for (const toml::table* each : tables_in(*read.rows, "it takes a list of tables", form_of_variants)) {
+        for (const toml::table* each : tables_in(*read.rows, "expected a list of tables", form_of_variants)) {
             StudyRow row;
             Members members = read.of_rows;
             Handlers handlers = noted(members);
@@ -218,7 +219,7 @@ private:
             for (const auto& [name, node] : members)
                 of_row(row, read.table.columns).at(name)(*node);
             if (!members.contains("figure"))
-                report(each->source().begin, "a row has a figure", "figure = \"time\"");
+                report(each->source().begin, "the row lacks a figure", "figure = \"time\"");
             for (std::size_t i = 0; i < read.table.columns.size(); ++i)
                 check_cell(members, row, read.table.set(row, read.table.columns[i]), i, known_names);
             known_names.add(row.runs.name, "the row above");
@@ -252,7 +253,7 @@ private:
         if (known.empty() && amount.names().contains("known"))
             return;
         if (const double value = amount.value(set, known); !(value >= 0))
-            throw UserError(fmt::format("a tolerance is 0 or more: this is {}", value));
+            throw UserError(fmt::format("the tolerance is {}; expected 0 or more", value));
     }
 
     /// Returns the node of a value, whose position is used in messages.
@@ -297,8 +298,9 @@ private:
             return std::vector(columns.size(), (this->*read)(node, value_text(node)));
         if (array->size() != columns.size())
             report(node.source().begin,
-                   fmt::format("the list has {} values than the table has columns: {}, not {}",
-                               array->size() > columns.size() ? "more" : "fewer", array->size(), columns.size()),
+                   fmt::format("the list has {} values than the table has columns: {}, {}",
+                               array->size() > columns.size() ? "more" : "fewer", counted(array->size(), "value"),
+                               counted(columns.size(), "column")),
                    "give one value for each column, or a single value without brackets for all of them");
         std::vector<Read> all;
         for (const toml::node& each : *array)
@@ -309,7 +311,7 @@ private:
     StudyExpression expression(const toml::node& node, const std::string& text) {
         StudyExpression read("");
         if (text.empty())
-            report(node.source().begin, "it takes a number or an expression; nan where there is none");
+            report(node.source().begin, "expected a number or an expression; write nan for no value");
         attempt_at(node, [&] { read = StudyExpression(text); });
         return read;
     }
@@ -332,8 +334,8 @@ private:
         for (Judge each : every_judge)
             if (name == name_of(each))
                 return each;
-        report(node.source().begin, fmt::format("\"{}\" judges nothing", name),
-               "a row is judged by \"thesis\", \"published\" or \"own\" figures");
+        report(node.source().begin, fmt::format("unknown judge \"{}\"", name),
+               "expected \"thesis\", \"published\" or \"own\"");
         return Judge::own;
     }
 
@@ -341,8 +343,8 @@ private:
         for (Origin each : every_origin)
             if (text == name_of(each))
                 return each;
-        report(node.source().begin, fmt::format("\"{}\" is not an origin", text),
-               "an origin is \"outcome\", \"calibrated\", \"workload\", \"fitted\" or \"constant\"");
+        report(node.source().begin, fmt::format("unknown origin \"{}\"", text),
+               "expected \"outcome\", \"calibrated\", \"workload\", \"fitted\" or \"constant\"");
         return Origin::outcome;
     }
 
@@ -370,7 +372,7 @@ private:
     void read_search(const toml::node& node) {
         const toml::table* table = node.as_table();
         if (!table)
-            return report(node.source().begin, "a study has one search, which is a table", "[search]");
+            return report(node.source().begin, "the search must be a single table", "[search]");
         StudySearch search;
         const std::uint64_t most_machines = StudySearch::most_population, most_bred = StudySearch::most_generations;
         read_table(*table,
@@ -380,18 +382,18 @@ private:
                     {"seed", [&](const toml::node& each) { search.seed = whole(each, 0); }}},
                    "search");
         if (search.minimise.empty() || search.minimise.size() > 2)
-            report(node.source().begin, "a search minimises one measure or two",
+            report(node.source().begin, "a search minimises one or two measures",
                    "minimise = \"time\", or minimise = [\"time\", \"processors\"]");
         else if (search.minimise.front() == search.minimise.back() && search.minimise.size() == 2)
             report(table->get("minimise")->source().begin,
-                   fmt::format("\"{}\" is to be minimised twice", search.minimise.front()),
-                   "two different measures are weighed against each other; minimise = \"time\" has one");
+                   fmt::format("\"{}\" is named twice in minimise", search.minimise.front()),
+                   "name one measure, as in minimise = \"time\", or two different ones");
         study_.search = std::move(search);
     }
 
     void read_reference(const toml::node& node) {
         if (!node.is_table())
-            return report(node.source().begin, "it takes a table", "relative_to = {slaves = 0}");
+            return report(node.source().begin, "expected a table", "relative_to = {slaves = 0}");
         study_.relative_to = settings(node);
     }
 
@@ -404,14 +406,14 @@ private:
             if (axis.count() == 1)
                 set[axis.name] = axis.at(0);
             else
-                report(node.source().begin, fmt::format("\"{}\" has several values", axis.name),
-                       "it takes one value of each");
+                report(node.source().begin, fmt::format("\"{}\" has several values here", axis.name),
+                       "give each name one value");
         return set;
     }
 
     /// Reports a key of the whole study that stands below a line in brackets, and so belongs to that table.
     void report_misplaced(const std::string& name, const toml::node& node) {
-        report(node.source().begin, fmt::format("\"{}\" belongs to the whole study, not to this part of it", name),
+        report(node.source().begin, fmt::format("\"{}\" belongs to the whole study, not to this table", name),
                "move it above [set] and [[also]]");
     }
 
@@ -420,7 +422,7 @@ private:
     void read_axes(const toml::node& node, const std::string& prefix, std::vector<StudyAxis>& axes) {
         const toml::table* table = node.as_table();
         if (!table)
-            return report(node.source().begin, "it takes a table", "[set]");
+            return report(node.source().begin, "expected a table", "[set]");
         std::vector<std::pair<const toml::key*, const toml::node*>> members;
         for (const auto& [key, value] : *table)
             members.emplace_back(&key, &value);
@@ -448,7 +450,7 @@ private:
             values = value_text(node);
         }
         if (std::ranges::find(axes, name, &StudyAxis::name) != axes.end())
-            return report(node.source().begin, fmt::format("\"{}\" is set twice", name), "each name once");
+            return report(node.source().begin, fmt::format("\"{}\" is set twice", name), "set each name once");
         attempt_at(node, [&] { axes.push_back({name, read_values(name, values)}); });
     }
 
@@ -461,7 +463,7 @@ private:
             for (const auto& [key, value] : *table)
                 study_.read.programs[std::string(key.str())] = text(value);
         else
-            report(node.source().begin, "it takes a table of programs and kinds",
+            report(node.source().begin, "expected a table of programs and kinds",
                    "use = {\"sim.lku\" = \"ga.master\"}");
     }
 

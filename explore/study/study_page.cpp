@@ -79,9 +79,10 @@ std::string table_of(const StudySummary& summary) {
 }
 
 std::string about_the_runs(const StudySummary& summary) {
-    std::string out = fmt::format("<p>{} of {}, made by PlacedPar {}.{}</p>\n", counted(summary.runs(), "run"),
-                                  counted(summary.lines.size(), "combination"), as_markup(summary.version),
-                                  has_intervals(summary) ? " Intervals are Student's, of 95 %." : "");
+    std::string out =
+        fmt::format("<p>{} of {}, made by PlacedPar {}.{}</p>\n", counted(summary.runs(), "run"),
+                    counted(summary.lines.size(), "combination"), as_markup(summary.version),
+                    has_intervals(summary) ? " Intervals are 95 % confidence intervals (Student's t)." : "");
     for (const std::string& each : said_of_all(summary))
         out += element("p", each) + "\n";
     return out;

@@ -52,7 +52,7 @@ std::size_t axis_to_draw_over(const StudySummary& summary, const std::string& na
         if (count_numbers(summary, i) > (best ? count_numbers(summary, *best) : 0))
             best = i;
     if (!best)
-        throw UserError("nothing that this study sets has several values that are numbers, so there is no plot");
+        throw UserError("no plot: no setting of this study has several values that are numbers");
     return *best;
 }
 
@@ -117,8 +117,8 @@ private:
     std::size_t number_of(const std::string& curve) {
         auto [found, is_new] = numbers_.emplace(curve, curves_.size());
         if (is_new && curves_.size() == most_curves)
-            throw UserError(fmt::format("more than {} curves cannot be told apart: draw over another axis with --over, "
-                                        "or sweep less",
+            throw UserError(fmt::format("the plot would have more than {} curves, too many to tell apart: choose "
+                                        "another axis with --over, or sweep fewer values",
                                         most_curves));
         if (is_new)
             curves_.push_back({.name = curve, .colour = static_cast<int>(found->second)});
@@ -140,7 +140,7 @@ Plot summary_plot(const StudySummary& summary, const std::string& over) {
         if (Panel panel = PanelOfMeasure(summary, i, axis).panel(); !panel.series.empty())
             plot.panels.push_back(std::move(panel));
     if (plot.panels.empty())
-        throw UserError("no run has what was to be measured, so there is nothing to draw");
+        throw UserError("nothing to draw: no run has the measure");
     return plot;
 }
 

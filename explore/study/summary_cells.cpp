@@ -19,7 +19,8 @@ std::string shown_settings(const Overrides& set) {
 
 std::string there_is_no_reference(const Overrides& wanted, const std::vector<std::string>& set) {
     return fmt::format("no combination has {}, so figures cannot be relative to it; {}", shown_settings(wanted),
-                       set.empty() ? "nothing is set in them" : fmt::format("they set {}", fmt::join(set, ", ")));
+                       set.empty() ? "the runs have no settings"
+                                   : fmt::format("the runs set {}", fmt::join(set, ", ")));
 }
 
 bool has_intervals(const StudySummary& summary) {
@@ -55,8 +56,7 @@ std::vector<std::string> said_of_all(const StudySummary& summary) {
         said.push_back("relative to " + shown_settings(summary.relative_to));
     if (summary.unrelated > 0)
         said.push_back(fmt::format(
-            "without figures, since no run with these settings is otherwise the same and ended in the same way: "
-            "{}",
+            "no relative figures for lack of a matching run with these settings that ended in the same way: {}",
             counted(summary.unrelated, "run")));
     return said;
 }

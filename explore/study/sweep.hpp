@@ -65,8 +65,8 @@ private:
     std::uint64_t repeated_ = 0;
 };
 
-/// Makes the runs of a study that its results do not have yet. The outcome of a run does not depend on when it is made,
-/// or on other runs, so the results do not depend on the order.
+/// Makes the missing runs of a study. The outcome of a run depends neither on its time nor on other runs, so the
+/// results do not depend on the order.
 class StudySweep {
 public:
     /// REQUIRES: both arguments outlive this object. Throws as Study::count().

@@ -33,7 +33,7 @@ struct StudyRow {
     std::vector<StudyExpression> known = {}; ///< expressions of the settings
     std::vector<StudyTolerance> tolerances = {};
     std::vector<Origin> origins = {};
-    std::optional<Judge> judge = {}; ///< empty: the one that the table's `against` names
+    std::optional<Judge> judge = {}; ///< empty: the judge that the table's `against` names
     Overrides relative_to = {};      ///< measures are divided by those of the otherwise same run with these settings
 };
 

@@ -50,7 +50,7 @@ protected:
         try {
             return toml::parse(source_->text(), source_->path());
         } catch (const toml::parse_error& error) {
-            report(error.source().begin, described(error), "a study is TOML: https://toml.io");
+            report(error.source().begin, described(error), "a study is written in TOML: https://toml.io");
         }
         refuse_if_failed();
         return {};
@@ -95,7 +95,7 @@ protected:
             if (auto found = handlers.find(name); found != handlers.end())
                 found->second(node);
             else
-                report(key.source().begin, fmt::format("a {} has no \"{}\"", what, name), hint_for(name, handlers));
+                report(key.source().begin, fmt::format("a {} has no key \"{}\"", what, name), hint_for(name, handlers));
         }
     }
 
@@ -108,7 +108,7 @@ protected:
 
     static std::string hint_for(const std::string& name, const Handlers& handlers) {
         std::string meant = did_you_mean(name, names_of(handlers));
-        return meant.empty() ? "what is set in the netlist stands below [set]" : meant;
+        return meant.empty() ? "write settings of the netlist below [set]" : meant;
     }
 
     std::vector<const toml::table*> tables_in(const toml::node& node, const char* what, const char* form) {
@@ -131,7 +131,7 @@ protected:
             return fmt::format("{}", real->get());
         if (const auto* truth = node.as_boolean())
             return truth->get() ? "1" : "0";
-        report(node.source().begin, "it takes numbers and texts", "[1, 2, 5], [\"5M\", \"10M\"] or \"0..7\"");
+        report(node.source().begin, "expected a number or a text", "[1, 2, 5], [\"5M\", \"10M\"] or \"0..7\"");
         return "0";
     }
 
@@ -148,13 +148,13 @@ protected:
     std::string text(const toml::node& node) {
         if (const auto* text = node.as_string(); text && !text->get().empty())
             return text->get();
-        report(node.source().begin, "it takes a text in quotes");
+        report(node.source().begin, "expected a text in quotes");
         return "?";
     }
 
     bool truth(const toml::node& node) {
         if (!node.is_boolean())
-            report(node.source().begin, "it takes true or false");
+            report(node.source().begin, "expected true or false");
         return node.value_or(false);
     }
 
@@ -163,9 +163,9 @@ protected:
         std::int64_t number = node.value_exact<std::int64_t>().value_or(least - 1);
         auto found = static_cast<std::uint64_t>(std::max(number, least));
         if (number < least)
-            report(node.source().begin, fmt::format("it takes a whole number of at least {}", least));
+            report(node.source().begin, fmt::format("expected a whole number of at least {}", least));
         else if (found > most)
-            report(node.source().begin, fmt::format("it takes a whole number of at most {}", most));
+            report(node.source().begin, fmt::format("expected a whole number of at most {}", most));
         return std::min(found, most);
     }
 
@@ -175,7 +175,7 @@ protected:
             work();
         } catch (const RefusedInput& refused) {
             std::string said = unpainted(refused.what());
-            report(node.source().begin, "it cannot be understood: " + said.substr(0, said.find('\n')));
+            report(node.source().begin, "the text cannot be read: " + said.substr(0, said.find('\n')));
         } catch (const UserError& refused) {
             report(node.source().begin, refused.what());
         }

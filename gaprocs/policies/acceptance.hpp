@@ -17,31 +17,31 @@ namespace placedpar {
 
 class RandomStream;
 
-/// The population that immigrants enter.
+/// The population into which immigrants come.
 struct IslandPopulation {
     std::span<const Genome> strings;
     std::span<const double> fitness;
-    std::size_t elite = 0; ///< the best, who are never replaced; of equals, those of higher index; of a new
-                           ///< population the first
-    const Representation* representation = nullptr; ///< binary strings where it is null
+    std::size_t elite = 0; ///< number of best individuals that are never replaced; among equals, the individuals of
+                           ///< higher index. In a population that has just been bred, they are the first
+    const Representation* representation = nullptr; ///< null: binary strings
 };
 
-/// Each immigrant's place: the index of the individual that it replaces, or nothing if it is turned away.
+/// For each immigrant, the index of the individual that it replaces, or nothing if the immigrant is rejected.
 using Places = std::vector<std::optional<std::size_t>>;
 
-// Each policy assigns places to the immigrants, one after the other. No two immigrants of an exchange get the same
-// place, so that they do not replace each other. With `only_if_better`, an immigrant that is not fitter than the one it
-// would replace is turned away. REQUIRES, everywhere: immigrants.size() + island.elite <= island.strings.size(), all
-// strings of one length.
+// Each policy assigns places to the immigrants in turn. Immigrants of the same exchange get different places, so that
+// none replaces another. With `only_if_better`, an immigrant is rejected unless it is fitter than the individual that
+// it would replace. REQUIRES of every policy: immigrants.size() + island.elite <= island.strings.size(), and all
+// strings have the same length.
 
-/// Replaces the least fit; among equals the lower index first. Draws nothing.
+/// Replaces the least fit individuals; among equals the lowest index first. Draws no number.
 struct WorstAcceptance {
     static constexpr std::string_view name = "worst", about = "the least fit is replaced",
                                       source = "ours: the thesis does not say";
     bool only_if_better = false;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"only_if_better", &WorstAcceptance::only_if_better, 0, 1,
-                                       "1: only where the guest is the better one; 0: always"});
+                                       "1: only if the immigrant is fitter; 0: always"});
     }
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
@@ -49,37 +49,40 @@ struct WorstAcceptance {
 /// Replaces an individual outside the elite, each with the same probability. Draws at least one number for each
 /// immigrant.
 struct RandomAcceptance {
-    static constexpr std::string_view name = "random", about = "one drawn at random, not of the elite, is replaced",
+    static constexpr std::string_view name = "random",
+                                      about = "an individual outside the elite, drawn at random, is replaced",
                                       source = "not in the thesis";
     bool only_if_better = false;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"only_if_better", &RandomAcceptance::only_if_better, 0, 1,
-                                       "1: only where the guest is the better one; 0: always"});
+                                       "1: only if the immigrant is fitter; 0: always"});
     }
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
 
-/// Replaces the individual outside the elite with the least distance from the immigrant (Representation::distance();
-/// for binary strings, the number of different bits); among equals the least fit, then the lowest index. Draws nothing.
+/// Replaces the individual outside the elite that is most similar to the immigrant: with the least
+/// Representation::distance(), which for binary strings is the number of different bits. Among equals it replaces the
+/// least fit, then the lowest index. Draws no number.
 struct AlikeAcceptance {
-    static constexpr std::string_view name = "alike", about = "the most alike, not of the elite, is replaced",
+    static constexpr std::string_view name = "alike",
+                                      about = "the most similar individual outside the elite is replaced",
                                       source = "not in the thesis";
     bool only_if_better = false;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"only_if_better", &AlikeAcceptance::only_if_better, 0, 1,
-                                       "1: only where the guest is the better one; 0: always"});
+                                       "1: only if the immigrant is fitter; 0: always"});
     }
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
 
-/// Replaces an individual of the population that has just been bred, outside the elite at its head, each with the same
-/// probability. So an immigrant is evaluated with the next generation and cannot become a parent earlier (thesis 5.3.2:
-/// "one generation later"). The population has no fitness yet, so no immigrant is turned away. Draws at least one
-/// number for each immigrant.
+/// Replaces an individual of the population that has just been bred, each with the same probability; the elite at the
+/// beginning of the population is never replaced. So an immigrant is evaluated with the next generation and cannot
+/// become a parent earlier (thesis 5.3.2: "one generation later"). The population has no fitness yet, so no immigrant
+/// is rejected. Draws at least one number for each immigrant.
 struct OffspringAcceptance {
     static constexpr std::string_view name = "offspring",
-                                      about = "one of the new population drawn at random, not of its elite, is "
-                                              "replaced; the immigrant is evaluated one generation later",
+                                      about = "an individual of the new population outside its elite, drawn at random, "
+                                              "is replaced; the immigrant is evaluated one generation later",
                                       source = "thesis 5.3.2, \"one generation later\"";
     static constexpr std::tuple<> numbers() { return {}; }
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
@@ -98,21 +101,22 @@ private:
     std::function<Places(const IslandPopulation&, std::span<const Individual>, RandomStream&)> choose_;
 };
 
-/// The policy that selects the individual that an immigrant replaces.
+/// The policy that selects the individual that each immigrant replaces.
 class Acceptance
     : public OneOf<Acceptance, WorstAcceptance, RandomAcceptance, AlikeAcceptance, OffspringAcceptance, OwnAcceptance> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "acceptance", about = "which individual an immigrant replaces";
 
-    /// Whether immigrants come into the population that has just been bred, instead of the one that breeds.
+    /// Returns whether immigrants come into the population that has just been bred; otherwise they come into the
+    /// population of its parents.
     bool among_offspring() const { return std::holds_alternative<OffspringAcceptance>(policy()); }
 
-    /// Throws UserError if more immigrants come at once than individuals may be replaced. REQUIRES: elite <=
-    /// population.
+    /// Throws UserError if the number of immigrants in one exchange exceeds the number of individuals outside the
+    /// elite. REQUIRES: elite <= population.
     static void validate_for(std::size_t immigrants, std::size_t population, std::size_t elite);
-    /// Throws as validate_for(). REQUIRES: all strings of one length; island.elite <= their number; for each a fitness
-    /// that is a finite number, unless among_offspring().
+    /// Throws as validate_for(). REQUIRES: all strings have the same length, and island.elite is at most their number.
+    /// Every string has a fitness, which is a finite number, unless among_offspring().
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
                       RandomStream& random) const;
 };

@@ -9,34 +9,34 @@
 
 namespace placedpar {
 
-// Codings: how a string codes the parameters of a problem, in one field each. With `dont_care`, that number of unused
-// bits is stuffed between every two neighbouring bits of the binary string (thesis eq. 6.14 and 6.15 have 1), so that
-// many strings stand for the same individual.
+// A coding says how a string codes the parameters of a problem, each in a field of bits. Between every two neighbouring
+// bits of the string, `dont_care` unused bits are inserted. So many strings code the same individual. The thesis has
+// one such bit in each gap (eq. 6.14 and 6.15).
 
-/// Natural binary, as in the thesis. Neighbouring numbers may differ in every bit: a search at 0111 cannot step to
-/// 1000.
+/// Natural binary code, as in the thesis. The codes of neighbouring numbers may differ in every bit, as 0111 and 1000
+/// do. A search cannot go from 0111 to 1000 in small steps.
 struct NaturalCoding {
     static constexpr std::string_view name = "natural", about = "fields in natural binary",
                                       source = "thesis eq. 1.5; don't-care bits: eq. 6.14 and 6.15";
     std::size_t dont_care = 0;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"dont_care", &NaturalCoding::dont_care, 0, 64,
-                                       "bits stuffed into each field that mean nothing (6.14, 6.15)"});
+                                       "unused bits between every two bits of the string (6.14, 6.15)"});
     }
 };
 
-/// The (binary reflected) Gray code, in which neighbouring numbers differ in one bit.
+/// The binary reflected Gray code. The codes of neighbouring numbers differ in one bit.
 struct GrayCoding {
     static constexpr std::string_view name = "gray", about = "fields in Gray code: neighbours differ in one bit",
                                       source = "F. Gray, 1953; don't-care bits: thesis eq. 6.14 and 6.15";
     std::size_t dont_care = 0;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"dont_care", &GrayCoding::dont_care, 0, 64,
-                                       "bits stuffed into each field that mean nothing (6.14, 6.15)"});
+                                       "unused bits between every two bits of the string (6.14, 6.15)"});
     }
 };
 
-/// No bits: the parameters themselves, each in the range of its field.
+/// The parameters themselves as real numbers, each in the range of its field, without bits.
 struct RealCoding {
     static constexpr std::string_view name = "real", about = "no bits: the parameters themselves, as real numbers",
                                       source = "not in the thesis";
@@ -46,12 +46,11 @@ struct RealCoding {
 class Coding : public OneOf<Coding, NaturalCoding, GrayCoding, RealCoding> {
 public:
     using OneOf::OneOf;
-    static constexpr std::string_view
-        noun = "representation",
-        about = "how a string stands for the parameters of a problem, a field of bits for each";
+    static constexpr std::string_view noun = "representation",
+                                      about = "how a string codes the parameters of a problem, each in a field of bits";
     static const Coding natural, gray, real; ///< without don't-care bits
 
-    /// Returns OneOf::text(), without the number of don't-care bits if that is 0.
+    /// Returns the text of the policy, without the number of don't-care bits if this number is 0.
     std::string text() const { return dont_care() == 0 ? std::string(way()) : OneOf::text(); }
     /// Returns "natural", "gray" or "real".
     constexpr std::string_view way() const {

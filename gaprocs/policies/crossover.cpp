@@ -11,8 +11,8 @@ namespace placedpar {
 
 namespace {
 
-/// Moves the next individual that differs from the first in two bits or more to the place behind the first. Returns
-/// false if there is none.
+/// Looks for the next individual that differs from the first in two bits or more. Moves it to the place behind the
+/// first. Returns false if no individual does.
 bool mate_by_difference(std::span<Genome> unmated) {
     auto differs = [&](const Genome& other) { return difference(unmated.front(), other) >= 2; };
     auto mate = std::find_if(unmated.begin() + 1, unmated.end(), differs);
@@ -38,8 +38,9 @@ Genome whole_words_at_random(std::size_t bits, RandomStream& random) {
     return mask;
 }
 
-/// What `kept` has from `first` on, up to before `end` and across the end of the order where that comes first; then, in
-/// the order that `other` has from `end` on, all others.
+/// Returns an offspring. It has the places `first` ... end - 1 of `kept`; if end <= first, the places continue at the
+/// beginning of the order. The other numbers follow from `end` on, in the order in which `other` has them from `end`
+/// on.
 std::vector<std::size_t> ordered_offspring(const std::vector<std::size_t>& kept, const std::vector<std::size_t>& other,
                                            std::size_t first, std::size_t end) {
     std::size_t places = kept.size();
@@ -74,7 +75,7 @@ void cross_pair(const Operator& cross, Genome& a, Genome& b, const Representatio
 } // namespace
 
 void OnePointCrossover::operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit) const {
-    const std::size_t characters = unit == 1 ? a.size() : a.size() / unit; // a quotient takes long
+    const std::size_t characters = unit == 1 ? a.size() : a.size() / unit; // avoids a slow division
     swap_leading(a, b, unit * (1 + random.below(static_cast<std::uint32_t>(characters - 1))));
 }
 

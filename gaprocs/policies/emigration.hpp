@@ -13,10 +13,10 @@ namespace placedpar {
 
 class RandomStream;
 
-// Each policy chooses `count` different individuals, by index. Copies of them leave; the individuals themselves stay.
-// REQUIRES, everywhere: count <= fitness.size().
+// Each policy chooses `count` different individuals and returns their indices. Copies of them leave; the individuals
+// themselves stay. REQUIRES of every policy: count <= fitness.size().
 
-/// Chooses the best; among equals the lower index first. Draws nothing.
+/// Chooses the best individuals; among equals the lowest index first. Draws no number.
 struct BestEmigration {
     static constexpr std::string_view name = "best", about = "the `count` best", source = "thesis 4.3 and 5.2.1";
     std::size_t count = 1;
@@ -26,7 +26,7 @@ struct BestEmigration {
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };
 
-/// Chooses each individual with the same probability. Draws at least one number for each that leaves.
+/// Chooses each individual with the same probability. Draws at least one number for each emigrant.
 struct RandomEmigration {
     static constexpr std::string_view name = "random", about = "`count` drawn at random",
                                       source = "a control: not in the thesis";
@@ -37,8 +37,8 @@ struct RandomEmigration {
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };
 
-/// Chooses the best of `size` individuals drawn with replacement from those not chosen yet, the first of equals;
-/// repeated for each that leaves. Draws at least `size` numbers for each.
+/// Chooses each emigrant by a tournament. Draws `size` individuals with replacement from those not yet chosen, and
+/// takes the best; among equals the one drawn first. Draws at least `size` numbers for each emigrant.
 struct TournamentEmigration {
     static constexpr std::string_view name = "tournament", about = "`count` times the best of `size` drawn at random",
                                       source = "not in the thesis";
@@ -46,12 +46,12 @@ struct TournamentEmigration {
     static constexpr auto numbers() {
         return std::tuple(
             PolicyNumber{"count", &TournamentEmigration::count, 1, 1e6, "individuals that leave"},
-            PolicyNumber{"size", &TournamentEmigration::size, 1, 1e6, "individuals that are drawn for each"});
+            PolicyNumber{"size", &TournamentEmigration::size, 1, 1e6, "individuals drawn for each emigrant"});
     }
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };
 
-/// A user-defined struct with `count` and a call operator like those above. Its choice is checked.
+/// A user-defined struct with `count` and a call operator like those above. The indices that it returns are checked.
 class OwnEmigration : public OwnPolicy {
 public:
     template <class Policy>
@@ -63,15 +63,15 @@ private:
     std::function<std::vector<std::size_t>(std::span<const double>, RandomStream&)> choose_;
 };
 
-/// The policy that selects the individuals that leave an island, and their number.
+/// The policy that selects the individuals that leave an island.
 class Emigration : public OneOf<Emigration, BestEmigration, RandomEmigration, TournamentEmigration, OwnEmigration> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "emigration", about = "who leaves an island, and how many";
 
-    /// Returns the number of individuals that leave.
+    /// Returns the number of individuals that leave in one exchange.
     std::size_t count() const;
-    /// Throws UserError if more individuals are to leave than the population has.
+    /// Throws UserError if count() exceeds the population.
     void validate_for(std::size_t population) const;
     /// Returns the indices of the individuals that leave. Throws as validate_for(). REQUIRES: every fitness is a finite
     /// number.

@@ -7,8 +7,8 @@ namespace placedpar {
 
 namespace {
 
-// Limits that keep quotients and their sums finite for all errors; an error that is not a number counts as the
-// greatest.
+// These limits keep quotients and their sums finite for all errors. An error that is not a number counts as the
+// greatest error.
 constexpr double least_error = 1e-12, greatest_error = 1e100;
 
 double error_of_window(std::span<const double> errors, ErrorMatrix::Sum sum) {

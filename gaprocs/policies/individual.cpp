@@ -9,10 +9,12 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the lowest index of the fitness that comes first. REQUIRES: at least one fitness, and no NaN.
+/// Returns the index of the fitness that comes first in the given order; among equals the lowest index. REQUIRES: at
+/// least one fitness, and no NaN.
 template <class ComesFirst>
 std::size_t first_index(std::span<const double> fitness, ComesFirst comes_first) {
-    // Finds the value first, in several lanes: in a single sequence each comparison would wait for the one before.
+    // The value is found before its index, in four lanes. In a single sequence each comparison would wait for the one
+    // before it.
     std::array<double, 4> firsts;
     firsts.fill(fitness.front());
     std::size_t i = 0;
@@ -25,12 +27,13 @@ std::size_t first_index(std::span<const double> fitness, ComesFirst comes_first)
     return static_cast<std::size_t>(std::find(fitness.begin(), fitness.end(), first) - fitness.begin());
 }
 
-/// Returns the indices of the `count` fitnesses that come first; among equals the lower index first.
+/// Returns the indices of the `count` fitnesses that come first in the given order; among equals the lowest index
+/// first.
 template <class ComesFirst>
 std::vector<std::size_t> first_indices(std::span<const double> fitness, std::size_t count, ComesFirst comes_first) {
     if (count == 0)
         return {};
-    if (count == 1) // the usual elite
+    if (count == 1) // the most frequent case: an elite of one
         return {first_index(fitness, comes_first)};
     std::vector<std::size_t> indices(fitness.size());
     std::iota(indices.begin(), indices.end(), std::size_t{0});

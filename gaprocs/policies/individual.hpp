@@ -15,16 +15,16 @@ struct Individual {
     friend bool operator==(const Individual&, const Individual&) = default;
 };
 
-// Functions that find individuals by their fitness and return indices.
+// These functions find individuals by their fitness and return their indices.
 
-/// Returns the index of the greatest fitness; the lowest index among equals. REQUIRES: not empty.
+/// Returns the index of the greatest fitness; among equals the lowest index. REQUIRES: not empty.
 std::size_t best_index(std::span<const double> fitness);
-/// Indices of the `count` greatest (smallest), the greatest (smallest) first; the lower index first among equals.
-/// REQUIRES: count <= fitness.size().
+/// Return the indices of the `count` greatest (smallest) fitnesses, the greatest (smallest) first; among equals the
+/// lowest index first. REQUIRES: count <= fitness.size().
 std::vector<std::size_t> best_indices(std::span<const double> fitness, std::size_t count);
 std::vector<std::size_t> worst_indices(std::span<const double> fitness, std::size_t count);
 
-/// Returns whether all indices are different, at least `first` and below `end`.
+/// Returns whether all indices are different, and each is at least `first` and below `end`.
 bool are_different(std::vector<std::size_t> indices, std::size_t first, std::size_t end);
 
 } // namespace placedpar

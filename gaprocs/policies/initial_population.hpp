@@ -14,23 +14,24 @@ namespace placedpar {
 
 class RandomStream;
 
-/// The search draws every string.
+/// The search draws every string at random.
 struct RandomStart {
     static constexpr std::string_view name = "random", about = "every string is drawn", source = "thesis 1.1";
     static constexpr std::tuple<> numbers() { return {}; }
 };
 
-/// Spreads the codes of each field evenly over its range, in an order drawn for each field: spread_population().
+/// Spreads the codes of each field evenly over the field's range, by spread_population(). The order of the codes is
+/// drawn for each field.
 struct SpreadStart {
-    static constexpr std::string_view name = "spread",
-                                      about = "the codes of each field evenly over its range, in an order drawn for "
-                                              "each",
-                                      source = "thesis 6.3, predefined populations; M. McKay et al., 1979";
+    static constexpr std::string_view
+        name = "spread",
+        about = "the codes of each field are evenly spread over its range, in an order drawn for each field",
+        source = "thesis 6.3, predefined populations; M. McKay et al., 1979";
     static constexpr std::tuple<> numbers() { return {}; }
 };
 
-/// A struct of a program's own that returns the first individuals of the first population, at most `population`
-/// strings:
+/// A user-defined struct that returns the first strings of the first population, at most `population`. The search draws
+/// the other strings. It has the call operator
 ///
 ///     std::vector<Genome> operator()(std::size_t population, const Representation& representation,
 ///                                    RandomStream& random) const;
@@ -42,8 +43,9 @@ public:
                                    RandomStream& random) const {
         return tried([&] {
             std::vector<Genome> strings = begin_(population, representation, random);
-            require(strings.size() <= population && representation.holds(strings),
-                    "it begins with more strings than the population has, or with one that is none of the problem");
+            require(
+                strings.size() <= population && representation.holds(strings),
+                "it begins with more strings than the population has, or with a string that is not one of the problem");
             return strings;
         });
     }
@@ -52,7 +54,7 @@ private:
     std::function<std::vector<Genome>(std::size_t, const Representation&, RandomStream&)> begin_;
 };
 
-/// The policy that makes the first population, unless that is read from a file.
+/// The policy that makes the first population. It is not used if the population is read from a file.
 class InitialPopulation : public OneOf<InitialPopulation, RandomStart, SpreadStart, OwnStart> {
 public:
     using OneOf::OneOf;
@@ -60,7 +62,7 @@ public:
                                       about = "where a search begins: at random, spread, or with strings of a file";
 
     bool is_spread() const { return std::holds_alternative<SpreadStart>(policy()); }
-    /// Null unless a program added it.
+    /// Returns the user-defined policy, or null if the policy is one of the house's.
     const OwnStart* own() const { return std::get_if<OwnStart>(&policy()); }
 };
 

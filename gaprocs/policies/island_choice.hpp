@@ -12,30 +12,30 @@ namespace placedpar {
 
 class RandomStream;
 
-// Active error analysis (thesis 5.3.2): each policy chooses, among islands with windows of different lengths, the
-// island whose best is the answer. Ratios are those of 5.7; among equal ratios the first island wins. REQUIRES,
-// everywhere: as ErrorMatrix, at least one island.
+// Active error analysis (thesis 5.3.2) has islands with windows of different lengths. Each policy chooses the island
+// whose best individual is the answer. Ratios are Sw_i / SA_i of eq. 5.7; among equal ratios the first island is
+// chosen. REQUIRES of every policy: at least one island, and the requirements of ErrorMatrix.
 //
-// The rule as it is printed cannot do what the thesis says of it. Windows are nested: the newest ten samples are among
-// the newest thirty. So whatever the errors, with squares Error(w_i, A_j) cannot fall when w_i grows, and with
-// w_1 >= w_2 >= ... >= w_n, the errors not 0:
-//   each term of Sw_i falls with i:   Sw_1 >= Sw_2 >= ... >= Sw_n, the contrary of 5.5 in every case;
+// The rule as printed cannot do what the thesis says. Windows are nested: the newest ten samples are among the newest
+// thirty. So with squared errors, Error(w_i, A_j) never decreases when w_i grows. If w_1 >= w_2 >= ... >= w_n, and no
+// error is 0:
+//   each term of Sw_i falls with i:   Sw_1 >= Sw_2 >= ... >= Sw_n, which always contradicts eq. 5.5;
 //   terms are at least 1 in row 1 and column n, at most 1 in row n and column 1:  SA_1 <= n <= SA_n, Sw_n <= n <= Sw_1;
 //   hence Sw_1 / SA_1 >= 1 >= Sw_n / SA_n: the shortest window is never preferred to the longest.
-// A simulation inside the window has other errors in each window: of it this need not be so.
+// If a simulation starts anew in each window, errors differ from window to window, and this proof does not hold.
 
-/// The greatest Sw_i / SA_i to the letter of 5.3, 5.4 and 5.7, with the squares of 5.1.
+/// Chooses the greatest Sw_i / SA_i exactly as eq. 5.3, 5.4 and 5.7 are printed, with the squared errors of eq. 5.1.
 struct PrintedChoice {
-    static constexpr std::string_view name = "printed",
-                                      about = "greatest Sw/SA as printed, squared errors: where these do not depend "
-                                              "on the window, never the shortest before the longest, which it nearly "
-                                              "always chooses",
-                                      source = "thesis eq. 5.1 and 5.3 to 5.7";
+    static constexpr std::string_view
+        name = "printed",
+        about = "greatest Sw/SA as printed, with squared errors; if errors do not depend on the window, never prefers "
+                "the shortest window to the longest, which it nearly always chooses",
+        source = "thesis eq. 5.1 and 5.3 to 5.7";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// As PrintedChoice, but with the sums of 5.2 as printed, in which errors of both signs cancel.
+/// Chooses as PrintedChoice does, but with the sums of eq. 5.2 as printed, in which errors of opposite signs cancel.
 struct PlainSumChoice {
     static constexpr std::string_view name = "plain", about = "greatest Sw/SA, plain errors summed with their signs",
                                       source = "thesis eq. 5.2 to 5.7, to the letter";
@@ -43,7 +43,8 @@ struct PlainSumChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// Means in place of sums, so that a window is not worse for being longer.
+/// Chooses as PrintedChoice does, but with mean errors instead of sums. So the length of a window alone does not
+/// increase its error.
 struct MeansChoice {
     static constexpr std::string_view name = "means", about = "greatest Sw/SA of mean squared errors",
                                       source = "a reading of thesis eq. 5.3 and 5.4";
@@ -51,18 +52,18 @@ struct MeansChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// Divided by the error of the row's own island: Sw_i is how much worse the others are than island i in its window.
-/// With it, means and sums are the same.
+/// Divides each error by the error of the row's own island. Sw_i then compares all islands in the window of island i:
+/// the error of each island's best is divided by the error of island i's best. Means and sums give the same choice.
 struct RowChoice {
     static constexpr std::string_view name = "row",
-                                      about = "greatest Sw/SA, divided by the row's own error: of sums and of means "
-                                              "the same",
+                                      about =
+                                          "greatest Sw/SA, divided by the row's own error; the same for sums and means",
                                       source = "a reading of thesis eq. 5.3 and 5.4";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// Chooses always the same island, counted from 0.
+/// Always chooses the same island. Islands are numbered from 0.
 struct FixedChoice {
     static constexpr std::string_view name = "fixed", about = "always the same island, counted from 0",
                                       source = "a control: not in the thesis";
@@ -74,15 +75,15 @@ struct FixedChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// Chooses an island at random, as a baseline for the other rules. Draws one number.
+/// Chooses an island at random, as a baseline for the other policies. Draws one number.
 struct RandomChoice {
-    static constexpr std::string_view name = "random", about = "an island drawn anew each time",
+    static constexpr std::string_view name = "random", about = "an island drawn at random each time",
                                       source = "a control: not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream& random) const;
 };
 
-/// A struct of a program's own with a call operator as those above: the island that it gives is checked.
+/// A user-defined struct with a call operator like those above. The island that it returns is checked.
 class OwnChoice : public OwnPolicy {
 public:
     template <class Policy>
@@ -93,15 +94,16 @@ private:
     std::function<std::size_t(const ErrorsOfBest&, RandomStream&)> choose_;
 };
 
-/// The policy that chooses the island whose best is the answer of all islands.
+/// The policy that chooses the island whose best individual is the answer of all islands.
 class IslandChoice : public OneOf<IslandChoice, PrintedChoice, PlainSumChoice, MeansChoice, RowChoice, FixedChoice,
                                   RandomChoice, OwnChoice> {
 public:
     using OneOf::OneOf;
-    static constexpr std::string_view noun = "choice",
-                                      about = "of islands with windows of different lengths, whose best is the answer";
+    static constexpr std::string_view
+        noun = "choice",
+        about = "which island's best is the answer, among islands with windows of different lengths";
 
-    /// Throws UserError if it chooses an island that does not exist.
+    /// Throws UserError if the policy names an island that does not exist.
     void validate_for(std::size_t islands) const;
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream& random) const;
 };

@@ -24,11 +24,11 @@ void mutate_places(const Mutate& mutate, std::span<Genome> population, double pr
                 mutate(genome, place, representation, random);
 }
 
-// Each policy changes a place of a string (a bit, a number, a place of a permutation); its comment says how many
-// numbers of the stream it draws.
+// Each policy changes one place of a string: a bit, a number, or a place of a permutation. Its comment states how many
+// random numbers it draws.
 
-/// Flips every bit with the given probability. Draws exactly one number for each bit. REQUIRES: all strings of one
-/// length.
+/// Flips each bit with the given probability. Draws exactly one number for each bit. REQUIRES: all strings have the
+/// same length.
 struct BitMutation {
     static constexpr std::string_view name = "bit", about = "a bit is flipped", source = "thesis 1.1";
     static constexpr std::tuple<> numbers() { return {}; }
@@ -38,12 +38,13 @@ struct BitMutation {
     void operator()(std::span<Genome> population, RandomStream& random) const;
 };
 
-/// Flips bits with the same distribution as BitMutation, but draws the distance from each flipped bit to the next,
-/// which is distributed geometrically: one number for each flip, and one for the end of the population. REQUIRES: all
-/// strings of one length.
+/// Flips bits with the same distribution as BitMutation. Draws the distance from each flipped bit to the next flipped
+/// bit. This distance has a geometric distribution. Draws one number for each flip, and one for the end of the
+/// population. REQUIRES: all strings have the same length.
 struct DistanceMutation {
-    static constexpr std::string_view name = "distance", about = "as bit, by drawing how far it is to the next flip",
-                                      source = "thesis 1.1, drawn in another way";
+    static constexpr std::string_view name = "distance",
+                                      about = "as bit, by drawing the distance to the next flipped bit",
+                                      source = "thesis 1.1, with other random draws";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
 
@@ -51,7 +52,7 @@ struct DistanceMutation {
     void operator()(std::span<Genome> population, RandomStream& random) const;
 };
 
-/// Adds a normal deviate; values outside the range become its nearest end. Draws two numbers.
+/// Adds a normal deviate. A value outside the range is replaced by the nearest end of the range. Draws two numbers.
 struct GaussianMutation {
     static constexpr std::string_view name = "gaussian", about = "a normal deviate is added, `deviation` of the range",
                                       source = "I. Rechenberg, 1973";
@@ -65,8 +66,9 @@ struct GaussianMutation {
                     RandomStream& random) const;
 };
 
-/// Adds or subtracts `range` 2^(-u), u uniform in 0 ... `precision`: all sizes of steps are equally likely (after H.
-/// Mühlenbein and D. Schlierkamp-Voosen, "Predictive models for the breeder genetic algorithm", 1993). Two numbers.
+/// Adds or subtracts `range` 2^(-u) times the width of the parameter's range, with u uniform in 0 ... `precision`. So
+/// steps of all orders of magnitude are equally likely (after H. Mühlenbein and D. Schlierkamp-Voosen, "Predictive
+/// models for the breeder genetic algorithm", 1993). Draws two numbers.
 struct BreederMutation {
     static constexpr std::string_view name = "breeder",
                                       about = "a step of any size from `range` down to `range` 2^-precision",
@@ -76,16 +78,16 @@ struct BreederMutation {
         return std::tuple(
             PolicyNumber{"range", &BreederMutation::range, 0, 1, "greatest step, in widths of the parameter's bounds"},
             PolicyNumber{"precision", &BreederMutation::precision, 0, 60,
-                         "the least step is the greatest by 2 to this power"});
+                         "the least step is the greatest divided by 2 to this power"});
     }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
     void operator()(Genome& genome, std::size_t place, const Representation& representation,
                     RandomStream& random) const;
 };
 
-/// Draws the number anew, uniform in its range. Draws one number.
+/// Replaces the number by a new one, uniform in its range. Draws one number.
 struct UniformMutation {
-    static constexpr std::string_view name = "uniform", about = "a number is drawn anew from its range",
+    static constexpr std::string_view name = "uniform", about = "a number is replaced by a random one from its range",
                                       source = "Z. Michalewicz, 1992";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
@@ -93,7 +95,7 @@ struct UniformMutation {
                     RandomStream& random) const;
 };
 
-/// Exchanges the place with another. Draws one number.
+/// Exchanges the contents of the place with another place. Draws one number.
 struct SwapMutation {
     static constexpr std::string_view name = "swap", about = "two places are exchanged", source = "not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
@@ -102,10 +104,10 @@ struct SwapMutation {
                     RandomStream& random) const;
 };
 
-/// Reverses the places from this one to another, across the end if the other comes first. In a closed tour this changes
-/// two edges. Draws one number.
+/// Reverses the order of the places from this place to another. If the other place comes first, the reversed part runs
+/// through the end of the string and its beginning. In a closed tour this changes two edges. Draws one number.
 struct InversionMutation {
-    static constexpr std::string_view name = "inversion", about = "the places from one to another are turned round",
+    static constexpr std::string_view name = "inversion", about = "the places from one to another are reversed",
                                       source = "the 2-opt step of G. Croes, 1958";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::permutation; }
@@ -113,7 +115,7 @@ struct InversionMutation {
                     RandomStream& random) const;
 };
 
-/// A struct of a program's own that has fits() as those above, and
+/// A user-defined struct with a function fits() like those above, and with the call operator
 ///
 ///     void operator()(Genome& genome, std::size_t place, const Representation& representation,
 ///                     RandomStream& random) const;
@@ -127,15 +129,16 @@ public:
           }) {}
 };
 
-/// The policy by which a string is changed at random.
+/// The policy that changes strings at random.
 class Mutation : public OneOf<Mutation, BitMutation, DistanceMutation, GaussianMutation, BreederMutation,
                               UniformMutation, SwapMutation, InversionMutation, OwnMutation> {
 public:
     using OneOf::OneOf;
-    static constexpr std::string_view noun = "mutation", about = "how an offspring is changed by chance alone";
+    static constexpr std::string_view noun = "mutation", about = "how an offspring is changed at random";
 
-    /// Mutates each place of each string with the given probability, which draws one number in addition to those of the
-    /// policy. A permutation of one place stays, and draws nothing. REQUIRES: fits(representation.kind()).
+    /// Mutates each place of each string with the given probability. Draws one number for each place, in addition to
+    /// the policy's draws. A permutation of one place stays unchanged, without a draw. REQUIRES:
+    /// fits(representation.kind()).
     void operator()(std::span<Genome> population, double probability, const Representation& representation,
                     RandomStream& random) const;
 };

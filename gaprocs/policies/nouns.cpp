@@ -19,54 +19,54 @@ namespace placedpar {
 
 namespace {
 
-/// The columns are those of Form: noun, name, what it is, how a netlist says it, source, example.
+/// The columns are the members of Form.
 const std::vector<Form> forms{
     {"representation", "permutation",
-     "an order of so many places, each of them once, where that is what the problem asks for",
+     "an order of the problem's places, each place once, if the problem asks for an order",
      "problem = \"tour-circle(cities = 12)\"", "not in the thesis",
      "run examples/genetic/own-problem/tin.cfs --set 'problem=\"tour-circle(cities = 12)\"' --set "
      "'master.coding=\"natural\"'"},
-    {"initial-population", "predefined", "the strings of a file, one in each line; the others are drawn",
+    {"initial-population", "predefined", "the strings of a file, one in each line; the others are drawn at random",
      "initial = \"first.txt\"", "thesis 6.3, predefined populations",
      "run examples/thesis/table-e1/cluster.cfs --set 'master.initial=\"examples/thesis/table-e1/first.txt\"'"},
-    {"fitness", "squared-error", "the sum of B - E^2 over a window of samples, of a problem that has an error at each",
+    {"fitness", "squared-error",
+     "the sum of B - E^2 over a window of samples, for a problem with an error at each sample",
      "problem = \"plant\", bias = 10", "thesis eq. 3.9, 4.1 and 5.1; without the square 1.7",
      "run examples/genetic/coarse-fine/pair.cfs --set alone=1"},
-    {"fitness", "maximised", "any number that a problem gives for an individual, the greater the better",
+    {"fitness", "maximised", "a number that the problem gives for an individual; the greatest is the best",
      "problem = \"one-max\"", "thesis 5.2.2",
      "run examples/genetic/own-problem/tin.cfs --set 'problem=\"one-max\"' --set 'master.coding=\"natural\"'"},
-    {"fitness", "minimised", "any number that a problem gives for an individual, the smaller the better",
+    {"fitness", "minimised", "a number that the problem gives for an individual; the least is the best",
      "problem = \"rastrigin\"", "not in the thesis",
      "run examples/genetic/own-problem/tin.cfs --set 'problem=\"rastrigin\"'"},
-    {"window", "sliding",
-     "the newest `window` samples; after `trials` generations the next one comes in, and the oldest goes",
+    {"window", "sliding", "the newest `window` samples; after `trials` generations the next sample replaces the oldest",
      "window = 30, first_window = 30, trials = 3", "thesis eq. 1.7, 3.9, 4.1 and 5.1; trials: 4.3",
      "run examples/genetic/coarse-fine/pair.cfs"},
-    {"window", "growing", "the same, but the first generation comes before the window is full",
+    {"window", "growing", "a sliding window whose first generation comes before the window is full",
      "window = 10, first_window = 5", "ours: the thesis does not say",
      "run examples/thesis/table-e1/cluster.cfs --set master.window=10 --set master.first_window=5"},
-    {"elitism", "best", "as many of the best as `elite` says go over unchanged, and are evaluated again", "elite = 1",
+    {"elitism", "best", "the `elite` best individuals are copied unchanged, and evaluated again", "elite = 1",
      "K. De Jong, 1975", "run examples/thesis/table-e1/cluster.cfs --set elite=1"},
     {"distributed-fitness", "distributed",
-     "each island a window and a population of its own, of equal work: the longer the one, the smaller the other",
+     "each island has its own window and population, with equal work: a longer window has a smaller population",
      "island[0] (window = 30, population = 24); island[3] (window = 10, population = 50);",
      "thesis 5.3.1 and Table 5.3", "run examples/genetic/plant-on-transputers/islands.cfs"},
-    {"distributed-fitness", "equal", "the same for all islands", "island[i] (window = 30, population = 24);",
-     "thesis 4.3; beside the other: Table 5.3",
+    {"distributed-fitness", "equal", "all islands have the same window and population",
+     "island[i] (window = 30, population = 24);", "thesis 4.3; compared in Table 5.3",
      "run examples/genetic/plant-on-transputers/islands.cfs --set distributed=0"},
-    {"coarse-fine", "coarse", "breeds the most significant bits of each field, the others are 0",
+    {"coarse-fine", "coarse", "breeds the most significant bits of each field; the other bits are 0",
      "use \"ga.coarse\" for coarse; coarse (bits = \"2 5 5 5 5 5\");", "thesis 6.2, Figure 6.6",
      "run examples/genetic/coarse-fine/pair.cfs"},
-    {"coarse-fine", "fine", "breeds steps around the best of the coarse one in the same generation",
+    {"coarse-fine", "fine", "breeds steps around the best of the coarse search in the same generation",
      "use \"ga.fine\" for fine; connect coarse.to_fine to fine.from_coarse;", "thesis 6.2, Figure 6.6",
      "run examples/genetic/coarse-fine/pair.cfs"},
-    {"farm", "chain", "one slave behind the other, each passes on what is for those beyond it",
+    {"farm", "chain", "each slave behind another; it passes on the messages of the slaves farther away",
      "connect master.to_slaves to slave[0].from_master; connect slave[0].to_slaves to slave[1].from_master;",
      "thesis, appendix E, Figure E.2", "run examples/genetic/farms/farm.cfs"},
-    {"farm", "star", "a channel from the master to each slave",
+    {"farm", "star", "the master has a channel to each slave",
      "connect master.to_slaves[0] to slave[0].from_master; connect master.to_slaves[1] to slave[1].from_master;",
-     "thesis, appendix E, which computes .4 ms for it", "run examples/genetic/farms/farm.cfs --set links=3"},
-    {"farm", "tree", "anything between: several slaves behind the master, several behind a slave",
+     "thesis, appendix E, which computes .4 ms for a star", "run examples/genetic/farms/farm.cfs --set links=3"},
+    {"farm", "tree", "any other tree, with several slaves behind the master or behind a slave",
      "connect master.to_slaves[0] to slave[0].from_master; connect slave[0].to_slaves[1] to slave[2].from_master;",
      "not in the thesis", "run examples/genetic/farms/farm.cfs --set slaves=6 --set links=2 --set branches=2"}};
 
@@ -79,7 +79,7 @@ Noun noun_of(std::vector<std::string> also_called = {}) {
             .printed = [](const std::string& text) { return Step::named(text).text(); }};
 }
 
-/// Describes an operator, each policy of which says on which strings it can work.
+/// Describes an operator. Each of its policies states the strings on which it works.
 template <class Step>
 Noun noun_of_operator(std::vector<std::string> also_called) {
     Noun noun = noun_of<Step>(std::move(also_called));
@@ -95,12 +95,12 @@ std::vector<Noun> policy_nouns() {
     std::vector<Noun> nouns{
         noun_of<Coding>({"encoding", "genome"}),
         noun_of<InitialPopulation>({"population"}),
-        {"fitness", "what makes one individual better than another: the problem decides"},
-        {"window", "which samples of a record the fitness is summed over, and for how many generations"},
+        {"fitness", "how good an individual is, which the problem decides"},
+        {"window", "over which samples of a record the fitness is summed, and for how many generations"},
         noun_of<Reproduction>(),
         noun_of_operator<Crossover>({"crossover-rate", "operator"}),
         noun_of_operator<Mutation>({"mutation-rate", "operator"}),
-        {"elitism", "how many of the best go over unchanged (thesis: none)"},
+        {"elitism", "how many of the best individuals are copied unchanged (thesis: none)"},
         noun_of<Topology>({"migration", "neighbours"}),
         noun_of<Schedule>({"migration"}),
         noun_of<Emigration>({"migration", "emigrants", "migrants"}),
@@ -108,11 +108,12 @@ std::vector<Noun> policy_nouns() {
         {"distributed-fitness", "whether islands have the same window and population", {"population"}},
         noun_of<IslandChoice>({"active-error-analysis", "error-matrix"}),
         {"coarse-fine",
-         "two searches instead of one: one over a coarse grid, one around its best",
+         "two searches: the coarse search covers a coarse grid, the fine search the surroundings of its best "
+         "point",
          {"coarse/fine", "pair"}},
         {"farm",
-         "how a master deals its population out to slaves (thesis, algorithm A); the netlist connects the slaves "
-         "in a chain, a star or a tree",
+         "how a master divides its population among slaves (thesis, algorithm A); the netlist connects the slaves in a "
+         "chain, a star or a tree",
          {"algorithm-a"}}};
     for (Noun& noun : nouns)
         std::ranges::copy_if(forms, std::back_inserter(noun.forms),

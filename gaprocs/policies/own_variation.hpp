@@ -11,13 +11,14 @@
 
 namespace placedpar {
 
-/// A crossover or a mutation that a program adds: works on a whole population, and on strings that it fits().
+/// A user-defined crossover or mutation. It works on a whole population whose strings it fits().
 class OwnVariation : public OwnPolicy {
 public:
     bool fits(StringKind kind) const {
         return tried([&] { return fits_(kind); });
     }
-    /// As Crossover's and Mutation's. Throws UserError where an individual becomes no string of the representation.
+    /// Works as the call operators of Crossover and Mutation. Throws UserError if an individual is no longer a string
+    /// of the representation.
     void operator()(std::span<Genome> population, double probability, const Representation& representation,
                     RandomStream& random) const {
         tried([&] {

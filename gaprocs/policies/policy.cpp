@@ -28,7 +28,7 @@ std::vector<std::string> texts_of(const std::vector<PolicyDescription>& known) {
     return texts;
 }
 
-/// "name", "arguments" of "name(arguments)".
+/// The parts of a text "name(arguments)".
 struct Call {
     std::string_view name;
     std::optional<std::string_view> arguments;
@@ -66,7 +66,7 @@ double read_number(std::string_view text, const PolicyNumberDescription& number)
     return *value;
 }
 
-/// The arguments of one policy.
+/// The arguments that a text gives to one policy.
 class Arguments {
 public:
     explicit Arguments(const PolicyDescription& policy) : policy_(policy), given_(policy.numbers.size()) {}

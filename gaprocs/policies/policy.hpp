@@ -16,7 +16,7 @@
 
 namespace placedpar {
 
-// A policy is one way to do a step of a genetic algorithm, a plain struct such as
+// A policy is one way to do a step of a genetic algorithm. It is a plain struct, for example:
 //
 //     struct TournamentReproduction {
 //         static constexpr std::string_view name = "tournament", about = "the best of `size` drawn at random",
@@ -26,12 +26,12 @@ namespace placedpar {
 //         1000}); }
 //     };
 //
-// and a step is done by a OneOf<...> of them. Library and netlists name a policy by the same text:
-// "tournament", "tournament(3)", "tournament(size = 3)". A program can add structs of its own to a step:
-// Step::add<TournamentReproduction>(), before anything else asks the step for its policies.
+// A step is a OneOf<...> of its policies. The library and netlists name a policy by the same text: "tournament",
+// "tournament(3)", "tournament(size = 3)". A program can add its own structs to a step by
+// Step::add<TournamentReproduction>(), before any code asks the step for its policies.
 
-/// A number of a policy, a double, a size or a bool (0 or 1): its name, where it lies, its range with both ends, and a
-/// line about it, with its unit.
+/// A number that configures a policy: a double, a size or a bool (0 or 1). Holds its name, its member, the least and
+/// the greatest value allowed, and one line about it with its unit.
 template <class Policy, class T>
 struct PolicyNumber {
     std::string_view name;
@@ -40,41 +40,42 @@ struct PolicyNumber {
     std::string_view about = "";
 };
 
-template <class Policy, class T> // for Clang 14, which deduces none for an aggregate
+template <class Policy, class T> // Clang 14 cannot deduce the arguments of an aggregate
 PolicyNumber(std::string_view, T Policy::*, double, double, std::string_view = "")->PolicyNumber<Policy, T>;
 
 struct PolicyNumberDescription {
     std::string name;
     double by_default, least, most;
     bool whole;
-    std::string about = ""; ///< one line; empty: its name says it
+    std::string about = ""; ///< one line; empty if the name is clear
 };
 
-/// A policy as the catalogue lists it.
+/// The description of a policy in the catalogue.
 struct PolicyDescription {
     std::string name;
     std::string about; ///< one line
     std::vector<PolicyNumberDescription> numbers;
-    std::string source = ""; ///< where it is from: chapter or equation of the thesis, else who proposed it
-    std::vector<std::string> strings = {}; ///< kinds of strings that the policy works on; empty: all
+    std::string source = "";               ///< origin: a chapter or equation of the thesis, or the author
+    std::vector<std::string> strings = {}; ///< kinds of strings that the policy works on; empty: all kinds
 
-    /// "tournament(size = 2)": as text() of the policy with these numbers.
+    /// Returns the policy with these numbers as a netlist writes it: "tournament(size = 2)".
     std::string text(const std::vector<double>& values) const;
-    /// With the numbers by default.
+    /// Returns the text of the policy with its default numbers.
     std::string text() const;
 };
 
-/// Which of the known policies a text names, and its numbers.
+/// The policy that a text names, with its numbers.
 struct NamedPolicy {
-    std::size_t index;
-    std::vector<double> numbers; ///< each in range, whole where it shall be; those not given by default
+    std::size_t index;           ///< index of the policy among the known policies
+    std::vector<double> numbers; ///< all numbers, each in its range; numbers that the text omits have default values
 };
 
-/// Throws UserError, saying what there is: no such policy, no such number, one too many or given twice, out of range,
-/// or no text of the form "name", "name(2)", "name(number = 2, 3.5)".
+/// Reads a policy from a text such as "name", "name(2)" or "name(number = 2, 3.5)". Throws UserError, with what would
+/// be right, if the text has another form. Throws it also for an unknown policy or number, for too many numbers, and
+/// for a number that is given twice or is out of range.
 NamedPolicy read_policy(std::string_view text, const std::vector<PolicyDescription>& known);
 
-/// The numbers that a policy or a problem states; none where it states nothing.
+/// Returns the numbers that a policy or a problem states; an empty tuple if it states none.
 template <class Policy>
 constexpr auto stated_numbers() {
     if constexpr (requires { Policy::numbers(); })
@@ -109,7 +110,7 @@ std::vector<double> numbers_of(const Policy& policy) {
     return std::apply(values, stated_numbers<Policy>());
 }
 
-/// REQUIRES: as many values as it has numbers.
+/// REQUIRES: one value for each number of the policy.
 template <class Policy>
 Policy make_policy(const std::vector<double>& values) {
     Policy policy;
@@ -122,7 +123,8 @@ Policy make_policy(const std::vector<double>& values) {
     return policy;
 }
 
-/// What `work`, code that a program adds, gives. Throws UserError for whatever it throws: whose() and what was thrown.
+/// Returns the result of `work`, which is user-defined code. If `work` throws anything, throws UserError with the text
+/// of whose() and of what was thrown.
 template <class Whose, class Work>
 auto tried(const Whose& whose, const Work& work) {
     try {
@@ -132,9 +134,9 @@ auto tried(const Whose& whose, const Work& work) {
     }
 }
 
-/// A policy that a program adds to those of a step. Each step that takes such lists, last of its policies, a class
-/// derived from this one, which keeps what the step asks of a policy behind functions: one indirect call for a whole
-/// population where the step works on one.
+/// A user-defined policy of a step. If a step allows user-defined policies, its last policy is a class derived from
+/// OwnPolicy. The derived class keeps the user's operator in a std::function. A step that works on a whole population
+/// calls the function once for the population.
 class OwnPolicy {
 public:
     template <class Policy>
@@ -144,12 +146,12 @@ public:
     const std::vector<double>& numbers() const { return numbers_; }
 
 protected:
-    /// What `work` gives. Throws UserError, which names the policy, for whatever it throws.
+    /// Returns the result of `work`. If `work` throws anything, throws UserError, which names the policy.
     template <class Work>
     auto tried(Work work) const {
         return placedpar::tried([&] { return named(); }, work);
     }
-    /// Within tried(), of what the policy gave. Throws UserError.
+    /// Throws UserError with the text `otherwise` if the policy's result is wrong. REQUIRES: called within tried().
     static void require(bool right, const char* otherwise);
 
 private:
@@ -159,20 +161,21 @@ private:
     std::vector<double> numbers_;
 };
 
-/// Throws UserError: a name that is taken or cannot be asked for, a number whose default is out of its range, or one
-/// that is named twice.
+/// Throws UserError if the added policy does not fit: a name that is already used or that a text cannot contain, a
+/// default outside its range, or two numbers of the same name.
 void require_policy_fits(const PolicyDescription& added, std::string_view noun,
                          const std::vector<PolicyDescription>& known);
 
-/// One of several policies; by default the first, with its own defaults. Step is the class derived from this one.
+/// Holds one of several policies; by default the first, with its default numbers. `Step` is the class derived from
+/// OneOf.
 template <class Step, class... Policies>
 class OneOf {
 public:
-    /// What holds the policies that a program adds, if any may be added.
+    /// The class of user-defined policies, if the step allows them.
     using Own = std::tuple_element_t<sizeof...(Policies) - 1, std::tuple<Policies...>>;
 
     OneOf() = default;
-    /// Throws UserError, which names the policy, for whatever a program's own policy throws while it is copied.
+    /// If the copy constructor of a user-defined policy throws anything, throws UserError, which names the policy.
     constexpr OneOf(const OneOf& other) : policy_(other.copied()) {}
     constexpr OneOf(OneOf&&) = default;
     constexpr OneOf& operator=(const OneOf& other) { return *this = OneOf(other); }
@@ -181,13 +184,14 @@ public:
     template <class Policy>
     constexpr OneOf(Policy policy) requires(std::is_same_v<Policy, Policies> || ...) : policy_(std::move(policy)) {}
 
-    /// The step that a text names. Throws as read_policy().
+    /// Returns the step with the policy that a text names. Throws as read_policy().
     static Step named(std::string_view text) {
         NamedPolicy named = read_policy(text, descriptions());
         return known()[named.index].make(named.numbers);
     }
-    /// From now on a text can name this policy. Throws as require_policy_fits(), and UserError for whatever its
-    /// constructor throws, then or when it is named. REQUIRES: called by one thread, before a search begins.
+    /// Adds a policy, which a text can name from now on. Throws as require_policy_fits(). If the policy's constructor
+    /// throws anything, now or when the policy is named, throws UserError. REQUIRES: called by one thread, before a
+    /// search begins.
     template <class Policy>
     static void add() requires std::derived_from<Own, OwnPolicy> {
         auto whose = [] { return "the policy \"" + std::string(Policy::name) + "\" for " + std::string(Step::noun); };
@@ -198,14 +202,14 @@ public:
                            }});
     }
 
-    /// As named() takes it.
+    /// Returns the policy as a text that named() can read.
     std::string text() const {
         auto [described, numbers] = description();
         return described.text(numbers);
     }
-    /// Throws UserError: a policy that was made as a struct can have any number.
+    /// Throws UserError if a number is out of its range. A policy that was not made by named() can have any number.
     void require_numbers_in_range() const { read_policy(text(), {description().first}); }
-    /// Lists the policies of PlacedPar, then those that were added, in their order.
+    /// Lists the policies of PlacedPar, followed by the added policies in the order of their addition.
     static std::vector<PolicyDescription> descriptions() {
         std::vector<PolicyDescription> all;
         for (const Known& each : known())
@@ -213,8 +217,8 @@ public:
         return all;
     }
 
-    /// For steps whose policies say what they can work on: whether this policy can, and the names of the policies that
-    /// can.
+    /// Returns whether the policy works on this kind of string. fitting() returns the names of all policies that work
+    /// on it. Only for steps whose policies have fits().
     template <class Kind>
     bool fits(Kind kind) const {
         return std::visit([&](const auto& policy) { return policy.fits(kind); }, policy_);
@@ -249,7 +253,7 @@ private:
         return std::visit(describe, policy_);
     }
 
-    /// A policy by name, and how the step is made of it.
+    /// A policy of the step, with the function that makes it.
     struct Known {
         PolicyDescription description;
         std::function<Step(const std::vector<double>& numbers)> make;

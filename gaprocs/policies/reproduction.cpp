@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-/// Spins the wheel once with `count` balls, and shuffles the parents (Fisher and Yates).
+/// Spins the wheel once with `count` balls, then shuffles the parents (Fisher and Yates).
 Parents sample_universally(const RouletteWheel& wheel, std::size_t count, RandomStream& random) {
     std::vector<std::size_t> parents = wheel.sectors(count, random.uniform());
     for (std::size_t left = parents.size(); left > 1; --left)
@@ -19,13 +19,14 @@ Parents sample_universally(const RouletteWheel& wheel, std::size_t count, Random
     return parents;
 }
 
-/// Returns the average number of copies of each individual, by a straight line on which the mean fitness has one copy.
+/// Returns the average number of copies of each individual. It is a linear function of the fitness, with one copy at
+/// the mean fitness.
 std::vector<double> scaled_copies(std::span<const double> fitness, double best) {
     auto [least, greatest] = std::minmax_element(fitness.begin(), fitness.end());
     std::vector<double> copies(fitness.size(), 1);
     if (*least == *greatest)
         return copies;
-    // Computes with half the fitness: the difference of two doubles may overflow.
+    // Fitness values are halved here, because the difference of two doubles may overflow.
     double mean = 0;
     for (double each : fitness)
         mean += each / 2 / static_cast<double>(fitness.size());
@@ -36,7 +37,7 @@ std::vector<double> scaled_copies(std::span<const double> fitness, double best) 
     return copies;
 }
 
-/// Returns the rank of each, 0 for the worst; equals have the mean of their ranks.
+/// Returns the rank of each individual, 0 for the worst. Individuals of equal fitness get the mean of their ranks.
 std::vector<double> ranks_of(std::span<const double> fitness) {
     std::vector<std::size_t> order(fitness.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

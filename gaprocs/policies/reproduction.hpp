@@ -15,11 +15,11 @@ namespace placedpar {
 
 class RandomStream;
 
-/// Indices of parents; nothing, without a draw, if no individual may become a parent.
+/// The indices of the parents. If no individual may become a parent, there are none, and no number is drawn.
 using Parents = std::optional<std::vector<std::size_t>>;
 
-/// Reproduction by roulette: individual i is drawn with probability max(f_i, 0) / sum, with replacement, so
-/// that individuals of fitness <= 0 (or not a number) are discarded (thesis 3.1.1, step 4).
+/// Reproduction by roulette. Individual i is drawn, with replacement, with probability max(f_i, 0) / sum. So
+/// individuals whose fitness is not positive, or not a number, are discarded (thesis 3.1.1, step 4).
 struct RouletteReproduction {
     static constexpr std::string_view name = "roulette",
                                       about = "a spin for each parent; individuals of fitness <= 0 are discarded",
@@ -32,9 +32,9 @@ struct RouletteReproduction {
 };
 
 /// Stochastic universal sampling (J. Baker, "Reducing bias and inefficiency in the selection algorithm", 1987): one
-/// spin of a wheel with `count` evenly spaced balls, so that individual i becomes a parent floor(e) or ceil(e) times,
-/// e = count max(f_i, 0) / sum being what roulette gives on average. The parents are then shuffled, since crossover
-/// takes neighbours for mates.
+/// spin of a wheel with `count` evenly spaced balls. Let e = count max(f_i, 0) / sum, which is the mean number of
+/// copies by roulette. Individual i becomes a parent floor(e) or ceil(e) times. The parents are then shuffled, since
+/// crossover takes neighbours as mates.
 struct UniversalReproduction {
     static constexpr std::string_view name = "universal",
                                       about = "stochastic universal sampling: one spin with evenly spaced balls",
@@ -46,46 +46,48 @@ struct UniversalReproduction {
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 
-/// Linear scaling (D. Goldberg, "Genetic Algorithms in Search, Optimization and Machine Learning", 1989, p. 76): the
-/// individual of mean fitness has one copy, the best `best`, and those between by a straight line; where that would
-/// give the worst less than none, the line goes through the mean and the worst instead. It depends on differences of
-/// fitness only, so that fitness may be negative. Sampled as UniversalReproduction.
+/// Linear scaling (D. Goldberg, "Genetic Algorithms in Search, Optimization and Machine Learning", 1989, p. 76). The
+/// number of copies is a linear function of fitness: 1 for the mean fitness and `best` for the best individual. If the
+/// worst individual would have fewer than 0 copies, the function is 1 for the mean and 0 for the worst. Only
+/// differences of fitness matter, so fitness may be negative. Sampled as UniversalReproduction.
 struct ScaledReproduction {
     static constexpr std::string_view name = "scaled", about = "linear scaling: `best` copies of the best on average",
                                       source = "D. Goldberg, 1989, p. 76";
     static constexpr bool needs_positive_fitness = false;
     double best = 2;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"best", &ScaledReproduction::best, 1, 100,
-                                       "copies that the best expects, where the mean expects 1"});
+        return std::tuple(
+            PolicyNumber{"best", &ScaledReproduction::best, 1, 100,
+                         "mean number of copies of the best individual; an individual of mean fitness has 1"});
     }
 
-    /// As UniversalReproduction; there are always parents.
+    /// Draws as UniversalReproduction. There are always parents.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 
-/// Linear ranking (J. Baker, "Adaptive selection methods for genetic algorithms", 1985): the best has `best` copies on
-/// average, the worst 2 - best, those between by their rank; equals share their ranks. Sampled as
-/// UniversalReproduction.
+/// Linear ranking (J. Baker, "Adaptive selection methods for genetic algorithms", 1985). On average the best individual
+/// has `best` copies and the worst 2 - best; in between, copies are linear in the rank. Individuals of equal fitness
+/// share the mean of their ranks. Sampled as UniversalReproduction.
 struct RankingReproduction {
     static constexpr std::string_view name = "ranking", about = "linear ranking: `best` copies of the best on average",
                                       source = "J. Baker, 1985";
     static constexpr bool needs_positive_fitness = false;
     double best = 2;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"best", &RankingReproduction::best, 1, 2,
-                                       "copies that the best expects; the worst expects 2 less this"});
+        return std::tuple(
+            PolicyNumber{"best", &RankingReproduction::best, 1, 2,
+                         "mean number of copies of the best individual; the worst has 2 minus this number"});
     }
 
-    /// As UniversalReproduction; there are always parents.
+    /// Draws as UniversalReproduction. There are always parents.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 
-/// Tournament: each parent is the best of `size` individuals that are drawn with replacement; the first of equals.
+/// Tournament. Each parent is the best of `size` individuals, drawn with replacement; among equals the one drawn first.
 struct TournamentReproduction {
     static constexpr std::string_view
         name = "tournament",
-        about = "for each parent the best of `size` drawn at random, some of them more than once",
+        about = "each parent is the best of `size` individuals, drawn at random with replacement",
         source = "D. Goldberg and K. Deb, 1991";
     static constexpr bool needs_positive_fitness = false;
     std::size_t size = 2;
@@ -93,11 +95,12 @@ struct TournamentReproduction {
         return std::tuple(PolicyNumber{"size", &TournamentReproduction::size, 1, 1e6, "individuals that are drawn"});
     }
 
-    /// Draws at least `size` numbers for each parent; there are always parents.
+    /// Draws at least `size` numbers for each parent. There are always parents.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 
-/// A struct of a program's own with a call operator and needs_positive_fitness as those above: its parents are checked.
+/// A user-defined struct with a call operator and needs_positive_fitness like those above. The parents that it returns
+/// are checked.
 class OwnReproduction : public OwnPolicy {
 public:
     template <class Policy>
@@ -117,12 +120,12 @@ public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "selection", about = "how parents are chosen";
 
-    /// Whether individuals of fitness <= 0 never become parents.
+    /// Returns whether individuals of fitness <= 0 never become parents.
     bool needs_positive_fitness() const {
         return std::visit([](const auto& way) { return way.needs_positive_fitness; }, policy());
     }
 
-    /// Returns `count` parents. REQUIRES: there is an individual; every fitness is a finite number.
+    /// Returns `count` parents. REQUIRES: the population is not empty, and every fitness is a finite number.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 

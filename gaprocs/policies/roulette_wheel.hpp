@@ -6,21 +6,22 @@
 
 namespace placedpar {
 
-/// A wheel with a sector as wide as max(f_i, 0) for each individual.
+/// A wheel with one sector for each individual. The sector of individual i has the width max(f_i, 0).
 class RouletteWheel {
 public:
     /// Throws std::invalid_argument if the sum overflows a double.
     explicit RouletteWheel(std::span<const double> fitness);
 
-    /// Returns whether no fitness is positive, or their sum is below the smallest normal double.
+    /// Returns whether the sum of all positive fitness is below the smallest normal double; also true if no fitness is
+    /// positive.
     bool empty() const;
-    /// Returns the individual in whose sector the ball lies, never one with an empty sector. A sector includes its
-    /// lower end, not its upper. REQUIRES: not empty, 0 <= turn <= 1 - 2^-32.
+    /// Returns the individual in whose sector the ball lies. Its sector is never empty. A sector includes its lower
+    /// end, not its upper end. REQUIRES: not empty, 0 <= turn <= 1 - 2^-32.
     std::size_t sector(double turn) const;
-    /// Returns sector() for each of several balls, faster than one by one. REQUIRES: as sector().
+    /// Returns sector() for each of several balls, faster than one call for each ball. REQUIRES: as sector().
     std::vector<std::size_t> sectors(std::vector<double> turns) const;
-    /// Returns the individuals in whose sectors `balls` evenly spaced balls lie, the first at turn / balls, in order.
-    /// REQUIRES: as sector().
+    /// Returns the individuals in whose sectors evenly spaced balls lie, in the order of the balls. There are `balls`
+    /// balls, the first at turn / balls. REQUIRES: as sector().
     std::vector<std::size_t> sectors(std::size_t balls, double turn) const;
 
 private:

@@ -7,7 +7,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the number of exchanges after which the turns of all islands begin anew, at most 10 000.
+/// Returns the number of exchanges after which the turns of all islands begin again, at most 10 000.
 std::uint64_t exchanges_of_a_round(const Neighbours& neighbours) {
     constexpr std::uint64_t most = 10'000;
     std::uint64_t round = 1;
@@ -16,7 +16,7 @@ std::uint64_t exchanges_of_a_round(const Neighbours& neighbours) {
     return round;
 }
 
-/// Returns for each island the number of islands from which immigrants come after the given generation.
+/// Returns for each island the number of islands that send to it after the given generation.
 std::vector<std::size_t> senders(const Schedule& schedule, const Neighbours& neighbours, std::uint64_t generation) {
     std::vector<std::size_t> count(neighbours.size());
     for (const auto& list : neighbours)
@@ -49,7 +49,7 @@ std::span<const std::size_t> OwnSchedule::operator()(std::uint64_t exchange,
         const std::size_t *begin = neighbours.data(), *end = begin + neighbours.size();
         require(chosen.empty() ||
                     (!std::less<>()(chosen.data(), begin) && !std::less<>()(end, chosen.data() + chosen.size())),
-                "it gave neighbours that are not in the list that it was given");
+                "it returned neighbours that are not adjacent members of the list");
         return chosen;
     });
 }

@@ -14,8 +14,8 @@
 
 namespace placedpar {
 
-// Each way says to which of an island's neighbours its emigrants go at exchange 1, 2, 3, ... Islands exchange in their
-// generations `every`, 2 `every`, 3 `every`, ..., the first of all being generation 1.
+// Each policy says to which of an island's neighbours its emigrants go at exchange 1, 2, 3, ... Generations are
+// numbered from 1, and an exchange follows every `every`-th generation.
 
 struct BroadcastSchedule {
     static constexpr std::string_view name = "broadcast", about = "every `every` generations to all neighbours at once",
@@ -27,11 +27,11 @@ struct BroadcastSchedule {
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
 };
 
-/// Sends to the first neighbour at the first exchange, then to the second, and after the last to the first again: in a
-/// hypercube of two dimensions i xor 1 and i xor 2 alternately (thesis 5.3.2).
+/// Sends to the first neighbour at the first exchange, then to the second, and so on; after the last neighbour comes
+/// the first again. In a hypercube of two dimensions the neighbours are i xor 1 and i xor 2 (thesis 5.3.2).
 struct SequentialSchedule {
     static constexpr std::string_view name = "sequential",
-                                      about = "every `every` generations to one neighbour, each in its turn",
+                                      about = "every `every` generations to one neighbour, each in turn",
                                       source = "thesis 5.2.1 and 5.3.2";
     std::size_t every = 3;
     static constexpr auto numbers() {
@@ -40,11 +40,11 @@ struct SequentialSchedule {
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
 };
 
-/// No island waits for another: emigrants go to all neighbours, and an island accepts those that have arrived, from
-/// each neighbour only the last sent. On a simulated machine this depends on its times, and is the same in every run.
+/// No island waits for another. Emigrants go to all neighbours. An island accepts the emigrants that have arrived; from
+/// each neighbour only the last emigrants. The arrivals depend on the simulated times, and are the same in every run.
 struct AsynchronousSchedule {
     static constexpr std::string_view name = "asynchronous",
-                                      about = "every `every` generations to all neighbours, waiting for none",
+                                      about = "every `every` generations to all neighbours, without waiting for them",
                                       source = "not in the thesis";
     std::size_t every = 3;
     static constexpr auto numbers() {
@@ -53,9 +53,9 @@ struct AsynchronousSchedule {
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
 };
 
-/// A struct of a program's own that has `every`, its first number, and a call operator as those above, which depends on
-/// nothing but what it is given: both ends of a channel ask it. The neighbours that it gives stand together in the
-/// list. Islands that exchange wait for each other.
+/// A user-defined struct with `every` as its first number, and a call operator like those above. Its result may depend
+/// only on its arguments, because both ends of a channel call it. It returns neighbours that are adjacent in the list.
+/// Islands that exchange wait for each other.
 class OwnSchedule : public OwnPolicy {
 public:
     template <class Policy>
@@ -72,35 +72,36 @@ private:
     std::function<std::span<const std::size_t>(std::uint64_t, std::span<const std::size_t>)> choose_;
 };
 
-/// The policy that says when emigrants leave, and to which neighbours.
+/// The policy that says when emigrants leave an island, and to which neighbours they go.
 class Schedule : public OneOf<Schedule, BroadcastSchedule, SequentialSchedule, AsynchronousSchedule, OwnSchedule> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "schedule",
                                       about = "when emigrants leave an island, and to which neighbours they go";
 
-    /// Whether islands that exchange wait for each other, so that all are in the same generation.
+    /// Returns whether islands that exchange wait for each other, so that all are in the same generation.
     bool in_step() const { return !std::holds_alternative<AsynchronousSchedule>(policy()); }
-    /// Whether emigrants go to one neighbour after the other, not always to all.
+    /// Returns whether emigrants go to one neighbour after another; otherwise they go to all neighbours at each
+    /// exchange.
     bool takes_turns() const { return std::holds_alternative<SequentialSchedule>(policy()); }
-    /// Returns whether a program added it; then it is not known when its turns begin anew.
+    /// Returns whether the schedule is user-defined. The turns of a user-defined schedule are unknown.
     bool is_own() const { return std::holds_alternative<OwnSchedule>(policy()); }
-    /// Whether an exchange follows the evaluation of the given generation, counted from 1.
+    /// Returns whether an exchange follows the evaluation of the given generation. Generations count from 1.
     bool is_due(std::uint64_t generation) const { return generation > 0 && generation % every() == 0; }
     /// Returns the number of generations from one exchange to the next.
     std::size_t every() const {
         return std::visit([](const auto& way) { return way.every; }, policy());
     }
 
-    /// Returns the neighbours to which an island's emigrants go after the given generation, counted from 1, has been
-    /// evaluated.
+    /// Returns the neighbours to which an island's emigrants go after the evaluation of the given generation.
+    /// Generations count from 1.
     std::span<const std::size_t> destinations(std::uint64_t generation, std::span<const std::size_t> neighbours) const;
 };
 
-/// Returns for each island the largest number of islands from which immigrants arrive at once. With a program's own
-/// schedule, these are all islands of which it is a neighbour. Looks at 10 000 exchanges, in which every coincidence of
-/// the turns occurs unless islands have very odd numbers of neighbours. REQUIRES: neighbours as Topology::neighbours()
-/// gives them.
+/// Returns for each island the largest number of islands that send to it in one exchange. With a user-defined schedule,
+/// this is the number of all islands that have the island as a neighbour. Other schedules are tried for at most 10 000
+/// exchanges. These contain every combination of turns unless the numbers of neighbours have a very large common
+/// multiple. REQUIRES: neighbours as returned by Topology::neighbours().
 std::vector<std::size_t> most_senders_at_once(const Schedule&, const Neighbours&);
 
 } // namespace placedpar

@@ -15,11 +15,11 @@ namespace placedpar {
 
 namespace {
 
-/// Builds the list of an island's neighbours.
+/// The list of an island's neighbours, while it is built.
 class NeighbourList {
 public:
     explicit NeighbourList(std::size_t island) : island_(island) {}
-    /// Adds a neighbour unless it is the island itself, or already in the list.
+    /// Adds a neighbour, unless it is the island itself or already in the list.
     void add(std::size_t other) {
         if (other != island_ && std::find(others_.begin(), others_.end(), other) == others_.end())
             others_.push_back(other);
@@ -31,7 +31,7 @@ private:
     std::vector<std::size_t> others_;
 };
 
-/// Returns the lists of all islands; add_neighbours(i, list) adds the neighbours of island i.
+/// Returns the neighbours of all islands; add_neighbours(i, list) adds those of island i.
 template <class Add>
 Neighbours neighbours_by(std::size_t islands, Add add_neighbours) {
     Neighbours all;
@@ -54,7 +54,7 @@ void require_given_neighbour(const Neighbours& neighbours, std::size_t island, s
         throw UserError(fmt::format("island {} has island {} as neighbour twice, expected once", island, other));
 }
 
-/// Returns for each island the islands whose neighbour it is.
+/// Returns for each island all islands that have it as a neighbour.
 Neighbours reversed(const Neighbours& neighbours) {
     Neighbours back(neighbours.size());
     for (std::size_t i = 0; i < neighbours.size(); ++i)
@@ -199,7 +199,7 @@ std::optional<OneWay> one_way(const Neighbours& neighbours) {
         bool reaches_all = std::ranges::all_of(part, [&](std::size_t to) { return reached[to].has_value(); });
         auto from = std::ranges::find_if(part, [&](std::size_t each) { return !reaches_all || !reaching[each]; });
         if (from == part.end())
-            continue; // from each to the first, and from there to all
+            continue; // every island reaches the first, and the first reaches every island
         auto distance = distances(neighbours, *from);
         return OneWay{*from, *std::ranges::find_if(part, [&](std::size_t to) { return !distance[to]; })};
     }

@@ -12,16 +12,17 @@
 
 namespace placedpar {
 
-/// The islands to which each island's emigrants may go, by number from 0, in the order in which a sequential schedule
-/// takes them.
+/// For each island the numbers of its neighbours, to which its emigrants may go. Islands are numbered from 0. A
+/// sequential schedule sends to the neighbours in this order.
 using Neighbours = std::vector<std::vector<std::size_t>>;
 
-// Each policy returns the neighbours of `islands` islands. A neighbour that is the island itself, or is listed already
-// (as in a torus of two columns), is left out. In all topologies except the star, the n-th neighbours of all islands
-// are a permutation of the islands: if all send to their n-th neighbour, each receives from one island. REQUIRES:
-// islands >= 1. Throws UserError for a number of islands that does not fit.
+// Each policy returns the neighbours of each of `islands` islands. It leaves out the island itself and repeated
+// neighbours, as in a torus of two columns. In all topologies except the star, the n-th neighbours of all islands are a
+// permutation of the islands. So if every island sends to its n-th neighbour, each receives from one island. REQUIRES:
+// islands >= 1. Throws UserError if the topology does not exist for this number of islands.
 
-/// Connects each island to the next, and the last to the first; with 2 ways also to the one before.
+/// Connects each island to the next, and the last island to the first. With `ways` = 2 also connects each island to the
+/// one before it.
 struct RingTopology {
     static constexpr std::string_view name = "ring", about = "to the next island; with 2 ways also to the one before",
                                       source = "thesis, appendix E";
@@ -33,37 +34,40 @@ struct RingTopology {
     Neighbours operator()(std::size_t islands) const;
 };
 
-/// The islands whose number differs in one binary digit: i xor 1, i xor 2, i xor 4, ... (thesis 5.3.2 has two
-/// dimensions). A power of two of islands.
+/// Connects islands whose numbers differ in one binary digit: i xor 1, i xor 2, i xor 4, ... (thesis 5.3.2 has two
+/// dimensions). The number of islands must be a power of two.
 struct HypercubeTopology {
-    static constexpr std::string_view name = "hypercube", about = "to those whose number differs in one binary digit",
+    static constexpr std::string_view name = "hypercube", about = "to islands whose numbers differ in one binary digit",
                                       source = "thesis 5.2.1 and 5.3.2";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const;
 };
 
-/// Island i stands in row i / columns and column i % columns of a rectangle closed in both directions: to the east,
-/// south, west, north.
+/// Connects the islands of a rectangle, which is closed in both directions, to the east, south, west and north. Island
+/// i is in row i / columns and column i % columns.
 struct TorusTopology {
-    static constexpr std::string_view name = "torus", about = "a closed rectangle, to the east, south, west and north",
+    static constexpr std::string_view name = "torus",
+                                      about =
+                                          "a rectangle closed in both directions: to the east, south, west and north",
                                       source = "not in the thesis";
     std::size_t rows = 2;
     static constexpr auto numbers() {
-        return std::tuple(
-            PolicyNumber{"rows", &TorusTopology::rows, 1, 1e6, "of islands; as many columns as there are islands for"});
+        return std::tuple(PolicyNumber{"rows", &TorusTopology::rows, 1, 1e6,
+                                       "rows of islands; the number of columns is islands / rows"});
     }
     Neighbours operator()(std::size_t islands) const;
 };
 
-/// Island 0 to 1, 2, 3, ...; all others to island 0.
+/// Connects island 0 with each other island, in both directions.
 struct StarTopology {
-    static constexpr std::string_view name = "star", about = "island 0 with all others, which have only that one",
+    static constexpr std::string_view name = "star",
+                                      about = "island 0 with all other islands, which have no other neighbours",
                                       source = "not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const;
 };
 
-/// All others, from the next on: i + 1, i + 2, ... and after the last island from the first on.
+/// Connects each island to all others. Island i has the neighbours i + 1, i + 2, ..., then 0, 1, ... up to i - 1.
 struct CompleteTopology {
     static constexpr std::string_view name = "complete", about = "to all others, from the next on",
                                       source = "thesis 5.3.2, broadcasting";
@@ -77,19 +81,20 @@ struct NoTopology {
     Neighbours operator()(std::size_t islands) const { return Neighbours(islands); }
 };
 
-/// Connects islands as listed. The list is not part of the policy's text: a netlist lists neighbours by its
-/// connections. An island may only send or only receive, but must do one of them.
+/// Connects islands by a list. The list is not part of the policy's text, because a netlist's connections are its list.
+/// An island may only send or only receive, but must do at least one of them.
 struct GivenTopology {
-    static constexpr std::string_view name = "given", about = "neighbours as they are listed",
+    static constexpr std::string_view name = "given", about = "neighbours as listed",
                                       source = "as a netlist connects islands";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours neighbours;
-    /// Throws UserError: lists of another number of islands, a neighbour that does not exist, is the island itself or
-    /// is listed twice.
+    /// Throws UserError if the list is for another number of islands. Throws it also if a neighbour does not exist, is
+    /// the island itself, or is listed twice.
     Neighbours operator()(std::size_t islands) const;
 };
 
-/// A struct of a program's own with a call operator as those above: what it gives is checked as GivenTopology's lists.
+/// A user-defined struct with a call operator like those above. The lists that it returns are checked like those of
+/// GivenTopology.
 class OwnTopology : public OwnPolicy {
 public:
     template <class Policy>
@@ -110,24 +115,24 @@ public:
     static constexpr std::string_view noun = "topology", about = "which islands exchange individuals";
 
     bool is_given() const { return std::holds_alternative<GivenTopology>(policy()); }
-    /// False for "none".
+    /// Returns whether islands exchange individuals: false for "none".
     bool exchanges() const { return !std::holds_alternative<NoTopology>(policy()); }
-    /// Throws UserError, saying what would be right: no island, a number of islands that does not fit, an island
-    /// without neighbours in any topology but "none".
+    /// Throws UserError, with what would be right, if there is no island or the topology does not exist for this number
+    /// of islands. Throws it also if an island has no neighbours, except for the topology "none".
     Neighbours neighbours(std::size_t islands) const;
 };
 
-/// Returns for each island the number of exchanges after which individuals of the island `from` can have reached it, if
-/// each island sends to all its neighbours: 0 for the island itself, nothing if they never reach it. REQUIRES: from <
-/// neighbours.size().
+/// Returns for each island its distance from the island `from`: the number of exchanges in which individuals reach it,
+/// if each island sends to all its neighbours. The distance is 0 for `from` itself, and absent if individuals never
+/// arrive. REQUIRES: from < neighbours.size().
 std::vector<std::optional<std::size_t>> distances(const Neighbours& neighbours, std::size_t from);
 
-/// Returns the parts of the topology that exchange nothing with each other, each part and the parts in ascending order.
-/// A single part: the topology is connected.
+/// Returns the parts of the topology that do not exchange with each other. The islands of each part are in ascending
+/// order, and so are the parts. A connected topology has one part.
 std::vector<std::vector<std::size_t>> separate_parts(const Neighbours& neighbours);
 
-/// Two islands of one part, where nothing of the first ever reaches the second, as from the end of a chain of one way
-/// to its beginning: the first such pair.
+/// Two islands of the same part, where individuals of the first never reach the second. An example is a one-way chain:
+/// nothing from its end reaches its beginning. one_way() returns the first such pair.
 struct OneWay {
     std::size_t from, never_to;
 };

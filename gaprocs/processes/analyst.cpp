@@ -49,8 +49,8 @@ std::vector<std::size_t> windows_of(const std::vector<AnalysedIsland>& islands) 
     return windows;
 }
 
-/// Makes the active error analysis of the bests that the islands send, and keeps the answer. REQUIRES: a network that
-/// has passed check_analyst(), so that there are islands, and all of them have one host.
+/// Receives the best individual of each island and chooses the answer among them by active error analysis. REQUIRES:
+/// the network has passed check_analyst(), so there is at least one island, and all islands have the same host.
 class Analyst {
 public:
     Analyst(ProcessEnvironment& environment, const SearchProblem& problem, SearchObserver* observer)
@@ -72,14 +72,14 @@ public:
     }
 
 private:
-    /// Receives a report of every island, in parallel.
+    /// Receives one report from each island; the inputs run in parallel.
     std::vector<EstimateMessage> receive_reports() {
         std::vector<EstimateMessage> reports(islands_.size());
         par_for(reports.size(), [&](std::size_t i) { reports[i] = islands_[i].reports.input(); });
         return reports;
     }
 
-    /// Receives samples until there are `count`, the number that the islands had when they found their bests.
+    /// Receives samples from the host until `count` samples have come. An island reports this count with its best.
     void take_samples(std::size_t count) {
         for (; taken_ < count; ++taken_)
             samples_.push(from_host_.input().sample);
@@ -90,8 +90,8 @@ private:
         }
     }
 
-    /// Returns the number of error evaluations: for each best, one at each sample of the longest window, or of every
-    /// window if errors depend on where a window begins.
+    /// Returns the number of error evaluations in one analysis. The errors of each best are evaluated at the samples of
+    /// the longest window. If errors depend on the first sample of a window, each window is evaluated separately.
     std::size_t errors_to_find() const {
         const std::vector<std::size_t> windows = windows_of(islands_);
         std::size_t of_each = problem_.depends_on_window()
@@ -131,13 +131,14 @@ private:
     Input<HostMessage> from_host_;
     std::vector<AnalysedIsland> islands_;
     std::size_t longest_window_;
-    SlidingWindow samples_; ///< samples of the longest window, which an analysis needs
+    SlidingWindow samples_; ///< samples of the longest window
     std::size_t taken_ = 0; ///< number of samples received
     ActiveErrorAnalysis analysis_;
     std::size_t answers_ = 0;
 };
 
-/// The problem is the islands', in their coding, which check_analyst() and check_island() found to be one.
+/// Reads the problem and its coding from the first island. check_analyst() and check_island() have found them equal for
+/// all islands.
 void run_analyst(ProcessEnvironment& environment, const ProblemRegistry& problems, SearchObserver* observer) {
     const Network& network = environment.network();
     std::size_t first = peers_at(network, environment.index(), "from_islands").front().process;
@@ -154,15 +155,15 @@ ProcessKind analyst_kind(const ProblemRegistry& problems, SearchObserver* observ
     using namespace description;
     return {
         .name = "ga.analyst",
-        .about = "Active error analysis (thesis 5.3.2) of islands that have different windows: each time they have "
-                 "exchanged, it chooses whose best is the answer of all, and holds it until the next time. It changes "
-                 "nothing on the islands.",
+        .about = "Active error analysis (thesis 5.3.2) of islands with different windows. After each exchange it "
+                 "chooses the island whose best is the answer of all islands, and keeps this answer until the next "
+                 "exchange. The islands do not change.",
         .ports = {from_host(), input<EstimateMessage>("from_islands", "estimate", "an array: one end for each island")},
         .parameters = {policy<IslandChoice>("choice", "row",
-                                            "whose best is the answer; islands in the order of "
-                                            "from_islands"),
+                                            "how the island is chosen; islands are in the order of from_islands"),
                        cycles_per_error()},
-        .measurements = {{"answers", "", "how often it has chosen: from the first full window of every island on"},
+        .measurements = {{"answers", "",
+                          "number of answers; the first is given when the windows of all islands are full"},
                          {"chosen", "", "the island whose best is the answer at the end"},
                          {"the problem's parameters", "", "as decoded from the best individual of that island"}},
         .body = [&problems,

@@ -9,11 +9,11 @@
 
 namespace placedpar {
 
-/// Returns what is wrong with a ga.analyst in a netlist that has not run yet: a report that does not come from an
-/// island; islands that do not exchange with each other in step, so that their reports would be of different
-/// generations; a problem without a record; samples from another host than the islands'; the choice of an island that
-/// does not exist. Warns if the analyst would never answer. REQUIRES: all ports that must be connected are connected,
-/// which the reader checks first.
+/// Returns the errors of a ga.analyst in a netlist before it runs. Each report must come from an island. All these
+/// islands must exchange in step with each other, otherwise their bests would belong to different generations. Their
+/// problem must have a record, and their samples must come from the analyst's host. A fixed choice must name an
+/// existing island. Warns if the analyst would never give an answer. REQUIRES: all ports that must be connected are
+/// connected; the reader of netlists checks this before.
 std::vector<Complaint> check_analyst(const Network&, std::size_t process, const ProblemRegistry&);
 
 } // namespace placedpar

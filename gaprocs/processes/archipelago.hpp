@@ -16,23 +16,23 @@ namespace placedpar {
 struct PlacedIsland {
     std::size_t process;                 ///< index in Network::processes
     std::vector<std::size_t> neighbours; ///< numbers of the neighbours, in the order of a sequential schedule
-    std::map<std::size_t, std::string> ports_to, ports_from; ///< port, by number of the neighbour
-    /// Errors in the connections, by port: a connection to the island itself, a second one to the same island, or one
-    /// to a process that is not an island.
+    std::map<std::size_t, std::string> ports_to, ports_from; ///< the island's ports, by number of the neighbour
+    /// Describes the faulty connections, by port: a connection of the island to itself, a second connection to the same
+    /// island, or a connection to a process that is not an island.
     std::map<std::string, std::string> refused;
     std::size_t part; ///< index in Archipelago::parts()
 };
 
-/// The connections that the topology named by an island would make between all islands.
+/// The connections that a topology, named in the netlist, would make between all islands.
 struct NamedTopology {
     Neighbours neighbours;
-    std::string does_not_fit; ///< why the topology does not fit the number of islands; "" if it fits
+    std::string does_not_fit; ///< reason why the topology does not fit the number of islands; "" if it fits
 };
 
-/// The islands of a netlist: its processes of the kind ga.island, numbered from 0 in the order of their declarations,
-/// with their neighbours in the order of the connections. If an island's parameter `topology` is not "given", and that
-/// topology has the same neighbours, they are in the topology's order. Construction takes time in proportion to the
-/// netlist, so that all islands share one archipelago.
+/// The islands of a netlist: the processes of the kind ga.island. Islands are numbered from 0 in the order of their
+/// declarations. An island's neighbours are in the order of its topology if the topology names the same neighbours,
+/// else in the order of the connections. Construction takes time proportional to the size of the netlist, so all
+/// islands share one archipelago.
 class Archipelago {
 public:
     explicit Archipelago(const Network&);
@@ -42,11 +42,12 @@ public:
     std::size_t number_of(std::size_t process) const;
     const Neighbours& neighbours() const { return neighbours_; }
     const std::vector<std::vector<std::size_t>>& parts() const { return parts_; }
-    /// Returns the islands that exchange with this one, directly or through other islands, including itself.
+    /// Returns the part of an island: itself and all islands with which it exchanges, directly or through other
+    /// islands.
     const std::vector<std::size_t>& part_of(std::size_t island) const { return parts_[islands_[island].part]; }
-    /// Returns the largest number of samples that any island of this island's part needs for its first generation.
+    /// Returns the largest number of samples that an island of the same part needs before its first generation.
     std::size_t samples_needed_around(std::size_t island) const { return samples_needed_[islands_[island].part]; }
-    /// REQUIRES: the text is an island's parameter `topology`, and not "given".
+    /// REQUIRES: some island has this text as its parameter `topology`, and the text is not "given".
     const NamedTopology& topology(const std::string& text) const { return topologies_.at(text); }
 
 private:
@@ -63,11 +64,12 @@ private:
     std::map<std::size_t, std::size_t> numbers_; ///< by process
 };
 
-/// Returns the archipelago that all islands of a running network share. REQUIRES: the network outlives it and does not
-/// change.
+/// Returns the archipelago that all islands of a running network share. REQUIRES: the network outlives the archipelago
+/// and does not change.
 std::shared_ptr<const Archipelago> archipelago_of(const Network&);
 
-/// Returns the schedule that the island's parameters give: `exchange_every` gives the interval if `schedule` does not.
+/// Returns the schedule of an island. The interval is in the parameter `schedule`, as in "sequential(5)", or else in
+/// `exchange_every`.
 Schedule schedule_of(const ProcessInstance&);
 /// Returns whether the text of a schedule contains the interval, as "sequential(5)" does.
 bool says_how_often(const std::string& schedule);

@@ -14,14 +14,14 @@
 
 namespace placedpar {
 
-/// Collects the estimates that the searches send back to their host. Measures each response time, from the moment at
-/// which the search had taken a sample to the arrival of its estimate for that sample, and since when the fittest
-/// estimate has been accurate.
+/// Collects the estimates that the searches send back to their host. Measures each response time: from the time at
+/// which the search has taken a sample, until its estimate for this sample arrives. Measures also the time after which
+/// the fittest estimate stays accurate.
 class Estimates {
 public:
-    /// REQUIRES: a network that has passed check_host(), so that every estimate comes from a search that takes samples
-    /// of this host. Both must outlive it. Throws UserError if an accuracy is given and the problem's record was not
-    /// simulated.
+    /// REQUIRES: the network has passed check_host(), so each estimate comes from a search that takes samples from this
+    /// host. The environment and the registry outlive this object. Throws UserError if an accuracy is given, but the
+    /// problem's record was not simulated.
     Estimates(ProcessEnvironment&, const ProblemRegistry&);
 
     /// Returns the number of searches that send estimates.
@@ -39,14 +39,14 @@ public:
     void report() const;
 
 private:
-    /// The arrival of the estimate that followed this number of samples.
+    /// The arrival of an estimate.
     struct Answer {
-        std::size_t samples;
+        std::size_t samples; ///< samples that the search had received
         Time came;
     };
     Time response(std::size_t search, const Answer&) const;
     void report_responses(std::size_t received) const;
-    /// Returns the search whose last estimate is the fittest; searches() if no estimate has come.
+    /// Returns the search with the fittest last estimate; searches() if no estimate has come.
     std::size_t fittest() const;
     std::shared_ptr<const SearchProblem> problem_of(std::size_t search) const;
     std::vector<double> values_of(std::size_t search) const;
@@ -58,16 +58,18 @@ private:
     std::vector<std::size_t> processes_;         ///< index in Network::processes, by search
     std::vector<Input<EstimateMessage>> inputs_; ///< by search
     std::vector<EstimateMessage> last_;          ///< last estimate, by search; generation 0: no estimate yet
-    // The times are compared only at the end: parallel processes note them, and the order of their notes must not
-    // matter.
-    std::map<std::size_t, std::vector<Time>> taken_{}; ///< times at which each sample had been taken, by process
+    // Times are compared only after the run, because the parallel processes note them in any order.
+    std::map<std::size_t, std::vector<Time>> taken_{}; ///< times at which samples were taken, in the order of the
+                                                       ///< samples; by process
     std::vector<std::vector<Answer>> answers_;         ///< by search
     double accuracy_;                      ///< largest relative error of an accurate estimate; 0: not checked
-    std::optional<Time> accurate_since_{}; ///< since when the fittest estimate has been accurate without a break
+    std::optional<Time> accurate_since_{}; ///< start of the time during which the fittest estimate has been accurate
+                                           ///< without a break
 };
 
-/// Reports the fitness or objective of an individual and its parameters as measurements of the process. `values`: the
-/// decoded parameters; empty if the problem's strings do not code numbers, in which case the string is reported.
+/// Reports the individual's fitness or objective, and its parameters, as measurements of the process. `values`: the
+/// decoded parameters. If `values` is empty, the problem's strings do not code numbers, and the string itself is
+/// reported.
 void measure_individual(ProcessEnvironment&, const SearchProblem&, const Individual&,
                         const std::vector<double>& values);
 

@@ -73,7 +73,7 @@ void Farm::send_to_all(Task::Kind kind, std::span<const Share> shares, std::span
     });
 }
 
-/// Returns the next result of any slave.
+/// Returns the next result to arrive from any slave.
 Fitnesses Farm::receive() {
     if (from_slaves_.size() == 1)
         return from_slaves_.front().input();
@@ -83,7 +83,8 @@ Fitnesses Farm::receive() {
     return next;
 }
 
-/// Receives all results. If results come in order, the last one of a channel is that of the slave at its other end.
+/// Receives the results of all slaves. If results come in order, the last result on each channel is that of the nearest
+/// slave.
 void Farm::take_from_all(std::vector<double>& fitness) {
     if (!settings_.results_in_order || from_slaves_.size() == 1) {
         for (std::size_t slave = 0; slave < settings_.slaves; ++slave)
@@ -98,7 +99,7 @@ void Farm::take_from_all(std::vector<double>& fitness) {
         }
 }
 
-/// Packs a message: the measurements converted word by word, the strings copied.
+/// Packs a task into a message: converts the measurements word by word, and copies the strings.
 Task Farm::make_task(Task::Kind kind, std::size_t slave, const Share& share, std::span<const Genome> population,
                      bool measurements) {
     Task task;
@@ -121,7 +122,7 @@ Task Farm::make_task(Task::Kind kind, std::size_t slave, const Share& share, std
     return task;
 }
 
-/// Unpacks a message.
+/// Unpacks a result and adds its terms to the fitness.
 void Farm::take(const Fitnesses& result, std::vector<double>& fitness) {
     compute(block_move(result.bytes));
     add_terms(result.share, result.terms, fitness);

@@ -12,48 +12,48 @@
 
 namespace placedpar {
 
-/// Evaluates a population by a master and its slaves (algorithm A). The slaves behind each of the master's channels
-/// form a tree and pass on each other's messages: one channel to a chain, a channel to each slave of a star, or
-/// anything between. The master sends to the nearest slaves first, evaluates a share itself, then receives the results.
-/// Without slaves it evaluates everything.
+/// Evaluates a population by a master and its slaves (algorithm A). The slaves behind each channel of the master form a
+/// tree, and pass on messages for each other. The master may have one channel to a chain of slaves, a channel to each
+/// slave of a star, or any other tree. In each generation the master sends the tasks, evaluates its own share, then
+/// receives the results. Tasks for the nearest slaves are sent first. Without slaves the master evaluates all
+/// individuals.
 ///
-/// The fitness does not depend on the number of slaves, on how they are connected, or on which slave evaluated which
-/// individual (see fitness.hpp).
+/// The fitness is independent of the number of slaves, of their connections, and of the evaluator of each individual
+/// (see fitness.hpp).
 class Farm {
 public:
     struct Settings {
         std::size_t slaves = 0;
         SlaveRoutes routes = {};
         Split split = Split::individuals;
-        double own_share =
-            1; ///< the master's share as a fraction of a slave's share, 0 ... 1; not used by Split::demand
+        double own_share = 1; ///< master's share as a fraction of a slave's share, 0 ... 1; not used by Split::demand
         Sending sending = Sending::in_turn;
-        std::size_t tasks_under_way = 1; ///< tasks that a slave may have unanswered at once; for Split::demand
+        std::size_t tasks_under_way = 1; ///< largest number of unanswered tasks of a slave; for Split::demand
         bool measurements_every_generation =
-            false; ///< send the measurements in every generation, not only when they are new
-        bool results_in_order =
-            false; ///< receive channel by channel, the farthest slave first; otherwise as results become ready
+            false; ///< true: send the measurements in every generation; false: only when they are new
+        bool results_in_order = false; ///< true: receive channel by channel, the farthest slave first; false: receive
+                                       ///< each result when it is ready
         double bias = 0;
     };
 
     Farm(const SearchProblem&, const Workload&, const Settings&, std::vector<Output<Task>> to_slaves,
          std::vector<Input<Fitnesses>> from_slaves);
 
-    /// Sets new measurements, which each slave receives with its next task.
+    /// Sets new measurements. Each slave receives them with its next task.
     void measure(Window);
     /// Returns the fitness of every individual. REQUIRES: measure() was called.
     std::vector<double> evaluate(std::span<const Genome> population);
-    /// Does all communication of a generation with new measurements, but evaluates nothing: the thesis measured C_time2
-    /// this way. With Split::demand, equal speeds are assumed: each slave gets 1/(slaves + 1) of the individuals.
-    /// REQUIRES: slaves > 0.
+    /// Does all communication of a generation with new measurements, but evaluates nothing. The thesis measured C_time2
+    /// in this way. With Split::demand each slave gets 1/(slaves + 1) of the individuals, as if all evaluators had the
+    /// same speed. REQUIRES: slaves > 0.
     void rehearse(std::span<const Genome> population);
     /// Ends the slaves.
     void end();
 
     /// Resets the two stopwatches below.
     void forget_times() { send_to_receive = own_evaluation = Stopwatch{}; }
-    /// Times of a whole generation's sending, evaluating and receiving (T_sr), and of the master's own evaluations
-    /// (P_time2).
+    /// These stopwatches measure T_sr, the time of a generation from the first sending to the last receiving, and
+    /// P_time2, the time of the master's own evaluations.
     Stopwatch send_to_receive, own_evaluation;
 
 private:
@@ -78,7 +78,7 @@ private:
     Settings settings_;
     TaskOutlets to_slaves_;
     std::vector<Input<Fitnesses>> from_slaves_;
-    std::vector<std::size_t> in_turn_; ///< slaves in the order in which tasks are sent to them
+    std::vector<std::size_t> in_turn_; ///< slaves in the order in which the master sends their tasks
     Window window_;
     bool measurements_are_new_ = false;
 };

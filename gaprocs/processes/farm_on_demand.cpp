@@ -9,8 +9,8 @@
 
 namespace placedpar {
 
-/// Deals out individuals one by one, each to an evaluator that is idle: to slaves by their tasks, and over soft
-/// channels to the master's own evaluator, a process of low priority beside the dealer.
+/// Deals out individuals one by one, each to an idle evaluator. Slaves receive them in tasks. The master's own
+/// evaluator is a process of low priority beside the dealer, and receives them over a soft channel.
 class Farm::Dealer {
 public:
     Dealer(std::size_t population, std::size_t window, std::size_t slaves, bool measurements_are_new)
@@ -23,7 +23,7 @@ public:
         return {individual * window_, (individual + 1) * window_, window_};
     }
     void received() { ++received_; }
-    /// Returns true once for each slave if the measurements are new: they are sent with its first task.
+    /// Returns true at the slave's first task, with which new measurements are sent; otherwise false.
     bool owes_measurements(std::size_t slave) {
         bool owed = lacks_measurements_[slave];
         lacks_measurements_[slave] = false;
@@ -56,7 +56,7 @@ void Farm::deal_to_all(Dealer& dealer, std::span<const Genome> population, std::
         bool own_evaluator_works = true;
         auto deal_to_self = [&] {
             own_evaluator_works = dealer.anything_left();
-            work.out().output(own_evaluator_works ? dealer.next() : Share{}); // an empty share ends it
+            work.out().output(own_evaluator_works ? dealer.next() : Share{}); // an empty share ends the evaluator
         };
         deal_to_self();
         std::vector<Guard> guards;
@@ -102,14 +102,14 @@ void Farm::rehearse_on_demand(std::span<const Genome> population, std::vector<do
     });
 }
 
-/// Sends each slave as many tasks as it may have unanswered.
+/// Sends each slave its first tasks, up to the largest number of unanswered tasks.
 void Farm::deal_to_slaves(Dealer& dealer, Task::Kind kind, std::span<const Genome> population) {
     for (std::size_t task = 0; task < settings_.tasks_under_way; ++task)
         for (std::size_t slave : in_turn_)
             deal_to_slave(slave, dealer, kind, population);
 }
 
-/// Sends the slave its next task; does nothing if all individuals are dealt out.
+/// Sends the slave its next task. Does nothing if all individuals have been dealt out.
 void Farm::deal_to_slave(std::size_t slave, Dealer& dealer, Task::Kind kind, std::span<const Genome> population) {
     if (!dealer.anything_left())
         return;

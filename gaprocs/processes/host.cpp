@@ -34,7 +34,7 @@ std::size_t samples_to_send(const ProcessEnvironment& environment, std::size_t r
     return wanted == 0 ? recorded : wanted;
 }
 
-/// Returns the samples of the record; for an objective problem, an empty sample for each generation.
+/// Returns the samples of the record. For an objective, returns one empty sample for each generation.
 std::vector<Sample> samples_of(const ProcessEnvironment& environment, const RecordedProblem& recorded) {
     if (recorded.problem()->objective())
         return empty_record(static_cast<std::size_t>(environment.integer("generations")));
@@ -181,11 +181,12 @@ private:
 std::vector<MeasurementDescription> host_measurements() {
     std::vector<MeasurementDescription> all{
         {"from_sensors", "ms",
-         "mean time from when the sensors read a sample until it has arrived; absent without sensors"},
+         "mean time from when the sensors read a sample until the host has it; absent without sensors"},
         {"longest_from_sensors", "ms", "the longest of these times"},
-        {"to_masters", "ms", "mean time from then until all masters have taken it; absent without sensors"},
+        {"to_masters", "ms",
+         "mean time from when the host has a sample until all masters have it; absent without sensors"},
         {"longest_to_masters", "ms", "the longest of these times"},
-        {"estimates", "", "how many came back"},
+        {"estimates", "", "number of estimates that came back"},
         {"response", "ms", "mean time from when a master took a sample until its estimate arrived"},
         {"longest_response", "ms", "the longest response"},
         {"accurate_after", "ms",
@@ -204,33 +205,35 @@ ProcessKind host_kind(const ProblemRegistry& problems) {
     using namespace description;
     return {
         .name = "ga.host",
-        .about = "The host computer's part: sends each sample of the problem's record to every master, as fast as "
-                 "they take it, and takes the estimates that come back.",
+        .about = "The host computer's process: sends each sample of the problem's record to every master, as fast as "
+                 "the masters take it, and receives the estimates that come back.",
         .ports = {output<HostMessage>("to_masters", "host message", "an array: one end for each master"),
                   optional(input<EstimateMessage>("from_masters", "estimate",
                                                   "an array: one end for each master whose estimates come back")),
                   optional(input<HostMessage>("from_sensors", "host message",
-                                              "the samples, in place of the record's, as ga.sensors reads them")),
+                                              "samples that ga.sensors reads, in place of the record's")),
                   optional(output<Finding>("to_alarm", "finding",
-                                           "the fittest estimate after each sample, when all have come"))},
-        .parameters = {problem(),
-                       integer("samples", {.unit = "samples", .by_default = 0, .least = 0, .most = 1e9},
-                               "how many samples of the record are sent; 0: all"),
-                       integer("generations", {.unit = "generations", .by_default = 100, .least = 1, .most = 1e7},
-                               "how long a problem without a record is searched; each is asked for by an empty "
-                               "sample"),
-                       bytes_in_message("sample_bytes", 16, "a sample in a message"),
-                       real("accuracy", {.by_default = 0, .least = 0, .most = 1},
-                            "greatest relative error of an accurate estimate, against the true parameters of a "
-                            "simulated record; 0: not checked")},
+                                           "the fittest estimate after each sample, when all estimates have come"))},
+        .parameters =
+            {problem(),
+             integer("samples", {.unit = "samples", .by_default = 0, .least = 0, .most = 1e9},
+                     "how many samples of the record are sent; 0: all"),
+             integer("generations", {.unit = "generations", .by_default = 100, .least = 1, .most = 1e7},
+                     "number of generations for a problem without a record; the host requests each by an empty sample"),
+             bytes_in_message("sample_bytes", 16, "a sample in a message"),
+             real("accuracy", {.by_default = 0, .least = 0, .most = 1},
+                  "greatest relative error of an accurate estimate, against the true parameters of a "
+                  "simulated record; 0: not checked")},
         .measurements = host_measurements(),
         .body = [&problems](ProcessEnvironment& environment) { Host(environment, problems).run(); },
         .check = [&problems](const Network& network,
                              std::size_t process) { return check_host(network, process, problems); },
-        .is_determinate = [](const Network& network, std::size_t process) { // else components look at others' estimates
-            return std::get<double>(network.processes[process].parameters.at("accuracy")) == 0 &&
-                   !other_end(network, process, "to_alarm");
-        }};
+        .is_determinate =
+            [](const Network& network, std::size_t process) {
+                // With an accuracy or an alarm, the order of the host's components matters.
+                return std::get<double>(network.processes[process].parameters.at("accuracy")) == 0 &&
+                       !other_end(network, process, "to_alarm");
+            }};
 }
 
 } // namespace placedpar

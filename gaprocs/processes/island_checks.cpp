@@ -26,7 +26,7 @@ namespace placedpar {
 
 namespace {
 
-/// This maps a schedule to how many immigrate to each island at once, at the most.
+/// Maps the text of a schedule to a number for each island: how many islands at most send to it in one exchange.
 using SendersBySchedule = std::map<std::string, std::vector<std::size_t>>;
 
 /// Collects the complaints about one island.
@@ -90,8 +90,8 @@ private:
                                            Topology::named(topology).text(), archipelago_.islands().size()));
     }
 
-    /// Refuses an unconnected island among connected ones, which is probably a mistake. If no island is connected, they
-    /// are independent searches.
+    /// Refuses an island without connections among connected islands, which is probably a mistake. If no island is
+    /// connected, they are independent searches.
     void require_some_neighbour() {
         auto connected = [](const PlacedIsland& island) {
             return !island.ports_to.empty() || !island.ports_from.empty();
@@ -106,7 +106,7 @@ private:
         const std::string& schedule = text(process_, "schedule");
         if (says_how_often(schedule) && process_.given.contains("exchange_every"))
             refuse("exchange_every",
-                   fmt::format("exchange_every = {}, but the schedule \"{}\" says how often, too",
+                   fmt::format("exchange_every = {}, but the schedule \"{}\" states an interval, too",
                                integer(process_, "exchange_every"), schedule),
                    "leave out one of them");
     }
@@ -126,7 +126,7 @@ private:
         }
     }
 
-    /// Compares this island with the first island of its part.
+    /// Compares this island's parameters with those of the first island in its part.
     void check_neighbours_agree() {
         const ProcessInstance& first = instance(archipelago_.part_of(number_).front());
         for (const char* parameter : {"problem", "coding"})
@@ -157,14 +157,14 @@ private:
                  samples_sent_to(network_, static_cast<std::size_t>(&first - network_.processes.data()), problems_);
         if (ours && theirs && *ours != *theirs)
             refuse("",
-                   fmt::format("\"{}\" and \"{}\" are not sent as many samples: {} and {}", process_.name, first.name,
-                               *ours, *theirs),
+                   fmt::format("\"{}\" and \"{}\" are sent different numbers of samples: {} and {}", process_.name,
+                               first.name, *ours, *theirs),
                    "they exchange in the same generations");
     }
 
     void check_room() {
         if (integer(process_, "elite") > integer(process_, "population") - 2)
-            return; // said by the process itself
+            return; // the process's own check reports this
         std::size_t most = most_immigrants_at_once();
         try {
             Acceptance::validate_for(most, static_cast<std::size_t>(integer(process_, "population")),
@@ -190,7 +190,7 @@ private:
             {archipelago_.islands()[island].process, std::move(about), std::move(message), std::move(hint), true});
     }
 
-    /// Warns, on behalf of the first island only, at the first island of the second part.
+    /// Warns of parts that do not exchange with each other. Only the first island warns.
     void warn_of_parts() {
         const auto& parts = archipelago_.parts();
         if (number_ != 0)
@@ -214,7 +214,8 @@ private:
                  "a ring leads back to the first island");
     }
 
-    /// Warns at the first island that does not have topology = "none".
+    /// Warns that no island is connected, unless all islands have topology = "none". The warning names the first island
+    /// that has not.
     void warn_of_islands_alone() {
         for (std::size_t island = 0; island < archipelago_.islands().size(); ++island)
             if (Topology::named(text(instance(island), "topology")).is_given())
@@ -224,7 +225,7 @@ private:
                             "connect to_neighbours[0] of each; or say topology = \"none\", if that is meant");
     }
 
-    /// Warns of islands that never exchange. Only the first of several islands in step warns.
+    /// Warns if the run ends before the first exchange. Among islands in step, only the first warns.
     void warn_of_no_exchange() {
         Schedule schedule = schedule_of(process_);
         const auto& part = archipelago_.part_of(number_);

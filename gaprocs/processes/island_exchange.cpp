@@ -12,7 +12,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns whether a fitness computed by one island is valid on the other.
+/// Returns whether both islands compute the same fitness for a string.
 bool same_window(const ProcessInstance& a, const ProcessInstance& b) {
     return a.parameters.at("window") == b.parameters.at("window") && a.parameters.at("bias") == b.parameters.at("bias");
 }
@@ -66,7 +66,7 @@ std::vector<Migration> IslandExchange::exchange(Search& search, std::span<const 
     return arrivals;
 }
 
-/// Chooses no emigrants where there is no destination: the choice might draw random numbers.
+/// Returns no emigrants if the exchange has no destination. A choice of emigrants might draw random numbers.
 Emigrants IslandExchange::leaving(Search& search, std::span<const double> fitness) const {
     Emigrants emigrants;
     emigrants.generation = search.generation() + 1;
@@ -105,11 +105,11 @@ std::vector<Migration> IslandExchange::take_arrivals() {
     return arrivals;
 }
 
-/// Evaluates immigrants. The fitness that came with an immigrant remains valid if it was computed over the same
-/// samples.
+/// Evaluates immigrants from islands with another window; for an asynchronous schedule, all immigrants. Other
+/// immigrants keep their fitness, which was computed over the same samples.
 void IslandExchange::evaluate_arrivals(std::span<Migration> arrivals, std::span<const Sample> window) const {
     if (problem_.objective())
-        return; // the same everywhere
+        return; // an objective is the same on all islands
     for (auto& each : incoming_)
         for (Migration& arrival : arrivals)
             if (arrival.from == each->from && (each->other_window || !schedule_.in_step())) {

@@ -19,43 +19,44 @@ namespace placedpar {
 
 class ProcessEnvironment;
 
-/// Exchanges individuals between an island process and its neighbours: the exchange of Islands (gaprocs/islands.hpp) by
-/// messages.
+/// Exchanges individuals between an island process and its neighbours, by the rules of Islands (gaprocs/islands.hpp).
 ///
-/// In step, a process for each channel sends or receives, all in parallel, and the exchange ends when all of them have
-/// ended. No topology can deadlock: every island makes its exchanges in the same order, each with all of its channels
-/// at once (P. Welch's I/O-PAR). Which channels are used in an exchange follows from the topology and the schedule, so
-/// both ends know it.
+/// In step, one process for each channel sends or receives. All of them run in parallel, and the exchange ends when the
+/// last of them ends. No topology can deadlock: every island makes its exchanges in the same order, and each exchange
+/// uses all of its channels in parallel (P. Welch's I/O-PAR). The topology and the schedule determine the channels of
+/// an exchange, so both ends of a channel know when it is used.
 ///
-/// Asynchronous: for each neighbour, one process sends and another receives into a letter box, both at high priority
-/// beside the search. The search hands emigrants to each sender that is idle, and empties the boxes. Receivers are
-/// always ready, so that no sender waits for long. An island that ends tells its neighbours.
+/// In asynchronous exchange, one process for each neighbour sends and another receives into a letter box. Both run at
+/// high priority in parallel with the search. The search gives emigrants to each idle sender, and empties the letter
+/// boxes. Receivers are always ready, so no sender waits for long. An island that ends sends a last message to its
+/// neighbours.
 class IslandExchange {
 public:
-    /// REQUIRES: the process is an island of the environment's network, which has passed check_islands().
+    /// REQUIRES: the process is an island, and its network has passed check_islands().
     IslandExchange(const ProcessEnvironment&, const SearchProblem&, const SearchSettings&, const Workload&);
 
-    /// Returns the number of samples needed before the first generation; for islands in step, enough for each of them.
+    /// Returns the number of samples needed before the first generation; in step, the largest number that any island of
+    /// the part needs.
     std::size_t samples_to_begin() const { return samples_to_begin_; }
-    /// Returns whether an exchange is due after the evaluation of this generation.
+    /// Returns whether an exchange is due after the evaluation of the generation.
     bool is_due(std::uint64_t generation) const { return has_neighbours_ && schedule_.is_due(generation); }
-    /// Returns whether the island, with or without neighbours, reports its best to an analyst after this generation.
+    /// Returns whether the island reports its best to an analyst after the generation. An island without neighbours
+    /// reports, too.
     bool reports_after(std::uint64_t generation) const { return schedule_.is_due(generation); }
-    /// Runs the search; if the exchange is asynchronous, in parallel with the processes that send and receive.
+    /// Runs the search. In asynchronous exchange, runs the sending and receiving processes in parallel with it.
     void beside_mail(const std::function<void()>& search);
-    /// Sends the emigrants that are due and returns the immigrants in the order in which they are to be accepted.
-    /// Immigrants from an island with another window are evaluated again in this one, at the cost of the error
-    /// evaluations. REQUIRES: is_due(search.generation() + 1).
+    /// Sends the emigrants, and returns the immigrants in the order of acceptance. Immigrants from islands with another
+    /// window are evaluated again, which takes computing time. REQUIRES: is_due(search.generation() + 1).
     std::vector<Migration> exchange(Search&, std::span<const double> fitness, std::span<const Sample> window);
     const Acceptance& acceptance() const { return acceptance_; }
-    /// Returns the process name of an island. REQUIRES: immigrants come from it.
+    /// Returns the process name of the island. REQUIRES: this island receives immigrants from it.
     const std::string& name_of(std::size_t island) const;
 
 private:
     struct Outgoing {
         std::size_t to;
         Output<Emigrants> output;
-        bool idle = true; ///< asynchronous: the last letter has been sent
+        bool idle = true; ///< in asynchronous exchange: the last letter has been sent
         Channel<InPlace<Emigrants>> letters;
 
         Outgoing(std::size_t island, Output<Emigrants> end, const std::string& process)
@@ -67,7 +68,7 @@ private:
         Input<Emigrants> input;
         std::vector<std::size_t> its_neighbours;
         bool other_window; ///< the sender's window differs from this island's
-        Emigrants last;    ///< last emigrants received, if not yet accepted
+        Emigrants last;    ///< last emigrants received; empty once accepted
     };
 
     Emigrants leaving(Search&, std::span<const double> fitness) const;
@@ -78,7 +79,7 @@ private:
     void send_letters(Outgoing&);
     void receive_letters(Incoming&);
 
-    std::shared_ptr<const Archipelago> archipelago_; ///< kept alive for the islands that begin after this one
+    std::shared_ptr<const Archipelago> archipelago_; ///< shared with islands that begin later in the run
     const SearchProblem& problem_;
     double bias_;
     Workload workload_;

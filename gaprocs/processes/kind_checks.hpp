@@ -9,20 +9,20 @@
 
 namespace placedpar {
 
-// These are the checks that kinds make on a netlist before it runs, in addition to the checks of ranges and single
-// ports. They refuse settings with which a process could not work, and connections on which a process would wait for
-// ever.
+// These checks are made on a netlist before it runs, after the checks of ranges and of ports. They refuse settings with
+// which a process could not work, and connections on which a process would wait for ever.
 
-/// Checks that the problem exists and that its record has the samples that are to be sent.
+/// Checks that the problem exists, and that its record has enough samples for the host to send.
 std::vector<Complaint> check_host(const Network&, std::size_t process, const ProblemRegistry&);
-/// Checks that the problem exists, and that the slave has one predecessor and is not part of a circle.
+/// Checks that the problem exists, that the slave has one predecessor, and that it is not part of a circle.
 std::vector<Complaint> check_slave(const Network&, std::size_t process, const ProblemRegistry&);
-/// Checks that the settings of the search agree with each other and with the problem's record. With slaves, checks also
-/// that they form a tree of the stated number of slaves, that each has work and the same problem, and that no message
-/// is too long.
+/// Checks that the settings of the search agree with each other and with the problem's record. If the process has
+/// slaves, checks that they form a tree with the stated number of slaves. Each slave must have work and the same
+/// problem, and each message must be short enough.
 std::vector<Complaint> check_search(const Network&, std::size_t process, const ProblemRegistry&);
 
-/// Returns the problem that a process names; null if it does not exist, which the checks above report once.
+/// Returns the problem that a process names, or null if it does not exist. The checks above report a missing problem
+/// once.
 const RecordedProblem* named_problem(const ProblemRegistry&, const ProcessInstance&);
 
 } // namespace placedpar

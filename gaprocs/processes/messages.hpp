@@ -12,13 +12,13 @@
 
 namespace placedpar {
 
-/// The netlist states the length of each message on the wire (thesis, appendix E: 148 bytes of measurements, 240 of
-/// strings, 240 of fitness), whatever the size of this program's own data. A word before the bytes holds the type and
-/// the count: occam's counted array, whose count is an INT.
+/// The greatest length of a message in bytes. The netlist states the length of each message on the wire (thesis,
+/// appendix E: 148 bytes of measurements, 240 of strings, 240 of fitness). The size of this program's own data has no
+/// influence. A word before the bytes holds the type and the count, as in occam's counted array, whose count is an INT.
 inline constexpr std::int64_t largest_message_bytes = 0x7fffffff;
 
-/// Returns the length of a message: `individuals` strings or fitnesses of `bytes_each`, and `others` further bytes.
-/// Throws UserError above largest_message_bytes.
+/// Returns the length of a message in bytes. It holds `individuals` strings or fitnesses of `bytes_each` bytes, and
+/// `others` further bytes. Throws UserError if the length exceeds largest_message_bytes.
 std::uint32_t message_bytes(std::size_t individuals, std::uint32_t bytes_each, std::uint32_t others = 0);
 
 struct SizedMessage {
@@ -38,33 +38,34 @@ struct HostMessage : SizedMessage {
 
 using Window = std::shared_ptr<const std::vector<Sample>>;
 
-/// Tells a slave to evaluate these strings; sent by its master.
+/// Carries strings from a master to a slave, which evaluates them.
 struct Task : SizedMessage {
     enum class Kind { evaluate, rehearse, end } kind = Kind::end;
-    std::size_t slave = 0;  ///< the addressee, counted from the master
-    std::size_t master = 0; ///< number of the sending master among the masters that share the slaves
-    std::size_t address =
-        0; ///< 0: the receiving slave itself; otherwise a slave behind it, numbered from 1 as in SlaveRoutes
+    std::size_t slave = 0;   ///< number of the addressed slave, counted from the master
+    std::size_t master = 0;  ///< number of the sending master among the masters of a pipeline
+    std::size_t address = 0; ///< 0: the task is for the receiving slave; otherwise for a slave behind it, numbered from
+                             ///< 1 as in SlaveRoutes
     Share share;
-    std::vector<Genome> strings; ///< the individuals that the share touches
-    Window window;               ///< the measurements if they are new; null if the slave has them
+    std::vector<Genome> strings; ///< all individuals that have evaluations in the share
+    Window window;               ///< the measurements; null if the slave has received them before
     double bias = 0;
     Coding coding = Coding::natural; ///< coding of the strings
-    bool results_in_order =
-        false; ///< return the farthest slave's result first in each round; otherwise as results become ready
-    std::size_t tasks_under_way = 1; ///< tasks that the addressee may have unanswered at once
+    bool results_in_order = false; ///< true: in each round return the farthest slave's result first; false: return each
+                                   ///< result when it is ready
+    std::size_t tasks_under_way = 1; ///< largest number of unanswered tasks of the addressed slave
 };
 
-/// Answers a task: what the share contributes to the fitness of each individual of which it has a part.
+/// Answers a task with the sums of the share's evaluations, one for each individual.
 struct Fitnesses : SizedMessage {
-    bool end = false;                  ///< the answer to Task::Kind::end
+    bool end = false;                  ///< true in the answer to Task::Kind::end
     std::size_t slave = 0, master = 0; ///< copied from the task
     std::size_t hops = 0;              ///< number of slaves that have passed the message on
     Share share;
     std::vector<double> terms;
 };
 
-/// A message between two processes of one processor, which share its memory: only its address is passed.
+/// A message between two processes of one processor. They share its memory, so only the address of the message is
+/// passed.
 template <class T>
 struct InPlace {
     T message;
@@ -73,15 +74,15 @@ struct InPlace {
 
 /// Carries emigrants from an island to a neighbour.
 struct Emigrants : SizedMessage {
-    bool end = false; ///< the island has ended; only used in asynchronous exchange
+    bool end = false; ///< true: the island has ended; only used in asynchronous exchange
     std::uint64_t generation = 0;
     std::vector<Individual> individuals;
 };
 
-/// Reports the best individual: from a search to its host after the generations of each sample, and from an island to
-/// the analyst at each exchange.
+/// Carries the best individual. A search sends it to its host after the generations of each sample; an island sends it
+/// to the analyst at each exchange.
 struct EstimateMessage : SizedMessage {
-    bool end = false; ///< the search has ended
+    bool end = false; ///< true: the search has ended
     std::uint64_t generation = 0;
     std::size_t samples = 0; ///< samples that the search has received so far
     Individual best;
@@ -95,7 +96,7 @@ struct Finding : SizedMessage {
     std::vector<double> parameters; ///< decoded
 };
 
-/// Tells the fine search around which point to search; sent by the coarse search.
+/// Carries the bias point from the coarse search to the fine search, which searches around it.
 struct BiasPoint : SizedMessage {
     Genome string; ///< a string of the problem, in natural binary
 };

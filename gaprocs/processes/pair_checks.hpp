@@ -9,9 +9,9 @@
 
 namespace placedpar {
 
-/// Returns what is wrong with a ga.coarse or ga.fine in a netlist that has not run yet, beyond the checks of every
-/// search: fields that differ from the problem's, or that cannot be bred with the stated bits. A fine search must also
-/// have the host, problem, fields, windows, trials and coding of its coarse search.
+/// Returns the errors of a ga.coarse or ga.fine in a netlist before it runs, beyond the checks of every search. Refused
+/// are fields that differ from the problem's, or that cannot be bred with the stated number of bits. A fine search must
+/// also have the host, problem, fields, windows, trials and coding of its coarse search.
 std::vector<Complaint> check_pair(const Network&, std::size_t process, const ProblemRegistry&);
 
 } // namespace placedpar

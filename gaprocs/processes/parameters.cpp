@@ -36,11 +36,11 @@ void set_policy(Step& usual, const std::string& text) {
         usual = Step::named(text);
 }
 
-/// Returns the initial individuals; none if the search draws all of them.
+/// Returns the initial individuals; empty if the search draws all of them at random.
 std::vector<Genome> read_initial_population(const ProcessEnvironment& environment, const SearchProblem& problem) {
     const std::string& initial = environment.text("initial");
     std::string name = initial.substr(0, initial.find('('));
-    const bool is_file = std::filesystem::exists(initial); // even where its name looks like a policy with numbers
+    const bool is_file = std::filesystem::exists(initial); // a file takes precedence over a policy of the same name
     if (is_file || std::ranges::count(InitialPopulation::descriptions(), name, &PolicyDescription::name) == 0)
         return initial.empty() ? std::vector<Genome>() : load_population(initial, problem.representation());
     InitialPopulation begin = InitialPopulation::named(initial);
@@ -66,7 +66,7 @@ Split split_named(const std::string& name) {
         return Split::individuals;
     if (name == "demand")
         return Split::demand;
-    return Split::evaluations; // the catalogue allows no other
+    return Split::evaluations; // the catalogue allows no other name
 }
 
 std::uint32_t string_bytes(std::int64_t stated, const SearchProblem& problem) {
@@ -128,7 +128,7 @@ Farm::Settings read_farm_settings(const ProcessEnvironment& environment) {
     settings.measurements_every_generation = environment.text("measurements") == "generation";
     if (settings.slaves >= size(environment, "population"))
         throw UserError(fmt::format("slaves = {}, but a population of {} has work for {} "
-                                    "slaves at the most, the master being an evaluator too",
+                                    "slaves at the most, because the master evaluates, too",
                                     settings.slaves, environment.integer("population"),
                                     environment.integer("population") - 1));
     return settings;

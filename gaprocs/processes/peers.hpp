@@ -10,19 +10,19 @@
 
 namespace placedpar {
 
-// Functions that find the processes to which a process is connected in its netlist, for checks and for the process
-// itself.
+// These functions find the processes to which a process is connected in the netlist. The checks and the process itself
+// use them.
 
-/// Returns the connected ends of a port, in the order of their subscripts. `port` has no subscript.
+/// Returns the connected ends of a port, in the order of their subscripts. REQUIRES: `port` has no subscript.
 std::vector<PortBinding> ends_of(const Network&, std::size_t process, std::string_view port);
 /// Returns the other end of the channel at this port.
 const ChannelEnd& end_beyond(const Network&, const PortBinding&);
-/// Returns the other end of the first channel at a port; nothing if the port is not connected.
+/// Returns the other end of the first channel at a port, or nothing if the port is not connected.
 std::optional<ChannelEnd> other_end(const Network&, std::size_t process, std::string_view port);
 
 struct Peer {
-    std::string port;    ///< port of the process asked about, with its subscript
-    std::size_t process; ///< process at the other end; `nowhere` if that is an edge
+    std::string port;    ///< port of this process, with its subscript
+    std::size_t process; ///< process at the other end; `nowhere` if the other end is an edge
 };
 /// Returns the peer at each end of a port, in the order of the subscripts.
 std::vector<Peer> peers_at(const Network&, std::size_t process, std::string_view port);

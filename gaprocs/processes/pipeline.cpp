@@ -46,8 +46,8 @@ private:
             to.output(Task{});
     }
 
-    /// Passes on a master's tasks of one generation, one for each slave; other masters wait until the last is sent.
-    /// Returns false when the master has ended.
+    /// Passes on a master's tasks of one generation, one task for each slave. Other masters wait until the last task
+    /// has been sent. Returns false when the master has ended.
     bool pass_generation_on(std::size_t master) {
         for (std::size_t sent = 0; sent < slaves_; ++sent) {
             Task task = from_masters_[master].input();
@@ -101,9 +101,8 @@ ProcessKind pipeline_kind(const ProblemRegistry&) {
     using namespace search_description;
     using namespace description;
     return {.name = "ga.pipeline",
-            .about =
-                "Lets masters share the same slaves (thesis, Figure 4.5): while one breeds, the slaves evaluate the "
-                "population of another. Each has the generations that it would have with slaves of its own.",
+            .about = "Lets masters share the same slaves (thesis, Figure 4.5): while one master breeds, the slaves "
+                     "evaluate the population of another. Each master has the same generations as with its own slaves.",
             .ports = {input<Task>("from_masters", "task", "an array: one end for each master's to_slaves"),
                       output<Fitnesses>("to_masters", "fitnesses",
                                         "an array: one end for each master's from_slaves, in the same order"),

@@ -8,8 +8,8 @@
 
 namespace placedpar {
 
-/// Checks that the slaves behind a pipeline form trees, and that each master receives its results from the pipeline to
-/// which it sends its tasks, has no other slaves, and sends each slave one task a generation.
+/// Checks that the slaves behind a pipeline form trees. Each master's results must return from the pipeline to which
+/// its tasks go. A master must have no other slaves, and must send each slave one task per generation.
 std::vector<Complaint> check_pipeline(const Network&, std::size_t process);
 
 } // namespace placedpar

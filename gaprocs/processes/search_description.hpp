@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-/// Ports, parameters and measurements that several genetic-algorithm kinds share.
+/// These functions describe the ports, parameters and measurements that several genetic-algorithm kinds share.
 namespace placedpar::search_description {
 
 using Parameters = std::vector<ParameterDescription>;
@@ -32,7 +32,7 @@ ParameterDescription policy(std::string name, std::string by_default, std::strin
                                                    std::move(about)));
 }
 
-/// The value in a netlist that chooses the policy that suits the problem: that of usual_settings().
+/// The value in a netlist that selects the policy of usual_settings(), which suits the problem.
 inline constexpr std::string_view usual = "usual";
 
 /// Describes a parameter that chooses the policy of a step, with the default "usual".
@@ -50,20 +50,21 @@ ParameterDescription usual_policy(std::string name, std::string about) {
 ParameterDescription problem();
 ParameterDescription cycles_per_error();
 ParameterDescription fitness_bytes();
-/// Describes a parameter that gives a length in a message, in bytes.
+/// Describes a parameter that gives the length of a part of a message, in bytes.
 ParameterDescription bytes_in_message(std::string name, std::int64_t by_default, std::string about);
 
-/// Returns the parameters of every process that holds a population, including `problem`.
+/// Returns the parameters that every process with a population has, including `problem`.
 Parameters search_parameters();
 std::vector<MeasurementDescription> search_measurements();
-/// Describes the measurements that measure_individual() reports. `whose`: the individual, as the descriptions name it.
+/// Describes the measurements that measure_individual() reports. `whose`: a phrase for the individual, such as "that
+/// estimate".
 std::vector<MeasurementDescription> individual_measurements(const std::string& whose);
 PortDescription from_host();
 PortDescription to_host();
 
 /// Returns the parameters of every master.
 Parameters farm_parameters();
-/// The ports of every process that may have slaves behind it.
+/// Describe the ports of every process that may have slaves.
 PortDescription to_slaves();
 PortDescription from_slaves();
 

@@ -31,7 +31,7 @@ Farm make_farm(const ProcessEnvironment& environment, const SearchProblem& probl
 
 class SearchProcess {
 public:
-    /// `recoded`: the same problem, if the process is one of a pair; otherwise null.
+    /// `recoded`: the same problem if the process is one of a pair; otherwise null.
     SearchProcess(ProcessEnvironment& environment, const SearchProblem& problem, RecodedProblem* recoded,
                   SearchObserver* observer)
         : environment_(environment), problem_(problem), observer_(observer),
@@ -86,7 +86,7 @@ private:
         return environment_.connected(port) ? environment_.output<EstimateMessage>(port) : Output<EstimateMessage>();
     }
 
-    /// Times are measured from the first full window on: all generations from there cost the same.
+    /// Starts measuring at the first full window. From then on all generations cost the same.
     void begin_timing() {
         farm_.forget_times();
         execution_ = operators_ = Stopwatch{};
@@ -119,7 +119,8 @@ private:
             tell_migrations();
     }
 
-    /// Notes the best individual with its decoded parameters: a fine search will decode it around another point later.
+    /// Keeps the best individual with its decoded parameters. A fine search will later decode the same string around
+    /// another point.
     void note_best() {
         if (best_ && search_.best().fitness <= best_->fitness)
             return;
@@ -148,8 +149,8 @@ private:
                                 each.individual.fitness, each.place.has_value()});
     }
 
-    /// Measures C_time2 and ends the slaves (the thesis's slaves never ended). This is done after all work of the
-    /// machine, so that it does not affect the figures of the work.
+    /// Measures C_time2 and ends the slaves (the thesis's slaves never ended). Waits first until all other work of the
+    /// machine is done, so that the figures of the work do not change.
     void leave_slaves() {
         wait_until_work_is_over();
         if (timing_ && rehearsals_ > 0)
@@ -175,7 +176,7 @@ private:
             report_best_known();
     }
 
-    /// Reports the mean times of the generations with a full window.
+    /// Reports the mean times of generations with a full window.
     void report_times() {
         environment_.measure("T_exe", execution_.mean_milliseconds(), "ms");
         environment_.measure("T_sr", farm_.send_to_receive.mean_milliseconds(), "ms");
@@ -187,15 +188,15 @@ private:
         environment_.measure("S_time2", operators_.mean_milliseconds(), "ms");
     }
 
-    /// A run on a workstation takes no time, so it has no rate.
+    /// Reports the rate of generations. Does nothing on a workstation, where a run takes no time.
     void report_rate() {
         auto timed = static_cast<double>(search_.generation() - generations_before_timing_);
         if (double milliseconds = rate_.mean_milliseconds(); milliseconds > 0)
             environment_.measure("generations_per_second", timed / milliseconds * 1000, "1/s");
     }
 
-    /// Returns the best individual of the last generation, which used the newest measurements; for an objective, the
-    /// best of all generations.
+    /// Returns the best individual of the last generation, which was evaluated with the newest measurements. For an
+    /// objective, returns the best of all generations.
     const Individual& best_known() const { return problem_.objective() ? *best_ : search_.best(); }
 
     void report_best_known() {
@@ -209,7 +210,7 @@ private:
     SearchSettings settings_;
     Workload workload_;
     Input<HostMessage> from_host_;
-    Output<EstimateMessage> to_host_, to_analyst_; ///< not connected if no process receives estimates
+    Output<EstimateMessage> to_host_, to_analyst_; ///< not connected if no process receives the estimates
     Farm farm_;
     bool has_slaves_;
     std::int64_t rehearsals_;
@@ -219,11 +220,11 @@ private:
     std::size_t samples_ = 0; ///< number of samples received
     SlidingWindow window_;
     Search search_;
-    std::optional<Individual> best_; ///< best of all generations; only for objectives
+    std::optional<Individual> best_; ///< best individual of all generations; only for objectives
     std::vector<double> values_of_best_;
     Fingerprint populations_;
-    std::vector<Migration>
-        migrations_; ///< immigrants of this generation, with source island and, after breeding, the index replaced
+    std::vector<Migration> migrations_; ///< immigrants of this generation, with their source island; after breeding
+                                        ///< also the index that each replaced
 
     bool timing_ = false;
     std::uint64_t generations_before_timing_ = 0;

@@ -6,9 +6,9 @@
 
 namespace placedpar {
 
-/// Returns the kind with the body and the check of a process that holds a population added to it. The traditional
-/// algorithm, the master of algorithm A, the island of algorithm B and the island that is itself a master have the same
-/// body; which of them it is follows from the ports that are connected. If the observer is not null, it sees every
+/// Adds the body and the check of a search to a described kind, and returns the kind. All processes with a population
+/// have this body: the traditional algorithm, the master of algorithm A, the island of algorithm B, and an island with
+/// slaves. The connected ports decide how the process behaves. If the observer is not null, it is given every
 /// generation. REQUIRES: `problems` and the observer outlive every run.
 ProcessKind searching(ProcessKind described, const ProblemRegistry& problems, SearchObserver* observer);
 

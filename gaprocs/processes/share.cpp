@@ -6,7 +6,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the master's part of `units` units of work.
+/// Returns the master's number of units of work, from a total of `units`.
 std::size_t master_units(std::size_t units, std::size_t slaves, double own_share) {
     if (slaves == 0)
         return units;
@@ -16,7 +16,8 @@ std::size_t master_units(std::size_t units, std::size_t slaves, double own_share
 } // namespace
 
 std::vector<Share> deal(std::size_t population, std::size_t window, std::size_t slaves, Split split, double own_share) {
-    // In whole individuals, or in single evaluations: the first slaves get one unit more where they do not divide.
+    // The unit of work is one evaluation or one individual. If units do not divide equally, the first slaves get one
+    // unit more.
     std::size_t unit = split == Split::evaluations ? 1 : window;
     std::size_t units = population * window / unit;
     std::size_t dealt = units - master_units(units, slaves, own_share);
@@ -41,7 +42,7 @@ std::size_t most_individuals(std::size_t population, std::size_t slaves, Split s
 std::vector<double> evaluate_share(const SearchProblem& problem, const Share& share, std::span<const Genome> strings,
                                    std::span<const Sample> window, double bias) {
     std::vector<double> terms(share.individuals(), 0.0);
-    if (share.first % share.window == 0 && share.last % share.window == 0) { // whole individuals
+    if (share.first % share.window == 0 && share.last % share.window == 0) { // only whole individuals
         problem.fitness_of(strings, window, bias, terms);
         return terms;
     }

@@ -9,38 +9,41 @@
 
 namespace placedpar {
 
-/// A part of the work of one generation: error evaluations first ... last - 1. Evaluation e belongs to individual e /
-/// window and sample e % window.
+/// A part of the work of one generation: the error evaluations first ... last - 1. Evaluation e evaluates individual e
+/// / window at sample e % window.
 struct Share {
     std::size_t first = 0, last = 0;
-    std::size_t window = 1; ///< samples in the window
+    std::size_t window = 1; ///< number of samples in the window
 
     std::size_t evaluations() const { return last - first; }
     std::size_t first_individual() const { return first / window; }
-    /// Returns the number of individuals of which the share has evaluations, all or some.
+    /// Returns the number of individuals of which the share holds at least one evaluation.
     std::size_t individuals() const { return first == last ? 0 : (last - 1) / window - first_individual() + 1; }
 };
 
-/// How the evaluations of a generation are split between a master and its slaves.
+/// The rule by which a master and its slaves share the evaluations of a generation.
 enum class Split {
-    individuals, ///< whole individuals, dealt out equally; the first evaluators get one more
-    demand,      ///< whole individuals, one at a time to each evaluator that is idle
-    evaluations  ///< single error evaluations, dealt out equally
+    individuals, ///< whole individuals in equal numbers; the first evaluators get one more if the numbers do not divide
+    demand,      ///< whole individuals, one at a time, each to an idle evaluator
+    evaluations  ///< single error evaluations in equal numbers
 };
 
-/// Returns a share for each slave, equal to within one unit, followed by the master's, which is `own_share` times a
-/// slave's, rounded down. REQUIRES: window > 0, 0 <= own_share <= 1. Split::demand deals as Split::individuals.
+/// Returns a share for each slave, followed by the master's share. The slaves' shares differ by at most one unit. The
+/// master's share is `own_share` times a slave's share, rounded down. Split::demand deals as Split::individuals.
+/// REQUIRES: window > 0, 0 <= own_share <= 1.
 std::vector<Share> deal(std::size_t population, std::size_t window, std::size_t slaves, Split, double own_share = 1);
 
-/// Returns an upper bound, for any window, of the individuals in one task for a slave as deal() makes it: exact for
-/// Split::individuals, at times one too high for Split::evaluations. Split::demand: 1. REQUIRES: slaves > 0.
+/// Returns an upper bound for the number of individuals in one task that deal() makes for a slave, whatever the window.
+/// The bound is exact for Split::individuals, may be one too high for Split::evaluations, and is 1 for Split::demand.
+/// REQUIRES: slaves > 0.
 std::size_t most_individuals(std::size_t population, std::size_t slaves, Split, double own_share = 1);
 
-/// Returns the contribution of the share to the fitness of each of its individuals, whose strings are `strings`.
+/// Returns for each individual of the share the sum that the share adds to its fitness. `strings`: the share's
+/// individuals.
 std::vector<double> evaluate_share(const SearchProblem&, const Share&, std::span<const Genome> strings,
                                    std::span<const Sample> window, double bias);
 
-/// Adds the terms that evaluate_share() returned to the fitness of the population.
+/// Adds the terms, as evaluate_share() returns them, to the fitness of the population.
 void add_terms(const Share&, std::span<const double> terms, std::span<double> fitness);
 
 } // namespace placedpar

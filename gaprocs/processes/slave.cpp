@@ -24,9 +24,10 @@ namespace {
 
 struct NextTask {};
 
-/// A slave of algorithm A: three processes on one processor. Two of high priority pass messages on, tasks away from the
-/// master and results towards it; one of low priority evaluates. If the slave may have several unanswered tasks, a
-/// fourth process queues them, so that tasks for slaves behind this one never wait for the evaluator.
+/// A slave of algorithm A: three processes on one processor. Two processes of high priority pass messages on: one
+/// passes tasks away from the master, the other passes results towards it. A process of low priority evaluates. If the
+/// slave may have several unanswered tasks, a fourth process queues them, so that tasks for slaves farther away never
+/// wait for the evaluator.
 class Slave {
 public:
     Slave(const ProcessEnvironment& environment, std::shared_ptr<const SearchProblem> problem)
@@ -37,7 +38,7 @@ public:
           own_tasks_("task of " + environment.process()), kept_tasks_("kept task of " + environment.process()),
           next_task_("next task of " + environment.process()), own_results_("result of " + environment.process()) {}
 
-    /// The first task says in which order results are to be passed on, and how many tasks may be under way.
+    /// Runs the slave. The first task states the order of the results and the largest number of unanswered tasks.
     void run() {
         Task first = from_master_.input();
         results_in_order_ = first.results_in_order;
@@ -59,8 +60,8 @@ private:
             task = from_master_.input();
     }
 
-    /// Passes a task to a slave behind this one or to this slave's evaluator; at the end, to all of them. Returns false
-    /// at the end.
+    /// Passes a task to a slave farther away or to this slave's evaluator. Passes the end to all of them and returns
+    /// false.
     bool pass_task_on(Task task) {
         bool ended = task.kind == Task::Kind::end;
         if (ended)
@@ -76,7 +77,7 @@ private:
         return !ended;
     }
 
-    /// Queues tasks for the evaluator, in the order of their arrival.
+    /// Queues tasks for the evaluator in the order of arrival.
     void keep_tasks() {
         std::deque<Task> kept;
         bool ended = false;
@@ -101,13 +102,13 @@ private:
         to_master_.output(end_of_results());
     }
 
-    /// Passes on the results of all slaves behind this one, channel by channel and the farthest first, then this
-    /// slave's. Returns false at the end.
+    /// Passes on one round of results. It begins with the results of the slaves farther away, channel by channel and
+    /// the farthest first. It ends with this slave's own result. Returns false at the end.
     bool pass_round_on() {
         for (const Input<Fitnesses>& from : from_slaves_)
             for (bool last = false; !last;) {
                 Fitnesses result = from.input();
-                last = result.end || result.hops == 0; // a round ends with the next slave's own result
+                last = result.end || result.hops == 0; // the result of the next slave is the last of a round
                 pass_on(std::move(result));
             }
         return send(own_results_.in().input().message);
@@ -128,7 +129,7 @@ private:
         }
     }
 
-    /// Returns false when all results of the channel have been passed on.
+    /// Returns false at the end message of the channel.
     bool pass_on(Fitnesses result) {
         ++result.hops;
         return send(std::move(result));
@@ -160,7 +161,7 @@ private:
     }
 
     Fitnesses answer(const Task& task) {
-        compute(block_move(task.bytes)); // unpack
+        compute(block_move(task.bytes)); // unpacking
         Window& window = windows_[task.master];
         if (task.window)
             window = task.window;
@@ -175,7 +176,7 @@ private:
             result.terms = evaluate_share(*problem_, task.share, task.strings, *window, task.bias);
         }
         result.bytes = message_bytes(task.strings.size(), workload_.fitness_bytes);
-        compute(block_move(result.bytes)); // pack
+        compute(block_move(result.bytes)); // packing
         return result;
     }
 
@@ -203,8 +204,9 @@ ProcessKind slave_kind(const ProblemRegistry& problems) {
     using namespace search_description;
     using namespace description;
     return {.name = "ga.slave",
-            .about = "A slave of algorithm A: evaluates its share and passes on what is for the slaves beyond it. The "
-                     "connections make a chain, a star or any other tree of a master and its slaves.",
+            .about =
+                "A slave of algorithm A: evaluates its share and passes on the messages of the slaves beyond it. The "
+                "connections make a chain, a star or any other tree of a master and its slaves.",
             .ports = {input<Task>("from_master", "task", "from the master or the slave before"),
                       output<Fitnesses>("to_master", "fitnesses", "to the master or the slave before"),
                       formerly("to_next", to_slaves()), formerly("from_next", from_slaves())},

@@ -25,7 +25,7 @@ bool is_of_kind(const Network& network, const ChannelEnd& end, std::string_view 
 
 bool is_slave(const Network& network, const ChannelEnd& end) { return is_of_kind(network, end, "ga.slave"); }
 
-/// Follows the tasks from one process.
+/// Follows the channels of tasks from one process.
 class Follower {
 public:
     explicit Follower(const Network& network) : n_(network) {}
@@ -48,7 +48,7 @@ public:
     void follow(std::size_t process, const PortBinding& tasks, const std::vector<PortBinding>& from) {
         const ChannelEnd& to = end_beyond(n_, tasks);
         if (is_of_kind(n_, to, "ga.pipeline"))
-            return follow(to.process); // whose own check says where results return
+            return follow(to.process); // check_pipeline() checks the way back of the results
         if (!is_slave(n_, to)) {
             ++tree.others;
             return;
@@ -88,7 +88,7 @@ private:
         tree.complaints.push_back({process, port.port, std::move(message), std::move(hint)});
     }
 
-    /// Returns whether the ends are a single one without a subscript, or have the subscripts 0, 1, 2 ...
+    /// Returns whether the ends are one end without a subscript, or have the subscripts 0, 1, 2 ...
     bool are_numbered(std::size_t process, const std::vector<PortBinding>& ends) {
         if (ends.size() == 1 && subscripts_of(ends[0].port).empty())
             return true;
@@ -106,7 +106,7 @@ private:
     }
 
     const Network& n_;
-    std::map<std::size_t, std::string> reached_; ///< slaves, and by what
+    std::map<std::size_t, std::string> reached_; ///< name of the port that reaches each slave, by slave
 };
 
 } // namespace
@@ -137,7 +137,7 @@ std::vector<std::size_t> circle_of(const Network& network, std::size_t slave) {
         if (before->process == slave)
             return way;
         if (std::ranges::count(way, before->process) > 0)
-            return {}; // it hangs from a circle
+            return {}; // the process follows a circle
         way.push_back(before->process);
     }
 }

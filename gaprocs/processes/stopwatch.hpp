@@ -6,18 +6,18 @@
 
 namespace placedpar {
 
-/// Measures a section of a process's program repeatedly with the transputer's timer, as the thesis did, and gives the
-/// mean. At low priority the clock ticks every 64 us, which limits the resolution of a single reading.
+/// Measures a section of a process's program repeatedly with the transputer's timer, as the thesis did, and computes
+/// the mean time. At low priority the timer's clock ticks every 64 us, which limits the resolution of a reading.
 class Stopwatch {
 public:
     void start() { started_ = timer_.read(); }
-    /// REQUIRES: the same priority as at start(), since each priority has its own clock, and less than half of the
-    /// clock's period since then: on a T2 at low priority, 2.1 s.
+    /// REQUIRES: the process has the same priority as at start(), because each priority has its own clock. Since
+    /// start(), less than half of the clock's period has passed; on a T2 at low priority, 2.1 s.
     void stop() {
         measured_ += timer_.minus(timer_.read(), started_) * timer_.tick();
         ++times_;
     }
-    /// Returns the mean; 0 if stop() was never called. May be called at either priority.
+    /// Returns the mean time in milliseconds, or 0 if stop() was never called. May be called at either priority.
     double mean_milliseconds() const { return times_ ? in_milliseconds(measured_) / static_cast<double>(times_) : 0; }
 
 private:

@@ -12,9 +12,9 @@
 
 namespace placedpar {
 
-/// Order in which a master sends over its channels to slaves.
+/// The order in which a master sends over its channels to slaves.
 enum class Sending {
-    in_turn, ///< one message after the other: the master waits until each has been sent
+    in_turn, ///< one message after another: the master waits until each message has been sent
     at_once  ///< a process of high priority sends on each channel, while the master prepares the next message
 };
 
@@ -25,7 +25,7 @@ public:
         : channels_(std::move(channels)), sending_(sending) {}
 
     std::size_t count() const { return channels_.size(); }
-    /// Runs the body, which may call send(), and waits until all tasks have been sent.
+    /// Runs the body, which may call send(). Returns when all tasks have been sent.
     void during(const std::function<void()>& body, const SourceLocation& = SourceLocation::current());
     void send(std::size_t channel, Task);
 

@@ -10,18 +10,18 @@ namespace placedpar {
 
 class ProcessEnvironment;
 
-/// The cost of the program on the machine, as the netlist states it.
+/// The costs of the program on the machine, as stated in the netlist.
 struct Workload {
-    Cycles error_evaluation{};       ///< for one individual and one sample
-    Cycles genetic_operators{};      ///< for reproduction, crossover and mutation of one individual
-    Cycles measurement_conversion{}; ///< for preparing one word of the measurements for a slave
+    Cycles error_evaluation{};       ///< cost for one individual and one sample
+    Cycles genetic_operators{};      ///< cost of reproduction, crossover and mutation for one individual
+    Cycles measurement_conversion{}; ///< cost of preparing one word of the measurements for a slave
     std::uint32_t string_bytes = 0;
     std::uint32_t fitness_bytes = 0;
     std::uint32_t measurement_bytes = 0;
 };
 
-/// Returns the cycles of a copy between two blocks of external memory: each word is read and written, 13.3 Mbyte/s at
-/// 20 MHz (T800 databook).
+/// Returns the cycles that a copy between two blocks of external memory takes. Each word is read and written: 13.3
+/// Mbyte/s at 20 MHz (T800 databook).
 constexpr Cycles block_move(std::uint32_t bytes) {
     const std::int64_t words = (std::int64_t{bytes} + 3) / 4;
     return hardware::instructions::block_move_start + 2 * words * hardware::Memory::outside;

@@ -15,22 +15,22 @@ namespace placedpar {
 
 class RandomStream; // runtime/random.hpp
 
-/// A binary string of any length: the parameters of a search, coded and concatenated (thesis 1.1, eq. 1.6).
+/// A binary string of any length. It holds the parameters of a search, coded and concatenated (thesis 1.1, eq. 1.6).
 ///
-/// Bit 0 is the first, leftmost character. It is the most significant bit of words()[0], so that a field of
-/// bits read as a natural binary number needs shifts only:
+/// Bit 0 is the first, leftmost character, and the most significant bit of words()[0]. So a field of bits is read as a
+/// natural binary number by shifts alone:
 ///
 ///     bit        0 1 2 ... 63    64 65 ...
-///     words()   [0]              [1]            bits past size() are zero, always
+///     words()   [0]              [1]            bits past size() are always zero
 class Genome {
 public:
     Genome() = default;
-    /// `size` zeros.
+    /// A string of `size` zeros.
     explicit Genome(std::size_t size) : words_((size + 63) / 64, 0), size_(size) {}
     Genome(const Genome&) = default;
     Genome(Genome&&) = default;
     Genome& operator=(Genome&&) = default;
-    /// Into the memory that is there, where the length stays.
+    /// Copies without allocating memory if the length stays the same.
     Genome& operator=(const Genome& other) {
         if (words_.size() == 1 && other.words_.size() == 1) // most strings
             words_.front() = other.words_.front();
@@ -40,40 +40,40 @@ public:
         return *this;
     }
 
-    /// From characters '0' and '1'. Throws std::invalid_argument at any other.
+    /// Reads a string of characters '0' and '1'. Throws std::invalid_argument for other characters.
     static Genome from_string(std::string_view text);
-    /// Every bit an even chance. Draws one 32-bit number for each begun half word.
+    /// Returns a random string; each bit is 1 with probability 1/2. Draws one 32-bit number for each 32 bits or part of
+    /// them.
     static Genome random(std::size_t size, RandomStream& random);
 
     std::size_t size() const { return size_; }
-    /// Bytes the string takes in a message.
+    /// Returns the number of bytes of the string in a message.
     std::size_t bytes() const { return (size_ + 7) / 8; }
     std::span<const std::uint64_t> words() const { return {words_.data(), words_.size()}; }
 
-    /// REQUIRES (these three): position < size().
+    /// REQUIRES of the next three functions: position < size().
     bool bit(std::size_t position) const { return (words_[position / 64] & mask(position)) != 0; }
     void set(std::size_t position, bool value);
     void flip(std::size_t position) { words_[position / 64] ^= mask(position); }
 
-    /// The natural binary number in `count` bits from `first`, the leftmost bit the most significant.
+    /// Returns the natural binary number in the `count` bits from `first` on; the leftmost bit is the most significant.
     /// REQUIRES: 1 <= count <= 64, first + count <= size().
     std::uint64_t field(std::size_t first, std::size_t count) const;
     /// REQUIRES: as field(); value < 2^count.
     void set_field(std::size_t first, std::size_t count, std::uint64_t value);
 
-    /// Bits 64 `index` to 64 `index` + 63. REQUIRES: 64 (index + 1) <= size().
+    /// Sets the bits 64 * index to 64 * index + 63. REQUIRES: 64 * (index + 1) <= size().
     void set_word(std::size_t index, std::uint64_t value) { words_[index] = value; }
 
-    /// Exchanges characters 0 ... count - 1 of two strings of the same size.
-    /// REQUIRES: a.size() == b.size(), count <= a.size().
+    /// Exchanges the characters 0 ... count - 1 of two strings. REQUIRES: a.size() == b.size(), count <= a.size().
     friend void swap_leading(Genome& a, Genome& b, std::size_t count);
-    /// Exchanges the characters where `mask` has a 1. REQUIRES: all three of one size.
+    /// Exchanges the characters at which `mask` has a 1. REQUIRES: all three strings have the same size.
     friend void swap_where(Genome& a, Genome& b, const Genome& mask);
 
-    // REQUIRES, of these three: two strings of the same size.
-    /// The number of bits in which they differ.
+    // REQUIRES of the next three functions: both strings have the same size.
+    /// Returns the number of bits in which the strings differ.
     friend std::size_t difference(const Genome& a, const Genome& b);
-    /// The positions of the first and the last bit in which they differ; size() where none does.
+    /// Return the position of the first (last) bit in which the strings differ; size() if they are equal.
     friend std::size_t first_difference(const Genome& a, const Genome& b);
     friend std::size_t last_difference(const Genome& a, const Genome& b);
 
@@ -84,12 +84,12 @@ private:
     void assign_words(const Genome& other);
     static std::uint64_t mask(std::size_t position) { return 0x8000000000000000u >> (position % 64); }
 
-    // Strings of up to 64 bits need no memory of their own.
+    // Strings of up to 64 bits are stored in the object itself.
     boost::container::small_vector<std::uint64_t, 1> words_;
     std::size_t size_ = 0;
 };
 
-/// `count` random strings of `bits` bits.
+/// Returns `count` random strings of `bits` bits.
 std::vector<Genome> random_population(std::size_t count, std::size_t bits, RandomStream& random);
 
 inline void swap_leading(Genome& a, Genome& b, std::size_t count) {

@@ -12,60 +12,62 @@
 
 namespace placedpar {
 
-/// A binary string whose bits can be read as whole numbers, bit `first` the most significant of `count`.
+/// A binary string whose fields of bits can be read as whole numbers.
 template <typename G>
 concept BinaryString = requires(const G& genome) {
     { genome.field(std::size_t{}, std::size_t{}) } -> std::convertible_to<std::uint64_t>;
 };
 
-/// A parameter as a field of bits: the whole number n stands for low + (high - low) n / 2^bits (thesis eq. 1.5).
-/// The range is [low, high): `high` itself has no code. A whole parameter, such as the delay of Table 5.1, is rounded
-/// down: with low = 1 and high = 5 it is 1, 2, 3 or 4.
+/// A parameter, coded in a field of bits. The whole number n in the field stands for low + (high - low) n / 2^bits
+/// (thesis eq. 1.5). The range is [low, high): no number stands for `high`. A whole parameter, such as the delay of
+/// Table 5.1, is rounded down: with low = 1 and high = 5 it is 1, 2, 3 or 4.
 struct ParameterField {
     double low = 0, high = 1; ///< in the parameter's unit
     std::size_t bits = 10;
     bool whole = false;
 
-    /// 2^bits.
+    /// Returns the number of codes, 2^bits.
     double codes() const { return static_cast<double>(std::uint64_t{1} << bits); }
     /// REQUIRES: code < 2^bits.
     double value(std::uint64_t code) const {
         double value = low + resolution() * static_cast<double>(code);
         return whole ? std::floor(value) : value;
     }
-    /// A number of the range as the parameter: whole where that is. REQUIRES: low <= number <= high.
+    /// Rounds a number of the range down if the parameter is a whole number. REQUIRES: low <= number <= high.
     double rounded(double number) const { return whole ? std::min(std::floor(number), std::ceil(high) - 1) : number; }
-    /// What one step of the code changes.
+    /// Returns the difference between neighbouring codes' values.
     double resolution() const { return (high - low) / codes(); }
 };
 
-/// A binary string as parameters: their fields, one after the other (thesis eq. 1.6).
+/// The coding of all parameters in one binary string, as consecutive fields (thesis eq. 1.6).
 class ParameterCoding {
 public:
-    /// Doubles tell this many bits apart.
+    /// The largest number of bits in a field, such that a double can hold each number.
     static constexpr std::size_t most_bits = 52;
 
-    /// Throws std::invalid_argument: no field, bits outside 1 ... most_bits, low and high not finite numbers, or low
-    /// not below high.
+    /// Throws std::invalid_argument if there are no fields, if bits are outside 1 ... most_bits, if low or high is not
+    /// a finite number, or if low >= high.
     explicit ParameterCoding(std::vector<ParameterField> fields);
-    /// Codes several parameters with one kind of field.
+    /// Codes several parameters by equal fields.
     ParameterCoding(std::size_t parameters, const ParameterField& each)
         : ParameterCoding(std::vector<ParameterField>(parameters, each)) {}
 
     std::size_t parameters() const { return fields_.size(); }
     const ParameterField& field(std::size_t parameter) const { return fields_[parameter]; }
-    /// Bits of each.
+    /// Returns the number of bits of each field.
     std::vector<std::size_t> fields() const;
-    /// Length of the whole string.
+    /// Returns the length of the whole string in bits.
     std::size_t bits() const { return bits_; }
-    /// The parameters without bits: numbers of their ranges, of which a whole one is to be rounded().
+    /// Returns the parameters as real numbers in the ranges of their fields. Whole parameters still have to be
+    /// rounded().
     RealVector reals() const;
 
-    /// REQUIRES: parameter < parameters(), a string of bits().
+    /// REQUIRES: parameter < parameters(), and a string of bits() bits.
     template <BinaryString G>
     double value(const G& genome, std::size_t parameter) const {
         const Field& place = places_[parameter];
-        auto code = static_cast<std::int64_t>(genome.field(place.first, place.bits)); // signed: sooner a double
+        auto code = static_cast<std::int64_t>(genome.field(place.first, place.bits)); // signed, because its conversion
+                                                                                      // to double is faster
         double value = place.low + place.resolution * static_cast<double>(code);
         return place.whole ? std::floor(value) : value;
     }
@@ -85,7 +87,7 @@ public:
     }
 
 private:
-    /// What value() needs of a field, and where it is in the string.
+    /// The part of a field that value() needs, and its place in the string.
     struct Field {
         std::size_t first, bits;
         double low, resolution;

@@ -53,7 +53,7 @@ double distance_of(const RealVector& reals, const Genome& a, const Genome& b) {
     return std::sqrt(squares);
 }
 
-/// Returns the places before and after each place in a closed tour.
+/// Returns for each place the places before and after it in a closed tour.
 std::vector<std::array<std::size_t, 2>> neighbours_of(const std::vector<std::size_t>& tour) {
     std::vector<std::array<std::size_t, 2>> neighbours(tour.size());
     for (std::size_t i = 0; i < tour.size(); ++i)

@@ -13,16 +13,17 @@ namespace placedpar {
 
 class RandomStream;
 
-/// The kind of elements of a string, which determines how it can be crossed and mutated.
+/// The kind of elements of a string. It determines how strings can be crossed and mutated.
 enum class StringKind : unsigned char { binary, real, permutation };
 
-/// "binary strings", "real vectors", "permutations".
+/// Returns "binary strings", "real vectors" or "permutations".
 std::string_view name_of(StringKind);
 
-// The representations. Each has bits(), the length of the string, and decode(), its meaning. Real numbers and the
-// places of a permutation take 64 bits each, so that code that only passes strings on need not know their kind.
+// Each representation has bits(), the length of the string, and decode(), which returns the meaning of the string. Real
+// numbers and the places of a permutation take 64 bits each. So code that only passes strings on need not know their
+// kind.
 
-/// A binary string that a problem reads itself.
+/// A binary string that the problem itself interprets.
 class BitString {
 public:
     /// Throws std::invalid_argument for 0 bits.
@@ -35,26 +36,26 @@ private:
     std::size_t bits_;
 };
 
-/// A closed range, including both ends.
+/// A closed range; both ends belong to it.
 struct RealRange {
     double low = 0, high = 1;
 };
 
-/// Real numbers, each in a range of its own.
+/// A vector of real numbers, each with its own range.
 class RealVector {
 public:
-    /// Throws std::invalid_argument: no range, ends that are not finite numbers, or low not below high.
+    /// Throws std::invalid_argument if there are no ranges, if an end is not a finite number, or if low >= high.
     explicit RealVector(std::vector<RealRange> ranges);
-    /// Makes a vector of several numbers with one range.
+    /// Makes a vector whose numbers all have the same range.
     RealVector(std::size_t numbers, RealRange each) : RealVector(std::vector<RealRange>(numbers, each)) {}
 
     std::size_t parameters() const { return ranges_.size(); }
     const RealRange& range(std::size_t number) const { return ranges_[number]; }
     std::size_t bits() const { return 64 * ranges_.size(); }
 
-    // REQUIRES, everywhere: a string of bits().
+    // REQUIRES of the next three functions: a string of bits() bits.
     double value(const Genome& genome, std::size_t number) const;
-    /// Sets a number; a value outside the range becomes its nearest end.
+    /// Sets a number. A value outside the range is replaced by the nearest end of the range.
     void set(Genome& genome, std::size_t number, double value) const;
     std::vector<double> decode(const Genome& genome) const;
 
@@ -71,7 +72,7 @@ public:
     std::size_t places() const { return places_; }
     std::size_t bits() const { return 64 * places_; }
 
-    /// REQUIRES: a string of bits().
+    /// REQUIRES: a string of bits() bits.
     std::vector<std::size_t> decode(const Genome& genome) const;
     /// REQUIRES: order.size() == places().
     Genome encode(std::span<const std::size_t> order) const;
@@ -80,7 +81,7 @@ private:
     std::size_t places_;
 };
 
-/// One of the above.
+/// Holds one of the representations above.
 class Representation {
 public:
     Representation(BitString bits) : of_(bits) {}
@@ -89,29 +90,31 @@ public:
 
     StringKind kind() const { return static_cast<StringKind>(of_.index()); }
     std::size_t bits() const;
-    /// The bits that stay together when a string is cut.
+    /// Returns the number of bits that stay together when a string is cut.
     std::size_t unit() const { return kind() == StringKind::binary ? 1 : 64; }
-    /// REQUIRES: kind() is this.
+    /// REQUIRES of the next two functions: kind() is the representation that is asked for.
     const RealVector& reals() const { return std::get<RealVector>(of_); }
     const Permutation& permutation() const { return std::get<Permutation>(of_); }
 
-    /// A string at random: each bit an even chance (as Genome::random), each number uniform in its range (one number of
-    /// the stream), each order equally likely (places - 1 numbers at least).
+    /// Returns a random string. Each bit is 1 with probability 1/2 (drawn as by Genome::random); each real number is
+    /// uniform in its range (one draw); each permutation is equally likely (at least places - 1 draws).
     Genome random(RandomStream& random) const;
     std::vector<Genome> random_population(std::size_t count, RandomStream& random) const;
 
-    /// Returns whether all are strings of this representation: of its length, each number in its range, each place
-    /// once.
+    /// Returns whether all strings belong to this representation: they have its length, each number is in its range,
+    /// and each place occurs once.
     bool holds(std::span<const Genome> strings) const;
 
-    /// How far apart two strings are: the bits in which they differ; the Euclidean distance of numbers that are
-    /// measured in their ranges; the neighbours in one closed tour that are none in the other. REQUIRES: strings of
-    /// this representation.
+    /// Returns the distance of two strings: for binary strings the number of bits in which they differ; for real
+    /// vectors the Euclidean distance, with each number in units of the width of its range; for permutations the number
+    /// of neighbours in one closed tour that are not neighbours in the other. REQUIRES: both strings belong to this
+    /// representation.
     double distance(const Genome& a, const Genome& b) const;
 
-    /// "01101"; "0.5 -3"; "2 0 1".
+    /// Returns the string as a text, such as "01101", "0.5 -3" or "2 0 1".
     std::string text(const Genome& genome) const;
-    /// Throws UserError, saying what would be right: a text that is not a string of this representation.
+    /// Reads a string from its text. Throws UserError, with what would be right, if the text is not a string of this
+    /// representation.
     Genome read(std::string_view text) const;
 
 private:

@@ -9,7 +9,8 @@ namespace placedpar {
 
 namespace {
 
-/// Adds all schemata that begin with `begun` and have `order` further fixed positions.
+/// Adds all schemata that begin with the first `first` characters of `begun` and have `order` fixed positions in the
+/// rest.
 void add_schemata(std::string& begun, std::size_t first, std::size_t order, std::vector<Schema>& all) {
     if (begun.size() - first < order)
         return;

@@ -10,19 +10,21 @@
 
 namespace placedpar {
 
-/// What several binary strings have in common: "11****11" stands for all that begin and end with 11 (thesis 6.1,
-/// J. Holland's schemata). '*' is a position that may be either.
+/// A pattern of binary strings: "11****11" matches all strings that begin and end with 11 (thesis 6.1, J. Holland's
+/// schemata). '*' matches both 0 and 1.
 class Schema {
 public:
-    /// From characters '0', '1' and '*'. Throws std::invalid_argument at any other, and without any.
+    /// Reads a schema of the characters '0', '1' and '*'. Throws std::invalid_argument for other characters and for an
+    /// empty text.
     static Schema from_string(std::string_view text);
 
     std::size_t size() const { return fixed_.size(); }
-    /// O(h): positions that are not '*'.
+    /// Returns the order O(h): the number of positions that are not '*'.
     std::size_t order() const { return difference(fixed_, Genome(size())); }
-    /// delta(h): from the first such position to the last; 0 where there are fewer than two.
+    /// Returns the defining length delta(h): the distance between the first and the last position that are not '*'; 0
+    /// if fewer than two positions are not '*'.
     std::size_t defining_length() const;
-    /// REQUIRES: a string of size().
+    /// REQUIRES: a string of size() bits.
     bool matches(const Genome& genome) const;
     std::string to_string() const;
 
@@ -30,13 +32,13 @@ public:
 
 private:
     Genome fixed_;  ///< 1 where the position is not '*'
-    Genome values_; ///< there; 0 elsewhere
+    Genome values_; ///< value at fixed positions; 0 at others
 };
 
-/// How many of the strings have it: m(h, t) of eq. 6.2.
+/// Returns the number of strings that match the schema: m(h, t) of eq. 6.2.
 std::size_t count_matches(const Schema&, std::span<const Genome> population);
 
-/// Returns all schemata of `size` positions with the given number of fixed ones, in alphabetical order ('*' first).
+/// Returns all schemata of `size` positions with `order` fixed positions, in alphabetical order ('*' first).
 std::vector<Schema> schemata_of_order(std::size_t size, std::size_t order);
 
 } // namespace placedpar

@@ -11,17 +11,18 @@
 
 namespace placedpar {
 
-/// The strings of eight individuals side by side, read by field() as one string is, the number of each in its lane:
-/// what reads a field of one (ParameterCoding::value) reads these too, several times as fast. Made and used as Lanes.
+/// The strings of eight individuals in the lanes of vector registers. field() reads a field of all eight at once. Code
+/// that reads one string by ParameterCoding::value can read these strings several times as fast. The invariants of
+/// Lanes hold (runtime/lanes.hpp).
 template <std::size_t width, bool gray = false>
 class StringsInLanes {
 public:
     static constexpr std::size_t count = Lanes<width>::count;
-    /// Most 64-bit words of a string; longer strings are read one by one.
+    /// The largest number of 64-bit words in a string; longer strings are read one by one.
     static constexpr std::size_t most_words = 4;
 
-    /// The strings from `first` on; lanes past the end repeat the last.
-    /// REQUIRES: first < population.size(); strings of one size, of up to most_words words.
+    /// Takes the strings from `first` on. Lanes beyond the last string repeat it. REQUIRES: first < population.size();
+    /// all strings have the same size, at most most_words words.
     [[gnu::always_inline]] StringsInLanes(std::span<const Genome> population, std::size_t first) {
         const std::size_t used = population[first].words().size();
         for (std::size_t word = 0; word < used; ++word) {
@@ -32,7 +33,8 @@ public:
         }
     }
 
-    /// As Genome::field(). REQUIRES also: 1 <= bits <= 52, so that a double holds the number.
+    /// Reads a field as Genome::field(). REQUIRES: as Genome::field(), and 1 <= bits <= 52, because a double holds the
+    /// number.
     [[gnu::always_inline]] Lanes<width> field(std::size_t first, std::size_t bits) const {
         const std::size_t word = first / 64, offset = first % 64;
         alignas(alignment) Codes codes[registers];

@@ -22,32 +22,30 @@ std::string what_is_off(const LinkVerdict& link) {
     const WayUnits& units = link.units;
     auto leak = [&] {
         const FaultSize alone = size_alone(FaultHypothesis::leak, mean);
-        return fmt::format("a leak of {:.4f} in^3/(s psi) (standard error {:.4f})", units.leak_in3_per_s_psi * alone.by,
-                           units.leak_in3_per_s_psi * alone.standard_error);
+        return fmt::format("a leak of {:.4f} in^3/(s psi) (standard error {:.4f} in^3/(s psi))",
+                           units.leak_in3_per_s_psi * alone.by, units.leak_in3_per_s_psi * alone.standard_error);
     };
     auto offset = [&](double sign) {
         const FaultSize alone = size_alone(FaultHypothesis::offset, mean);
-        return fmt::format("off by {:+.4f} in (standard error {:.4f})", sign * units.offset_in * alone.by,
+        return fmt::format("wrong by {:+.4f} in (standard error {:.4f} in)", sign * units.offset_in * alone.by,
                            units.offset_in * alone.standard_error);
     };
     switch (link.verdict.kind) {
     case VerdictKind::compliance: {
         constexpr double percent = 100 * WayUnits::compliance_share;
         const double by = mean.by[index_of(FaultHypothesis::compliance)];
-        return fmt::format("the compliance is off by {:+.0f} % (standard error {:.0f} %): {}", percent * by,
+        return fmt::format("the compliance has changed by {:+.0f} % (standard error {:.0f} %): {}", percent * by,
                            percent * mean.standard_error(FaultHypothesis::compliance),
-                           by > 0 ? "air in the oil, or a hose that gives"
-                                  : "a stiffer hose, or a line that is partly shut");
+                           by > 0 ? "air in the oil, or a softer hose" : "a stiffer hose, or a partly closed line");
     }
-    case VerdictKind::leak: return leak() + ": look at hose, cylinder and seals";
-    case VerdictKind::offset: return fmt::format("the spool's reading is {}: look at its sensor", offset(1));
+    case VerdictKind::leak: return leak() + ": check hose, cylinder and seals";
+    case VerdictKind::offset: return fmt::format("the spool's reading is {}: check its sensor", offset(1));
     case VerdictKind::drift:
-        return fmt::format("the spool is {} from what the voltage asks for: look at the servo-valve", offset(-1));
+        return fmt::format("the spool's position for the given voltage is {}: check the servo-valve", offset(-1));
     case VerdictKind::leak_or_offset: return print_leak_or_offset(mean, units);
     default:
-        return "the readings are impossible: below vacuum, frozen, single ones far off, of a wrong sign or unit, or of "
-               "a valve that is shut "
-               "while the piston moves: look at the sensors";
+        return "the readings are impossible: below vacuum, frozen, with wild single values, with a wrong sign or "
+               "unit, or with a closed valve while the piston moves: check the sensors";
     }
 }
 
@@ -55,7 +53,7 @@ Alarm alarm_of(Link link, AlarmKind kind, const LinkVerdict& verdict) {
     std::string sure =
         kind == AlarmKind::sensor
             ? ""
-            : fmt::format("; {}, by {} movements", how_sure(verdict.verdict.probability), verdict.verdict.movements);
+            : fmt::format("; {}, from {} movements", how_sure(verdict.verdict.probability), verdict.verdict.movements);
     return {kind, {link}, fmt::format("{}: {}{}", name_of(link), what_is_off(verdict), sure)};
 }
 
@@ -66,8 +64,8 @@ void check_branch(LinkSet branch, const PerLink<LinkVerdict>& verdicts, std::vec
     if (first && first != AlarmKind::sensor &&
         std::ranges::all_of(links, [&](Link link) { return kind(link) == first; })) {
         alarms.push_back({AlarmKind::branch, branch,
-                          fmt::format("{} and {} are off in the same way ({}): look at what they share, their pump's "
-                                      "flow and what supplies their valves",
+                          fmt::format("{} and {} have the same fault ({}): check what they share, their pump and "
+                                      "the supply of their valves",
                                       name_of(links[0]), name_of(links[1]), name_of(*first))});
         return;
     }

@@ -89,13 +89,14 @@ std::vector<Flag> LinkEstimate::flags(const DiagnosisSettings& settings) const {
     std::vector<Flag> flags = flags_of(*compliance, state_.standard_error_in3_per_psi, settings);
     if (!state_.fits)
         flags.push_back({FlagKind::misfit,
-                         "no individual explains the flow: are the areas, the machine's constants and "
-                         "the configuration right?"});
+                         "no individual explains the flow: check the areas, the machine's constants and the "
+                         "configuration"});
     if (auto [least, greatest] = spread_in3_per_psi();
         !agree(state_.recent_in3_per_psi, *compliance, settings.step_in3_per_psi(), settings.settled_within))
-        flags.push_back({FlagKind::unsettled, fmt::format("not settled: the best of the last generations lie between "
-                                                          "{:.5f} and {:.5f} in^3/psi",
-                                                          least, greatest)});
+        flags.push_back(
+            {FlagKind::unsettled, fmt::format("not settled: the best individuals of the last generations lie between "
+                                              "{:.5f} and {:.5f} in^3/psi",
+                                              least, greatest)});
     return flags;
 }
 

@@ -17,7 +17,8 @@ LinkFinding finding_of(Link link, const LinkEstimate& estimate, double since_s, 
                 std::nullopt,
                 0,
                 {},
-                {{FlagKind::no_excitation, "no excitation: the pressure hardly moves, so that noise would decide"}}};
+                {{FlagKind::no_excitation, "no excitation: the pressure hardly changes, so noise would determine "
+                                           "the answer"}}};
     const bool settled = estimate.settled_in3_per_psi() && state.settled_time_s >= since_s;
     return {link, settled ? estimate.settled_in3_per_psi() : estimate.compliance_in3_per_psi(),
             settled ? state.settled_error_in3_per_psi : state.standard_error_in3_per_psi, estimate.spread_in3_per_psi(),
@@ -103,8 +104,8 @@ MovementFinding RecordDiagnosis::finding(LinkSet set, const Progress& progress, 
         note_leak_or_offset(link);
         if (diagnosis_.verdict(link.link).verdict.kind == VerdictKind::sensor)
             link.flags.push_back({FlagKind::impossible,
-                                  "impossible: readings that no machine gives, so that this movement says nothing: "
-                                  "look at the sensor"});
+                                  "impossible: no machine gives these readings, so this movement is not judged: "
+                                  "check the sensor"});
     }
     return finding;
 }

@@ -8,14 +8,15 @@ namespace placedpar::identification {
 
 namespace {
 
-std::string sentence(const NoConfiguration&) { return "a sample before any configuration"; }
+std::string sentence(const NoConfiguration&) { return "a sample arrived before the configuration"; }
 
 std::string sentence(const LinkNotRead& missing) {
-    return fmt::format("the sample has no reading of {}, which is active", name_of(missing.link));
+    return fmt::format("the sample has no reading of the active link {}", name_of(missing.link));
 }
 
 std::string sentence(const TimeNotLater& time) {
-    return fmt::format("the sample's time, {} s, is not after the last sample's, {} s", time.time_s, time.last_time_s);
+    return fmt::format("the sample's time, {} s, is not later than the last sample's time, {} s", time.time_s,
+                       time.last_time_s);
 }
 
 } // namespace

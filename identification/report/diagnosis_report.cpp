@@ -73,16 +73,16 @@ std::string print_deviation(const LinkVerdict& link) {
 std::string print_verdict(Link link, const LinkVerdict& said) {
     const Verdict& verdict = said.verdict;
     if (verdict.kind == VerdictKind::sound)
-        return fmt::format("{}: sound, {}, by its last {}: off by {}\n", name_of(link), how_sure(verdict.probability),
-                           verdict.movements == 1 ? "movement" : counted(verdict.movements, "movement"),
-                           print_deviation(said));
+        return fmt::format(
+            "{}: sound, {}, from its last {}; deviations: {}\n", name_of(link), how_sure(verdict.probability),
+            verdict.movements == 1 ? "movement" : counted(verdict.movements, "movement"), print_deviation(said));
     if (verdict.kind == VerdictKind::cannot_tell)
-        return fmt::format("{}: cannot tell: its last {} leave open whether it is sound: off by {}\n", name_of(link),
+        return fmt::format("{}: cannot tell whether it is sound from its last {}; deviations: {}\n", name_of(link),
                            verdict.movements == 1 ? "movement" : counted(verdict.movements, "movement"),
                            print_deviation(said));
     if (verdict.kind == VerdictKind::not_enough_evidence)
-        return fmt::format("{}: not enough evidence: {} movements show how it is in health, a verdict takes one more, "
-                           "and a fault two\n",
+        return fmt::format("{}: not enough evidence: the first {} movements set the baseline; a verdict needs "
+                           "one more movement, a fault two\n",
                            name_of(link), LinkJudge::movements_of_baseline);
     return "";
 }

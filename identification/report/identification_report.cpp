@@ -25,7 +25,7 @@ std::string print_link(const LinkIdentified& link, const hydraulics::Junction& j
 }
 
 std::string print_search(const Identified& identified, const ComplianceSearch& prepared, const IdentificationWay& way) {
-    return fmt::format("{} from {:.3f} to {:.3f} s; 1 search of {}, {}\n",
+    return fmt::format("{} from {:.3f} to {:.3f} s; 1 search with {}, {}\n",
                        counted(prepared.samples.size(), "usable sample"), prepared.samples.front().time_s,
                        prepared.samples.back().time_s, counted(way.search.population, "individual"),
                        counted(identified.generations, "generation"));
@@ -63,7 +63,7 @@ std::string print_identified(const Identified& identified, const ComplianceSearc
                              const IdentificationWay& way) {
     std::string text = print_search(identified, prepared, way);
     if (double offset = spool_offset_in(prepared); offset != 0)
-        text += fmt::format("spool offset taken off the readings: {:+.5f} in\n", offset);
+        text += fmt::format("spool offset subtracted from the readings: {:+.5f} in\n", offset);
     text += fmt::format("\n{}    optimum  codes off\n", compliance_heading());
     for (std::size_t j = 0; j < identified.links.size(); ++j)
         text += print_link(identified.links[j], identified.circuit[j]);

@@ -123,9 +123,9 @@ FaultSize size_alone(FaultHypothesis way, const Deviation& mean) {
 std::string print_leak_or_offset(const Deviation& mean, const WayUnits& units) {
     const FaultSize leak = size_alone(FaultHypothesis::leak, mean), offset = size_alone(FaultHypothesis::offset, mean);
     return fmt::format(
-        "either a leak of {:.4f} in^3/(s psi) (standard error {:.4f}), or a spool that stands lower than it is "
-        "said to by {:+.4f} in (standard error {:.4f}): readings at rest before the movement and for .4 s "
-        "after it, under pressure, would tell which",
+        "either a leak of {:.4f} in^3/(s psi) (standard error {:.4f} in^3/(s psi)), or a spool {:+.4f} in lower "
+        "than its sensor or the voltage says (standard error {:.4f} in): readings at rest under pressure, before "
+        "the movement and for .4 s after it, would distinguish the two",
         units.leak_in3_per_s_psi * leak.by, units.leak_in3_per_s_psi * leak.standard_error, units.offset_in * offset.by,
         units.offset_in * offset.standard_error);
 }

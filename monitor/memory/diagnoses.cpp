@@ -17,7 +17,7 @@ Diagnosis& Diagnoses::watched_by(const Hello& hello) {
     auto found = diagnoses_.find(hello.machine);
     if (found == diagnoses_.end())
         throw BadMessage("machine", fmt::format("unknown machine \"{}\"", hello.machine),
-                         "a machine whose control system has said hello");
+                         "a machine whose control system has sent hello");
     return found->second;
 }
 
@@ -25,13 +25,13 @@ Diagnosis& Diagnoses::controlled_by(const Hello& hello) {
     auto found = diagnoses_.find(hello.machine);
     bool known = found != diagnoses_.end();
     if (known && !hello.anew && found->second.parameters() != hello.parameters)
-        throw BadMessage("machine", fmt::format("\"{}\" is known with other parameters", hello.machine),
-                         "the same, or \"anew\":true to forget what is known of it");
+        throw BadMessage("machine", fmt::format("\"{}\" is already known with other parameters", hello.machine),
+                         "the same parameters, or \"anew\":true to forget the machine's state");
     if (known && hello.anew)
         diagnoses_.erase(found);
     else if (!known && diagnoses_.size() >= most_)
-        throw BadMessage("machine", fmt::format("there are {} machines already", diagnoses_.size()),
-                         "one of those; --max-machines allows more");
+        throw BadMessage("machine", fmt::format("the monitor already has {} machines", diagnoses_.size()),
+                         "one of the known machines; --max-machines allows more");
     auto [place, made] = diagnoses_.try_emplace(hello.machine, hello.machine, hello.parameters, settings_, seed_);
     place->second.connected();
     return place->second;
@@ -46,7 +46,8 @@ void Diagnoses::replay(const std::string& machine, std::string_view text) {
     Message message = parse_message(text);
     auto found = diagnoses_.find(machine);
     if (found == diagnoses_.end())
-        throw BadMessage("machine", fmt::format("unknown machine \"{}\"", machine), "a hello before");
+        throw BadMessage("machine", fmt::format("unknown machine \"{}\"", machine),
+                         "hello before any other message about the machine");
     if (const auto* change = std::get_if<ConfigurationChange>(&message))
         found->second.change(*change);
     else if (const auto* sample = std::get_if<ExcavatorSample>(&message))

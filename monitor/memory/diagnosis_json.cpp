@@ -50,7 +50,7 @@ namespace {
 
 void require_together(bool together, const char* what) {
     if (!together)
-        throw std::runtime_error(fmt::format("the parts of {} do not belong together", what));
+        throw std::runtime_error(fmt::format("the parts of {} do not fit together", what));
 }
 
 void require_whole(const LinkTrack::State& track, const Sampling& sampling) {
@@ -139,9 +139,9 @@ Diagnosis::State state_from(const boost::json::value& value, const DiagnosisSett
         require_whole(state, settings);
         return state;
     } catch (const NotWhole& wrong) {
-        throw std::runtime_error(fmt::format("it is not whole: {}: {}", wrong.path, wrong.what()));
+        throw std::runtime_error(fmt::format("the state is incomplete or wrong: {}: {}", wrong.path, wrong.what()));
     } catch (const std::exception& error) {
-        throw std::runtime_error(fmt::format("it is not whole: {}", error.what()));
+        throw std::runtime_error(fmt::format("the state is incomplete or wrong: {}", error.what()));
     }
 }
 

@@ -64,7 +64,7 @@ std::vector<Genome> genomes_from(std::string_view text) {
         } else {
             auto value = value_of<std::uint64_t>(word, 16);
             if (*bits == 0 || *bits > 64 || (*bits < 64 && value >> *bits != 0))
-                throw std::runtime_error(fmt::format("\"{}\" has not {} bits", word, *bits));
+                throw std::runtime_error(fmt::format("\"{}\" does not have {} bits", word, *bits));
             strings.emplace_back(*bits).set_field(0, *bits, value);
         }
     return strings;

@@ -20,7 +20,7 @@ void KeptJson::require_count(std::size_t found, const char* what, std::size_t ex
 }
 
 void KeptJson::throw_no_name(const std::string& text) {
-    throw std::runtime_error(fmt::format("\"{}\" is not one of its names", text.c_str()));
+    throw std::runtime_error(fmt::format("\"{}\" is not a known name", text.c_str()));
 }
 
 } // namespace placedpar::monitor

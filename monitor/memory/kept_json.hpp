@@ -130,7 +130,7 @@ struct KeptJson {
             at_member(std::string(field.key()), [&] {
                 auto links = identification::set_named(field.key());
                 if (!links)
-                    throw std::runtime_error("there is no such population set");
+                    throw std::runtime_error("this population set does not exist");
                 read(values[*links], field.value());
             });
     }

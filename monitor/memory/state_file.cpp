@@ -19,7 +19,7 @@ namespace {
 
 /// Reports damage that SQLite, which has no checksums, cannot find.
 [[noreturn]] void refuse_damaged(const std::string& what) {
-    throw std::runtime_error(fmt::format("it is damaged: {}", what));
+    throw std::runtime_error(fmt::format("the file is damaged: {}", what));
 }
 
 std::int64_t row_checksum(const KeptMessage& m) { return checksum_of(fmt::format("{}", m.number), m.machine, m.text); }
@@ -27,7 +27,8 @@ std::int64_t row_checksum(const KeptMessage& m) { return checksum_of(fmt::format
 std::int64_t row_checksum(const KeptState& s) { return checksum_of(s.machine, fmt::format("{}", s.taken), s.state); }
 
 std::string way_out(const fs::path& path) {
-    return fmt::format("; put a whole one there without {}-journal, or move {} away and begin with nothing known",
+    return fmt::format("; restore an undamaged copy and remove {}-journal, or move {} away and start without "
+                       "known machines",
                        path.filename().string(), path.string());
 }
 
@@ -76,7 +77,7 @@ StateFile::StateFile(const fs::path& path, const std::string& settings, std::uin
     } catch (const store::DatabaseError& error) {
         if (!error.damage())
             refuse(error.what());
-        refuse(fmt::format("it is damaged: {}{}", error.what(), way_out(path_)));
+        refuse(fmt::format("the file is damaged: {}{}", error.what(), way_out(path_)));
     } catch (const std::runtime_error& error) {
         refuse(fmt::format("{}{}", error.what(), way_out(path_)));
     }
@@ -100,7 +101,7 @@ void StateFile::open(StateContent& content) {
     history_.emplace(*database_, most_history_);
     const std::uint64_t expected = read_ledger(), found = read_machines(content) + history_->check();
     if ((found & sum_mask) != expected)
-        refuse_damaged("its rows are not those of its ledger");
+        refuse_damaged("its rows do not match its ledger");
     read_messages(content);
     content.last_message = ledger_.last;
     statements_ = std::make_unique<Statements>(*database_);
@@ -122,13 +123,13 @@ std::string StateFile::trouble_with_writing() {
 
 History& StateFile::history() {
     if (!history_)
-        throw store::DatabaseError("it is not open", false);
+        throw store::DatabaseError("the file is not open", false);
     return *history_;
 }
 
 void StateFile::require_in_place() const {
     if (!statements_ || !lock_->is_at(given_))
-        throw store::DatabaseError("it has been removed or replaced", false);
+        throw store::DatabaseError("the file was removed or replaced", false);
 }
 
 /// Opens the file again. If it was removed, a copy takes its place, locked before it gets its name. If the file is
@@ -137,7 +138,7 @@ void StateFile::require_in_place() const {
 void StateFile::renew() {
     const bool gone = !fs::exists(fs::symlink_status(given_)) && !fs::exists(path_);
     if (!gone && !lock_->is_at(given_))
-        throw store::DatabaseError("something else is in its place: move that away", false);
+        throw store::DatabaseError("another file is in its place: move that file away", false);
     statements_.reset();
     history_.reset();
     database_.reset();
@@ -155,7 +156,7 @@ void StateFile::put_copy_in_place() {
     auto lock = std::make_unique<store::FileLock>(copy, path_.string(), "placedpar monitor");
     publish(copy, path_);
     if (!lock->is_at(path_))
-        throw store::DatabaseError("something else is in its place: move that away", false);
+        throw store::DatabaseError("another file is in its place: move that file away", false);
     lock_ = std::move(lock);
 }
 
@@ -167,9 +168,10 @@ std::uint64_t StateFile::read_ledger() {
     ledger_ = {unsigned_of(row.integer(1)), unsigned_of(row.integer(2))};
     const std::uint64_t sum = unsigned_of(row.integer(3));
     if (ledger_checksum(was, ledger_.trimmed, ledger_.last, sum) != row.integer(4))
-        refuse_damaged("its ledger has another checksum");
+        refuse_damaged("its ledger has a wrong checksum");
     if (was != settings_)
-        throw OtherFile(fmt::format("it was written with {}, this is {}; use the same options, or another --state file",
+        throw OtherFile(fmt::format("the file was written with {}, but this monitor has {}; use the same "
+                                    "options, or another --state file",
                                     was, settings_));
     return sum;
 }
@@ -180,7 +182,7 @@ std::uint64_t StateFile::read_machines(StateContent& content) {
     while (rows.step()) {
         KeptState state{rows.text(0), unsigned_of(rows.integer(1)), rows.text(2)};
         if (row_checksum(state) != rows.integer(3))
-            refuse_damaged(fmt::format("the state of \"{}\" has another checksum", state.machine));
+            refuse_damaged(fmt::format("the state of \"{}\" has a wrong checksum", state.machine));
         sum += unsigned_of(rows.integer(3));
         content.machines.push_back(std::move(state));
     }
@@ -193,7 +195,7 @@ void StateFile::read_messages(StateContent& content) {
     for (; rows.step(); ++next) {
         KeptMessage message{unsigned_of(rows.integer(0)), rows.text(1), rows.text(2)};
         if (row_checksum(message) != rows.integer(3) || message.number != next)
-            refuse_damaged(fmt::format("message {} is not what was written", next));
+            refuse_damaged(fmt::format("message {} was changed after it was written", next));
         content.messages.push_back(std::move(message));
     }
     if (next != ledger_.last + 1)

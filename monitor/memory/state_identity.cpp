@@ -58,7 +58,7 @@ void sync_path(const fs::path& path) {
         int reason = errno;
         if (file >= 0)
             ::close(file);
-        throw UserError(fmt::format("{}: cannot be brought to the disk: {}", path.string(), std::strerror(reason)));
+        throw UserError(fmt::format("{}: cannot be written to the disk: {}", path.string(), std::strerror(reason)));
     }
     ::close(file);
 }
@@ -78,7 +78,7 @@ fs::path begin_file(const fs::path& path) {
     ::unlink(made.c_str());
     int file = ::open(made.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
     if (file < 0)
-        throw UserError(fmt::format("--state {}: cannot be made: {}", path.string(), std::strerror(errno)));
+        throw UserError(fmt::format("--state {}: the file cannot be created: {}", path.string(), std::strerror(errno)));
     ::close(file);
     return made;
 }
@@ -91,7 +91,8 @@ void publish(const fs::path& made, const fs::path& path) {
         int reason = errno;
         fs::remove(made);
         if (reason != EEXIST)
-            throw UserError(fmt::format("--state {}: cannot be made: {}", path.string(), std::strerror(reason)));
+            throw UserError(
+                fmt::format("--state {}: the file cannot be created: {}", path.string(), std::strerror(reason)));
     }
     sync_path(fs::absolute(path).parent_path());
 }
@@ -100,31 +101,32 @@ fs::path write_state_file(const std::string& bytes, const fs::path& path) {
     fs::path made = begin_file(path);
     std::ofstream out(made, std::ios::binary);
     if (!out.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush())
-        throw UserError(fmt::format("--state {}: cannot be made: {}", path.string(), std::strerror(errno)));
+        throw UserError(fmt::format("--state {}: the file cannot be created: {}", path.string(), std::strerror(errno)));
     return made;
 }
 
 void require_path_of_file(const fs::path& path) {
     if (is_standard_stream(path))
-        throw UserError("-: standard output is not a state file; name a file, it need not exist yet");
+        throw UserError("-: standard output cannot be a state file; name a file, which need not exist yet");
     if (fs::exists(path)) {
         if (!fs::is_regular_file(path))
-            throw UserError(fmt::format("{}: it is {}, no state file; name a file, it need not exist yet",
+            throw UserError(fmt::format("{}: this is {}, not a state file; name a file, which need not exist yet",
                                         path.string(), fs::is_directory(path) ? "a folder" : "a device"));
         return;
     }
     if (fs::is_symlink(path))
-        throw UserError(fmt::format("{}: it is a symbolic link to a file that is not there; put that back, or remove "
+        throw UserError(fmt::format("{}: this symbolic link leads to a missing file; restore the file, or remove "
                                     "the link",
                                     path.string()));
     for (const char* part : {"-journal", "-wal"}) // of this version and of an earlier one
         if (fs::exists(path.string() + part))
-            throw UserError(fmt::format("{0}: it is not there, and what was written to it last is: {0}{1}; put it "
-                                        "back, or move that away, too, and begin with nothing known",
+            throw UserError(fmt::format("{0}: the file is missing, but its last changes are in {0}{1}; restore "
+                                        "the file, or move {0}{1} away, too, and start without known machines",
                                         path.string(), part));
     if (fs::exists(path.string() + ".journal"))
-        throw UserError(fmt::format("{0}: it is not there, and {0}.journal is: the journal of an earlier placedpar "
-                                    "monitor, which this one does not read; move it away and begin with nothing known",
+        throw UserError(fmt::format("{0}: the file is missing, but {0}.journal exists, the journal of an earlier "
+                                    "placedpar monitor, which this version cannot read; move the journal away "
+                                    "and start without known machines",
                                     path.string()));
 }
 
@@ -140,7 +142,7 @@ void create_state_file(const fs::path& path, const std::string& settings) {
     } catch (const store::DatabaseError& error) {
         std::error_code ignored;
         fs::remove(made, ignored);
-        throw UserError(fmt::format("--state {}: cannot be made: {}", path.string(), error.what()));
+        throw UserError(fmt::format("--state {}: the file cannot be created: {}", path.string(), error.what()));
     }
     publish(made, path);
 }
@@ -153,23 +155,24 @@ std::int64_t ledger_checksum(const std::string& settings, std::uint64_t trimmed,
 std::uint32_t require_identity(const store::FileLock& file) {
     std::string header = file.beginning(100);
     if (header.empty())
-        throw std::runtime_error("it is empty");
+        throw std::runtime_error("the file is empty");
     if (header.find("placedpar_monitor_state") != header.npos)
-        throw OtherFile("it was written by an earlier placedpar monitor, as JSON, which this one does not read; use "
-                        "another --state file");
+        throw OtherFile("an earlier placedpar monitor wrote the file as JSON, which this version cannot read; "
+                        "use another --state file");
     if (header.find("placedpar-monitor-journal") != header.npos)
-        throw OtherFile("it is the journal of an earlier placedpar monitor, which this one does not read; use another "
-                        "--state file");
+        throw OtherFile("the file is the journal of an earlier placedpar monitor, which this version cannot "
+                        "read; use another --state file");
     if (header.size() < 100 || !header.starts_with(std::string_view("SQLite format 3\0", 16)))
-        throw std::runtime_error("it is not a state file of the monitor");
+        throw std::runtime_error("the file is not a state file of the monitor");
     if (header_word(header, 68) != application_id)
-        throw OtherFile(fmt::format("it is a database of another program (its application_id is {:#010x}, a state "
-                                    "file's is {:#010x}); use another --state file",
+        throw OtherFile(fmt::format("the file is a database of another program (application_id {:#010x}; a state "
+                                    "file has {:#010x}); use another --state file",
                                     header_word(header, 68), application_id));
     const std::uint32_t version = header_word(header, 60);
     if (version != file_version && version != earlier_file_version)
         throw OtherFile(
-            fmt::format("it is of version {}, this program reads {}; use another --state file", version, file_version));
+            fmt::format("the file has version {}, but this program reads version {}; use another --state file", version,
+                        file_version));
     return version;
 }
 
@@ -180,8 +183,8 @@ std::string place_aside(const fs::path& path) {
 std::string put_aside(const fs::path& path) {
     const std::string aside = place_aside(path);
     if (fs::exists(aside))
-        throw OtherFile(
-            fmt::format("it is of version {}, and so is {}: move one of them away", earlier_file_version, aside));
+        throw OtherFile(fmt::format("the file has version {}, and so has {}: move one of the two away",
+                                    earlier_file_version, aside));
     for (const char* part :
          {"-wal", "-shm", "-mark", "-journal", ""}) // the file itself is last, because the files beside it belong to it
         if (fs::exists(path.string() + part))
@@ -191,21 +194,21 @@ std::string put_aside(const fs::path& path) {
 
 std::string told_aside(const fs::path& path) {
     return fmt::format(
-        "{}: it was of version {}, of an earlier placedpar monitor: it is now {}, and all machines begin "
-        "anew",
+        "{}: the file had version {}, from an earlier placedpar monitor: it was renamed to {}, and all machines "
+        "start anew",
         path.string(), earlier_file_version, place_aside(path));
 }
 
 void require_integrity(store::Database& database) {
     std::string found = database.text("PRAGMA integrity_check(1)");
     if (found != "ok")
-        throw std::runtime_error(fmt::format("it is damaged: {}", found));
+        throw std::runtime_error(fmt::format("the file is damaged: {}", found));
     std::string tables, expected = schema();
     store::Statement all(database, "SELECT sql FROM sqlite_schema WHERE sql IS NOT NULL ORDER BY rowid");
     while (all.step())
         tables += all.text(0) + ";";
     if (tables != expected)
-        throw std::runtime_error("it is damaged: its tables are not those of a state file");
+        throw std::runtime_error("the file is damaged: its tables differ from those of a state file");
 }
 
 } // namespace placedpar::monitor

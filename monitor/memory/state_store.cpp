@@ -104,7 +104,7 @@ void StateStore::take_again(const StateContent& content) {
     }
     if (!diagnoses_.all().empty())
         said_ += fmt::format("{}: {} restored{}", path_.string(), plural(diagnoses_.all().size(), "machine"),
-                             count == 0 ? "" : fmt::format(", {} taken again", plural(count, "message")));
+                             count == 0 ? "" : fmt::format(", {} processed again", plural(count, "message")));
 }
 
 void StateStore::commit_now(const Transaction& transaction) {

@@ -17,13 +17,13 @@ BadMessage in_words_of_protocol(const NoConfiguration&) {
 }
 
 BadMessage in_words_of_protocol(const LinkNotRead& missing) {
-    return {fmt::format("links.{}", symbol_of(missing.link)), "it is missing, and the link is active",
-            "a reading of each active link, or a configuration without it"};
+    return {fmt::format("links.{}", symbol_of(missing.link)), "it is missing, but the link is active",
+            "a reading of each active link, or a configuration without the link"};
 }
 
 BadMessage in_words_of_protocol(const TimeNotLater& time) {
-    return {"time_s", fmt::format("it is {}, not after the last sample's", time.time_s),
-            fmt::format("more than {}; send hello again to restart time", time.last_time_s)};
+    return {"time_s", fmt::format("it is {}, not later than the time of the last sample", time.time_s),
+            fmt::format("a time later than {}, or a new hello to restart time", time.last_time_s)};
 }
 
 } // namespace

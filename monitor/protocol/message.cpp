@@ -38,7 +38,7 @@ void for_each_link(FieldReader& message, Read read) {
         Link link = link_of(name, links.path_of(name));
         if (seen.contains(link))
             throw BadMessage(fmt::format("links.{}", symbol_of(link)), "it is given twice",
-                             "each link once, by name or symbol");
+                             "each link once, by its name or symbol");
         seen.insert(link);
         read(link, links, name);
     }
@@ -115,7 +115,7 @@ Message configuration(FieldReader& fields) {
     change.configuration = *named;
     for (const boost::json::value& each : fields.array("active")) {
         if (!each.is_string())
-            throw BadMessage("active", "it holds something that is not a string", "an array such as [\"BU\",\"BO\"]");
+            throw BadMessage("active", "it has an element that is not a string", "an array such as [\"BU\",\"BO\"]");
         change.active.insert(link_of(std::string(each.get_string()), "active"));
     }
     return change;

@@ -18,7 +18,7 @@ public:
     virtual void send(std::string_view line) = 0;
     /// Sends the waiting output, then closes the connection.
     virtual void finish() = 0;
-    /// Ends the time limit for the first message, because the client has said what it is.
+    /// Ends the time limit for the first message, because the client has sent hello.
     virtual void greeted() = 0;
     virtual bool finishing() const = 0;
     /// Returns the number of lines received from the client, including the present one.

@@ -59,7 +59,8 @@ void Connection::next_line() {
     }
     std::size_t end = input_.find('\n', searched_);
     if (std::min(end, input_.size()) > limits_.line_bytes)
-        refuse(fmt::format("the line has more than {} bytes", limits_.line_bytes), "one short JSON object a line");
+        refuse(fmt::format("the line has more than {} bytes", limits_.line_bytes),
+               "one short JSON object in each line");
     else if (end != std::string::npos)
         hand_on(end);
     else if (ended_ && !input_.empty())
@@ -96,7 +97,7 @@ void Connection::send(std::string_view line) {
         std::size_t lost = waiting_.size() + line.size();
         waiting_.clear(); // what is being written ends with a whole line
         refuse(fmt::format("client reads too slowly: {} bytes were queued, {} dropped", queued_bytes() + lost, lost),
-               "to read as fast as answers are asked for, or \"answers\":\"moved\"");
+               "a client that reads answers as fast as it asks for them, or \"answers\":\"moved\"");
         return;
     }
     waiting_ += line;
@@ -188,9 +189,9 @@ void Connection::tick(Clock::time_point now) {
         refuse(fmt::format("no hello within {} s", limits_.hello_s),
                "{\"type\":\"hello\",\"version\":1,\"machine\":\"name\"}");
     else if (!input_.empty() && !held_back_ && seconds(now - line_begun_) > limits_.line_s)
-        refuse(fmt::format("half a line for {} s", limits_.line_s), "a whole line, ended by a newline");
+        refuse(fmt::format("an incomplete line for {} s", limits_.line_s), "a whole line, ended by a newline");
     else if (seconds(now - last_line_) > limits_.idle_s)
-        refuse(fmt::format("nothing for {} s", limits_.idle_s), "{\"type\":\"ping\"} now and then");
+        refuse(fmt::format("no line for {} s", limits_.idle_s), "{\"type\":\"ping\"} from time to time");
 }
 
 void Connection::close() {

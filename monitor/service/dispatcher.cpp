@@ -46,7 +46,7 @@ void Dispatcher::enter(Client& client) {
             return;
         auto silent = clients_.those([&](const Client& each) { return counted(each) && !each.hello; });
         if (Client* other = giving_way(silent, client.caller.peer, true))
-            evict(*other, "the place is needed, and this connection has sent no hello yet");
+            evict(*other, "another client needs the place, and this connection has sent no hello yet");
     };
     require(limits_.clients_per_peer, of_peer);
     require(limits_.clients, [](const Client&) { return true; });
@@ -89,11 +89,11 @@ void Dispatcher::require_place(Client& client, const Hello& hello) {
         if (client.leaving || others.size() < most)
             return;
         if (Client* other = giving_way(others, peer, client.keeps_place))
-            evict(*other, client.keeps_place ? "a machine that is known needs the place"
+            evict(*other, client.keeps_place ? "a client of a known machine needs the place"
                                              : "a peer with fewer connections needs the place");
         else
-            evict(client, fmt::format("there are {} clients already", most),
-                  fmt::format("to come again later; {} allows more", option));
+            evict(client, fmt::format("the monitor already has {} clients", most),
+                  fmt::format("a new connection later; {} allows more clients", option));
     };
     require(limits_.clients_per_peer, "--max-clients-per-peer",
             [&](const Client& each) { return each.caller.peer == peer; });
@@ -107,7 +107,7 @@ void Dispatcher::leave(Client& client) {
     if (!client.hello)
         return;
     const std::string& machine = client.hello->machine;
-    say_(fmt::format("{}: {} has gone", machine, client.caller.name));
+    say_(fmt::format("{}: {} disconnected", machine, client.caller.name));
     if (diagnoses_.knows(machine))
         places_.heard(machine, diagnoses_.named(machine).samples(), MachinePlaces::Clock::now());
 }
@@ -131,10 +131,11 @@ void Dispatcher::take(Client& client, std::string_view line) {
 }
 
 void Dispatcher::turn_away_browser(Client& client) {
-    say_(fmt::format("{} speaks HTTP", client.caller.name));
-    outbox_.send(client, error_line(client.lines(), BadMessage("", "it is HTTP",
-                                                               "one JSON object a line; the page for "
-                                                               "browsers is at the port of --http")));
+    say_(fmt::format("{} sent an HTTP request", client.caller.name));
+    outbox_.send(client, error_line(client.lines(),
+                                    BadMessage("", "the line is an HTTP request",
+                                               "one JSON object in each line; browsers find the page at the port of "
+                                               "--http")));
     outbox_.finish(client);
 }
 
@@ -147,7 +148,7 @@ Diagnosis& Dispatcher::diagnosis_of(Client& client) const {
 Diagnosis& Dispatcher::controlled_by(Client& client) const {
     Diagnosis& diagnosis = diagnosis_of(client);
     if (client.hello->role != Role::control)
-        throw BadMessage("type", "a watcher may ask, but not send samples or changes",
+        throw BadMessage("type", "a watcher may only ask; it may not send samples or changes",
                          "status, load, ping or bye; \"role\":\"control\" in hello");
     return diagnosis;
 }
@@ -157,9 +158,9 @@ void Dispatcher::check_token(Client& client, const std::string& token) {
         client.trusted = true;
         return;
     }
-    say_(fmt::format("{} sent a wrong token, or none", client.caller.name));
-    outbox_.send(client, error_line(client.lines(), BadMessage("token", "it is not the right token",
-                                                               "the word in the file of --token-file")));
+    say_(fmt::format("{} sent a wrong token or no token", client.caller.name));
+    outbox_.send(client, error_line(client.lines(), BadMessage("token", "the token is wrong",
+                                                               "the token in the file of --token-file")));
     outbox_.finish(client);
 }
 
@@ -177,14 +178,14 @@ void Dispatcher::require_allowance(const Client& client, const Hello& hello) {
             make_room(peer, true);
         if (places_.introduced_by(peer) >= limits_.machines_per_peer)
             throw BadMessage("machine",
-                             fmt::format("{} has introduced {} machines already", peer, limits_.machines_per_peer),
-                             "one of those; --max-machines-per-peer allows more");
+                             fmt::format("{} has already announced {} machines", peer, limits_.machines_per_peer),
+                             "one of these machines; --max-machines-per-peer allows more");
         if (diagnoses_.full())
             make_room(peer, false);
     } else if (clients_.control_of(hello.machine) && !peers_.take_over(peer, Peers::Clock::now()))
         throw BadMessage("machine",
                          fmt::format("{} has taken over {} machines within a minute", peer, limits_.takeovers_per_peer),
-                         "to wait; --max-takeovers allows more");
+                         "a pause; --max-takeovers allows more takeovers");
 }
 
 void Dispatcher::forget(const std::string& machine) {
@@ -208,15 +209,15 @@ void Dispatcher::make_room(const std::string& peer, bool only_own) {
         return;
     for (Client* client : clients_.of(*machine))
         if (!client->leaving)
-            evict(*client, "a machine of a peer with fewer machines needs its place");
+            evict(*client, "a machine of a peer with fewer machines needs the place");
     if (std::uint64_t samples = diagnoses_.named(*machine).samples(); samples > 0)
-        say_(fmt::format("{}: forgotten after {} samples, to make room for a new machine", *machine, samples));
+        say_(fmt::format("{}: forgotten after {} samples to make room for a new machine", *machine, samples));
     forget(*machine);
 }
 
 void Dispatcher::answer(Client& client, const Hello& hello, std::string_view) {
     if (client.hello)
-        throw BadMessage("type", fmt::format("this connection is about \"{}\" already", client.hello->machine),
+        throw BadMessage("type", fmt::format("this connection already has the machine \"{}\"", client.hello->machine),
                          "another connection");
     if (!client.trusted)
         check_token(client, hello.token);
@@ -240,7 +241,7 @@ void Dispatcher::answer(Client& client, const Hello& hello, std::string_view) {
     if (hello.role == Role::control)
         persistence_.save(diagnosis);
     if (other) { // the old connection may be half open, its control system long gone
-        outbox_.send(*other, plain_line("closing", "another control system has said hello for this machine"));
+        outbox_.send(*other, plain_line("closing", "another control system has taken over this machine"));
         outbox_.finish(*other);
     }
     say_(fmt::format("{}: {} {}{}", hello.machine, client.caller.name,
@@ -338,11 +339,11 @@ void Dispatcher::answer(Client& client, const Forget& order, std::string_view) {
     if (!diagnoses_.knows(order.machine))
         throw BadMessage("machine", fmt::format("unknown machine \"{}\"", order.machine), "one that is known");
     if (!is_idle(order.machine))
-        throw BadMessage("machine",
-                         fmt::format("{} are connected to \"{}\"", clients_.staying(order.machine), order.machine),
-                         "a machine without connections; a hello with \"anew\":true for one that is in use");
+        throw BadMessage(
+            "machine", fmt::format("{} are still connected to \"{}\"", clients_.staying(order.machine), order.machine),
+            "a machine without connections; for a machine in use, a hello with \"anew\":true");
     forget(order.machine);
-    say_(fmt::format("{}: forgotten, as {} has asked", order.machine, client.caller.name));
+    say_(fmt::format("{}: forgotten at the request of {}", order.machine, client.caller.name));
     outbox_.send(client, plain_line("forgotten", order.machine));
 }
 
@@ -352,7 +353,7 @@ void Dispatcher::answer(Client& client, const Acknowledge& order, std::string_vi
 
 void Dispatcher::answer(Client& client, const Shelve& order, std::string_view) {
     change_alarm(client, order.alarm, alarms_.shelve(order.alarm, now_at() + order.for_s, now_at()),
-                 order.for_s > 0 ? fmt::format("shelved for {} s", order.for_s) : "taken from the shelf");
+                 order.for_s > 0 ? fmt::format("shelved for {} s", order.for_s) : "no longer shelved");
 }
 
 /// Answers with all active alarms.
@@ -361,7 +362,7 @@ void Dispatcher::change_alarm(Client& client, const AlarmName& name, std::option
     client.greeted();
     if (!change)
         throw BadMessage("alarm", fmt::format("\"{}\" has no alarm \"{}\" of {}", name.machine, name.kind, name.links),
-                         "an alarm that holds, as {\"type\":\"alarms\"} lists them");
+                         "a present alarm, as {\"type\":\"alarms\"} lists it");
     persistence_.change_history(std::move(*change));
     say_(fmt::format("{}: alarm {} {} {} by {}", name.machine, name.kind, name.links, what, client.caller.name));
     outbox_.send(client, alarms_line(alarms_.all()));

@@ -27,8 +27,8 @@ public:
     Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, Token token,
                std::function<void(const std::string&)> say);
 
-    /// Admits a client. If too many clients have not said hello yet, closes one such client of the peer that has most
-    /// of them.
+    /// Admits a client. If too many clients have sent no hello yet, closes one of them, at the peer with the most such
+    /// clients.
     void enter(Client& client);
     void leave(Client& client);
     /// Processes a line from the client. Answers go to the client and to the others that watch its machine.
@@ -75,7 +75,7 @@ private:
     bool may_keep_place(const std::string& peer) const;
     /// Returns the client of `those` that must make room for another client of the peer; null if none must.
     static Client* giving_way(const std::vector<Client*>& those, const std::string& peer, bool preferred);
-    void evict(Client& client, const std::string& why, const std::string& right = "to come again");
+    void evict(Client& client, const std::string& why, const std::string& right = "a new connection");
     bool is_idle(const std::string& machine) const { return clients_.staying(machine) == 0; }
     void forget(const std::string& machine);
     /// Forgets machines without a sample to which no client has been connected for `newcomer_s`.

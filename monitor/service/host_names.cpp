@@ -67,7 +67,7 @@ HostNames::HostNames(const std::string& address, const std::vector<std::string>&
             name = host_in(fmt::format("[{}]", each));
         if (!name)
             throw UserError(
-                fmt::format("--host-name {}: this is not the name of a computer, such as digger.example, or an "
+                fmt::format("--host-name {}: expected the name of a computer, such as digger.example, or an "
                             "address",
                             each));
         names_.insert(*name);

@@ -65,13 +65,15 @@ void clear_path(const std::string& path) {
     if (!fs::exists(fs::symlink_status(path)))
         return;
     if (!fs::is_socket(fs::symlink_status(path)))
-        throw UserError(fmt::format("--unix {}: this is not a socket; choose another path", path));
+        throw UserError(fmt::format("--unix {}: this file exists and is not a socket; choose another path", path));
     asio::io_context io;
     stream_protocol::socket socket(io);
     error_code error;
     socket.connect(stream_protocol::endpoint(path), error);
     if (error != asio::error::connection_refused)
-        throw UserError(fmt::format("--unix {}: a program listens there already; choose another path", path));
+        throw UserError(fmt::format("--unix {}: another program already listens on this socket; choose another "
+                                    "path",
+                                    path));
     fs::remove(path);
 }
 
@@ -94,8 +96,7 @@ Listener Listener::at_port(asio::io_context& io, const std::string& address, std
     error_code error;
     asio::ip::address parsed = asio::ip::make_address(address, error);
     if (error)
-        throw UserError(
-            fmt::format("--address {}: it is not an address, expected one such as 127.0.0.1 or ::1", address));
+        throw UserError(fmt::format("--address {}: expected an address such as 127.0.0.1 or ::1", address));
     tcp::endpoint end(parsed, port);
     Acceptor acceptor(io);
     acceptor.open(end.protocol(), error);
@@ -106,8 +107,8 @@ Listener Listener::at_port(asio::io_context& io, const std::string& address, std
     if (!error)
         acceptor.listen(asio::socket_base::max_listen_connections, error);
     if (error)
-        throw UserError(fmt::format("cannot listen on {} port {}: {}; another {}, or 0 for any free one", address, port,
-                                    error.message(), option));
+        throw UserError(fmt::format("cannot listen on {} port {}: {}; choose another {}, or 0 for any free port",
+                                    address, port, error.message(), option));
     Listener door(io, std::move(acceptor));
     door.port_ = tcp_end(door.acceptor_.local_endpoint()).port();
     return door;
@@ -116,7 +117,8 @@ Listener Listener::at_port(asio::io_context& io, const std::string& address, std
 Listener Listener::at_path(asio::io_context& io, const std::string& path) {
     constexpr std::size_t longest = sizeof(sockaddr_un::sun_path) - 1;
     if (path.size() > longest)
-        throw UserError(fmt::format("--unix {}: it has more than {} bytes; a shorter path", path, longest));
+        throw UserError(
+            fmt::format("--unix {}: the path has more than {} bytes; choose a shorter path", path, longest));
     clear_path(path);
     stream_protocol::endpoint end(path);
     Acceptor acceptor(io);
@@ -129,7 +131,7 @@ Listener Listener::at_path(asio::io_context& io, const std::string& path) {
     if (!error)
         acceptor.listen(asio::socket_base::max_listen_connections, error);
     if (error)
-        throw UserError(fmt::format("--unix {}: {}; another path", path, error.message()));
+        throw UserError(fmt::format("--unix {}: {}; choose another path", path, error.message()));
     Listener door(io, std::move(acceptor));
     door.path_ = path;
     return door;

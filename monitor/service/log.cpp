@@ -71,12 +71,12 @@ void Log::tick() {
 
 void Log::reopen() {
     if (path_.empty())
-        return say("SIGHUP: the log is not a file, so there is nothing to open anew");
+        return say("SIGHUP: the log is not a file, so it was not reopened");
     int opened = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
     if (opened < 0 || ::dup2(opened, file_) < 0)
-        say(fmt::format("SIGHUP: {} cannot be opened anew: {}", path_, std::strerror(errno)));
+        say(fmt::format("SIGHUP: {} cannot be reopened: {}", path_, std::strerror(errno)));
     else
-        say("the log was opened anew");
+        say("the log was reopened");
     if (opened >= 0)
         ::close(opened);
 }

@@ -43,19 +43,19 @@ std::string load_metrics(const Load& load) {
     auto number = [](auto count) { return static_cast<double>(count); };
     return metric("clients", "gauge", "Connections.", number(load.clients)) +
            metric("machines", "gauge", "Machines known.", number(load.machines)) +
-           metric("queued_bytes", "gauge", "Waiting to be sent.", number(load.queued_bytes)) +
+           metric("queued_bytes", "gauge", "Bytes waiting to be sent.", number(load.queued_bytes)) +
            metric("samples_total", "counter", "Samples taken.", number(load.samples)) +
            metric("generations_total", "counter", "Generations searched.", number(load.generations)) +
            metric("work_seconds_total", "counter", "Time spent on messages.", load.work_s) +
            metric("cpu_seconds_total", "counter", "Processor time of the thread that serves.", load.cpu_s) +
-           metric("uptime_seconds", "gauge", "Since the start.", load.uptime_s) +
+           metric("uptime_seconds", "gauge", "Seconds since the start.", load.uptime_s) +
            metric("longest_turn_seconds", "gauge", "The longest time in which no client was served.",
                   load.longest_turn_s);
 }
 
 std::string alarm_metrics(const std::vector<KeptAlarm>& alarms) {
-    std::string text = "# HELP placedpar_monitor_alarm Holds: 1, or 0 while it is on the shelf.\n"
-                       "# TYPE placedpar_monitor_alarm gauge\n";
+    std::string text = "# HELP placedpar_monitor_alarm 1: the alarm is present; 0: it is present but shelved.\n# "
+                       "TYPE placedpar_monitor_alarm gauge\n";
     for (const KeptAlarm& alarm : alarms)
         text += fmt::format("placedpar_monitor_alarm{{machine=\"{}\",alarm=\"{}\",links=\"{}\",acknowledged=\"{}\"}} "
                             "{}\n",
@@ -110,7 +110,7 @@ json::object machine_json(const Diagnosis& diagnosis) {
 
 std::string metrics_text(const ServiceSnapshot& snapshot) {
     return load_metrics(snapshot.load) +
-           metric("kept", "gauge", "1: a restart would know everything.", snapshot.kept ? 1 : 0) +
+           metric("kept", "gauge", "1: all state is written, so a restart would lose nothing.", snapshot.kept ? 1 : 0) +
            alarm_metrics(snapshot.alarms) + compliance_metrics(*snapshot.diagnoses);
 }
 

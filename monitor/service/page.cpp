@@ -71,7 +71,7 @@ function showLoad(d) {
 }
 function alarmRow(a, now) {
   const state = [a.acknowledged_at ? "seen " + time(a.acknowledged_at) : "not acknowledged"];
-  if (a.shelved_until && a.shelved_until > now) state.push("on the shelf until " + time(a.shelved_until));
+  if (a.shelved_until && a.shelved_until > now) state.push("shelved until " + time(a.shelved_until));
   if (a.cleared_at) state.push("cleared " + time(a.cleared_at));
   return row([time(a.raised_at), a.machine, made("span", a.alarm, "alarm"), a.links.join(" "), a.text, state.join("; ")]);
 }
@@ -89,7 +89,7 @@ function showMachines(d) {
     return tr;
   });
   by("machines").replaceChildren(table(["machine", "configuration", "samples", "verdicts", `settled compliances [${unit().name}]`, "alarms"],
-    rows, "none has said hello yet"));
+    rows, "no machine has sent hello yet"));
 }
 function svg(tag, attributes, text) {
   const element = document.createElementNS("http://www.w3.org/2000/svg", tag);

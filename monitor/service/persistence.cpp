@@ -15,7 +15,7 @@ namespace {
 constexpr std::chrono::seconds first_pause{1}, longest_pause{16};
 
 std::string going_on(const std::string& trouble) {
-    return fmt::format("{}; the service continues, but a restart would lose what was not written", trouble);
+    return fmt::format("{}; the service continues, but a restart would lose the unwritten state", trouble);
 }
 
 } // namespace
@@ -61,7 +61,7 @@ bool Persistence::note(const WriteProgress& progress) {
         return false;
     pause_ = first_pause;
     next_attempt_ = Clock::now() + pause_;
-    complain_(well() ? "the state file is written again, with all that is known" : going_on(trouble_));
+    complain_(well() ? "the state file can be written again and now has the complete state" : going_on(trouble_));
     return true;
 }
 

@@ -55,7 +55,7 @@ public:
         io_.restart();
         io_.run_for(patience);
         if (error)
-            fail(error == asio::error::eof ? "it has closed the connection" : error.message());
+            fail(error == asio::error::eof ? "the monitor closed the connection" : error.message());
         std::size_t end = read_.find('\n') + 1;
         std::string line = read_.substr(0, end);
         read_.erase(0, end);
@@ -77,7 +77,7 @@ void require_answer(const std::string& name, const std::string& line) {
     boost::system::error_code error;
     json::value answer = json::parse(line, error);
     if (error || !answer.is_object() || !answer.as_object().contains("type"))
-        throw UserError(fmt::format("{}: that is not a placedpar monitor", name));
+        throw UserError(fmt::format("{}: the program at this address is not a placedpar monitor", name));
     if (answer.at("type") == "error")
         throw UserError(fmt::format("{}: {}{}, expected {}", name, field_of(answer), text_of(answer, "wrong"),
                                     text_of(answer, "right")));

@@ -38,8 +38,9 @@ Token token_for(const ServiceSettings& settings) {
     if (!settings.token_file.empty())
         return Token(settings.token_file);
     if ((settings.port || settings.http_port) && !is_loopback(settings.address))
-        throw UserError(fmt::format("--address {}: everybody who reaches it could change the diagnosis of any machine; "
-                                    "add --token-file FILE, or use an address of this computer only, such as 127.0.0.1",
+        throw UserError(fmt::format("--address {}: anyone who can reach this address could change the diagnosis "
+                                    "of any machine; add --token-file FILE, or use an address of this computer "
+                                    "only, such as 127.0.0.1",
                                     settings.address));
     return {};
 }

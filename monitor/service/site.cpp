@@ -43,7 +43,8 @@ void Site::answer(const std::string& path, const std::string& query, bool truste
     else if (path == "/history")
         answer_history(query, reply);
     else
-        reply({404, "text/plain; charset=utf-8", "there are /, /snapshot, /history, /metrics and /healthz\n"});
+        reply({404, "text/plain; charset=utf-8",
+               "not found; the pages are /, /snapshot, /history, /metrics and /healthz\n"});
 }
 
 WebAnswer Site::health() const {
@@ -57,7 +58,7 @@ WebAnswer Site::health() const {
 void Site::answer_history(const std::string& query, const Web::Reply& reply) {
     constexpr std::string_view name = "machine=";
     if (!query.starts_with(name)) {
-        reply({400, "text/plain; charset=utf-8", "of which machine? /history?machine=NAME\n"});
+        reply({400, "text/plain; charset=utf-8", "the machine is missing: /history?machine=NAME\n"});
         return;
     }
     if (!store_) {

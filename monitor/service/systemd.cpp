@@ -20,12 +20,12 @@ std::string tell_systemd(std::string_view state) {
     if (!path)
         return "";
     auto failure = [&](const char* why) {
-        return fmt::format("systemd is not told \"{}\": NOTIFY_SOCKET is \"{:.200}\": {}", state, path, why);
+        return fmt::format("cannot send \"{}\" to systemd: NOTIFY_SOCKET is \"{:.200}\": {}", state, path, why);
     };
     if (path[0] != '/' && path[0] != '@')
-        return failure("expected a path from / on, or an abstract name that begins with @");
+        return failure("expected a path that begins with /, or an abstract name that begins with @");
     if (std::strlen(path) >= sizeof to.sun_path)
-        return failure("it is too long for the name of a socket");
+        return failure("the name is too long for a socket");
     std::memcpy(to.sun_path, path, std::strlen(path));
     if (path[0] == '@') // an abstract name, which is not in the file system
         to.sun_path[0] = '\0';

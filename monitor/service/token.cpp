@@ -16,9 +16,9 @@ Token::Token(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     auto refuse = [&](const char* why) { throw UserError(fmt::format("--token-file {}: {}", file.string(), why)); };
     if (!in || !fs::is_regular_file(file))
-        refuse("it cannot be read");
+        refuse("the file cannot be read");
     if ((fs::status(file).permissions() & fs::perms::others_all) != fs::perms::none)
-        refuse("every user of this computer may read or write it; chmod o= will do");
+        refuse("every user of this computer may read or write the file; use chmod o=");
     std::string text(std::istreambuf_iterator<char>(in), {});
     auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
     auto begin = std::ranges::find_if_not(text, is_space);
@@ -26,9 +26,8 @@ Token::Token(const fs::path& file) {
     word_.assign(begin, end);
     auto visible = [](char c) { return c > ' ' && c <= '~'; };
     if (word_.size() < 16 || word_.size() > 1000 || !std::ranges::all_of(word_, visible))
-        refuse(
-            "it is not a token, expected one word of 16 to 1000 visible ASCII characters, such as openssl rand -hex 16 "
-            "makes");
+        refuse("the file has no valid token; expected one word of 16 to 1000 visible ASCII characters, such as the "
+               "output of openssl rand -hex 16");
 }
 
 bool Token::is(std::string_view word) const {

@@ -68,7 +68,8 @@ private:
         if (!web_)
             return;
         if (request.method() != http::verb::get && request.method() != http::verb::head) {
-            answer({405, "text/plain; charset=utf-8", "GET and HEAD only: nothing can be changed here\n"});
+            answer({405, "text/plain; charset=utf-8",
+                    "only GET and HEAD are allowed: nothing can be changed over HTTP\n"});
             return;
         }
         if (std::optional<WebAnswer> refusal = foreign()) {
@@ -97,8 +98,7 @@ private:
         if (count != 1 || !host)
             return WebAnswer{400, plain, "expected one Host field, with a name or an address\n"};
         if (!web_->names_.has(*host, caller_.here))
-            return WebAnswer{421, plain,
-                             "the Host field has a name that is not the monitor's; --host-name adds a name\n"};
+            return WebAnswer{421, plain, "the Host field does not name the monitor; --host-name adds a name\n"};
         return std::nullopt;
     }
 

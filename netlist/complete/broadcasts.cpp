@@ -63,10 +63,10 @@ void Broadcasts::require_output(const NetworkChannel& channel, const Placed& pla
     std::string what =
         fmt::format("the channel \"{}\" is placed on the bus \"{}\"", channel.name, node_name(placed.bus()));
     const char* leads =
-        "a channel that is placed on a bus leads from a process on one of its masters to processes at the "
-        "links of its link adapters";
+        "a channel on a bus must lead from a process on a master of the bus to processes at the links of its "
+        "link adapters";
     if (channel.from.at_edge() || channel.to.at_edge())
-        refuse(placed.by.at, what + ", and an end of it is at an edge", leads);
+        refuse(placed.by.at, what + ", but has an end at an edge", leads);
     if (&placed.end == &channel.from)
         return;
     bool from_master = channel.from.node != nowhere && is_master(channel.from.node, placed.bus());
@@ -86,10 +86,10 @@ void Broadcasts::require_master(const NetworkChannel& channel, const Placed& pla
             masters.push_back(node_name(each.node));
     const DraftProcess& sender = c_.draft.processes[channel.from.process];
     refuse(placed.by.at,
-           fmt::format(
-               "the channel \"{}\" is placed on the bus \"{}\", but \"{}\" is on \"{}\", which is not a master of it",
-               channel.name, node_name(placed.bus()), sender.name, node_name(channel.from.node)),
-           masters.empty() ? "the bus has no master; workstations and bus masters are masters"
+           fmt::format("the channel \"{}\" is placed on the bus \"{}\", but its process \"{}\" is on \"{}\", which is "
+                       "not a master of this bus",
+                       channel.name, node_name(placed.bus()), sender.name, node_name(channel.from.node)),
+           masters.empty() ? "the bus has no master; connect a workstation or a bus master to it"
                            : fmt::format("its masters are {}", fmt::join(masters, ", ")),
            {{"the process is placed here", sender.placed}});
 }
@@ -113,17 +113,17 @@ std::string Broadcasts::why_not(const NetworkChannel& channel, std::size_t bus) 
     std::string receiver =
         fmt::format("\"{}\" is on \"{}\"", c_.draft.processes[channel.to.process].name, node_name(channel.to.node));
     if (channel.from.node == channel.to.node)
-        return receiver + ", as its sender";
+        return receiver + ", like the sender";
     for (std::size_t way : adapter_ways(bus))
         if (const LinkConnection& each = connection(way);
             each.b.node == channel.to.node && each.a.node != channel.from.node)
-            return fmt::format("{}, and the link adapter \"{}\" before it is used by \"{}\", not by \"{}\"", receiver,
+            return fmt::format("{}, but its link adapter \"{}\" is used by \"{}\", not by \"{}\"", receiver,
                                node_name(slave_of(each).node), node_name(each.a.node), node_name(channel.from.node));
     if (is_master(channel.to.node, bus))
-        return receiver + ", whose memory is on the bus, and which is at no link adapter";
+        return receiver + ", whose memory is on the bus, but which is at no link adapter";
     return fmt::format("{}, {}", receiver,
-                       placement_of(channel.to) ? "and no link adapter leads there by that link"
-                                                : "which is at the link of no link adapter");
+                       placement_of(channel.to) ? "but no link adapter leads to the stated link"
+                                                : "which no link adapter leads to");
 }
 
 /// Returns a hint that says where the sender's adapters lead.
@@ -165,10 +165,10 @@ void Broadcasts::check(const NetworkChannel& broadcast, const std::vector<const 
         placed(broadcast)->by.at,
         fmt::format("the channel \"{}\" is broadcast over the link adapter \"{}\", which also carries \"{}\"",
                     broadcast.name, node_name(slave_of(way).node), other.name),
-        same ? "a broadcast reaches each of its adapters once: let one process there input the message and pass it on"
-             : "an adapter that takes part in a broadcast carries no other outputs; place the other channel on another "
-               "link",
-        {{"the other is connected here", other.connected}});
+        same ? "a broadcast reaches each link adapter once: let one process behind the adapter input the message "
+               "and pass it on"
+             : "a link adapter of a broadcast carries no other outputs; place the other channel on another link",
+        {{"the other channel is connected here", other.connected}});
 }
 
 void Broadcasts::refuse(const Location& at, std::string message, std::string hint,

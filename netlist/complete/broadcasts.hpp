@@ -25,8 +25,8 @@ public:
     std::optional<Placed> placed(const NetworkChannel&) const;
 
     /// Returns the way over the bus to an adapter and from its link to the receiver's processor. Of several ways,
-    /// returns the way that the fewest channels use, and of these the way at the lowest link of the receiver. Throws
-    /// StatementRefused after reporting.
+    /// prefers the way with the fewest channels, then the way at the receiver's lowest link. Throws StatementRefused
+    /// after reporting.
     RouteHop way_of(const NetworkChannel&, const Placed&) const;
     /// Reports each channel that shares such a way with another channel. REQUIRES: all channels are carried.
     void check() const;

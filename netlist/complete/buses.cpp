@@ -46,15 +46,15 @@ private:
         attachment.name = connection.name;
         if (connection.bits_per_second || connection.metres)
             return refuse(attachment.connected,
-                          fmt::format("the connection \"{}\" leads to a bus, which has neither a link's speed nor its "
+                          fmt::format("the connection \"{}\" leads to a bus, so it has no link speed and no "
                                       "length",
                                       connection.name),
-                          "its attributes are level and release", connection);
+                          "a connection to a bus has the attributes level and release", connection);
         if (!master && (connection.level || connection.release))
             return refuse(attachment.connected,
-                          fmt::format("\"{}\" never asks for the bus: it has no {}",
+                          fmt::format("\"{}\" never requests the bus, so it has no {}",
                                       c_.network.nodes[attachment.node].name, connection.level ? "level" : "release"),
-                          "workstations and bus masters do", connection);
+                          "only workstations and bus masters request a bus", connection);
         attachment.level = connection.level.value_or(attachment.level);
         attachment.on_request = connection.release == "ROR";
         return true;

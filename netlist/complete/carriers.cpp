@@ -171,7 +171,8 @@ private:
                     fmt::format(
                         "the route of the channel \"{}\" mixes a link that is switched during the run with other wires",
                         channel.name),
-                    "a channel over such a switch leads from its sender's processor to its receiver's at once");
+                    "a channel over a link switched at run time must lead directly from the sender's processor "
+                    "to the receiver's");
         return {{wires.front().connection, forwards}};
     }
 
@@ -234,9 +235,9 @@ private:
                            "\"{}\"{}",
                            channel.name, node_name(channel.from.node), node_name(channel.to.node),
                            node_name(connection.a.node), node_name(connection.b.node),
-                           &wire == wires.data() ? "" : ", after those before it"),
-               fmt::format("a route passes no processor twice, and only processors pass a channel on{}",
-                           best ? "; the shortest leaves by " + text_of(*best) : ""),
+                           &wire == wires.data() ? "" : ", after the wires stated before it"),
+               fmt::format("a route passes each processor at most once, and only processors pass a channel on{}",
+                           best ? "; the shortest route leaves by " + text_of(*best) : ""),
                std::move(places));
     }
 
@@ -291,7 +292,9 @@ private:
                     return fmt::format("\"{}\" is connected to {}: place the process there", node_name(far.node),
                                        link_name(c_.network.nodes, near));
         auto link = c_.free_link(node);
-        return link.empty() ? fmt::format("all links of \"{}\" are taken: one of them must lead there", node_name(node))
+        return link.empty() ? fmt::format("all links of \"{}\" are taken: connect one of its links to the edge "
+                                          "instead",
+                                          node_name(node))
                             : fmt::format("connect {} to {};", link, edge == nowhere ? "host" : node_name(edge));
     }
 
@@ -327,7 +330,7 @@ private:
                                         {fmt::format("\"{}\" is placed here", receiver.name), receiver.placed}};
         add_quotas(places, from, to);
         refuse(channel.connected,
-               fmt::format("the channel \"{}\" has no route: no wires lead through processors from \"{}\" to \"{}\"",
+               fmt::format("the channel \"{}\" has no route: no wires through processors join \"{}\" and \"{}\"",
                            channel.name, node_name(from), node_name(to)),
                fmt::format("\"{}\" has {}; \"{}\" has {}{}", node_name(from), links_of(from), node_name(to),
                            links_of(to), missing_wire(from, to)),

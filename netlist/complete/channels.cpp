@@ -163,7 +163,7 @@ private:
 
     void refuse_placed(const DraftProcess& process, const std::string& port, const DraftPlacement& placement) {
         c_.reporter.error(placement.at,
-                          fmt::format("the channel \"{}.{}\" is placed, but connected to nothing", process.name, port),
+                          fmt::format("the channel \"{}.{}\" is placed but not connected", process.name, port),
                           fmt::format("connect {}.{} to ...;", process.name, port));
     }
 
@@ -253,7 +253,7 @@ private:
                 c_.reporter.error(
                     process.declared,
                     fmt::format("the channels {}[...] of \"{}\" are not numbered 0, 1, 2 ...", port, process.name),
-                    fmt::format("{}[{}] is connected to nothing", port, i));
+                    fmt::format("{}[{}] is not connected", port, i));
                 return false;
             } else if (used[i].empty() && used.size() > 1) {
                 c_.reporter.error(process.declared,

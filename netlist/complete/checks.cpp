@@ -62,7 +62,8 @@ std::vector<Complaint> complaints_of(const Completion& c, std::size_t process) {
     try {
         return ask_kind(kind, [&] { return kind.check(c.network, process); });
     } catch (const UserError& thrown) {
-        return {{process, "", fmt::format("the kind \"{}\" cannot check it: {}", kind.name, thrown.what()), ""}};
+        return {
+            {process, "", fmt::format("the kind \"{}\" cannot check this process: {}", kind.name, thrown.what()), ""}};
     }
 }
 
@@ -85,7 +86,7 @@ void check_tolerance(Completion& c) {
         c.reporter.warning(
             node->declared,
             fmt::format("the attribute \"tolerance\" has no effect on the route of the channel \"{}\"", channel->name),
-            "routecost and linkquota choose routes here; place gives a channel a route of its own");
+            "PlacedPar chooses routes by routecost and linkquota; place states the route of a channel");
 }
 
 /// Returns for each node how many channels in packets begin, end or pass there.
@@ -120,10 +121,11 @@ void check_room_for_packets(Completion& c) {
         const std::int64_t memory = stated_memory_bytes(node);
         if (memory > 0 && room > memory)
             c.reporter.warning(node.declared,
-                               fmt::format("\"{}\" has {} bytes of memory; the packets of the {} channels that lead "
-                                           "there or through it need {}",
+                               fmt::format("\"{}\" has {} bytes of memory, but the packets of the {} channels that "
+                                           "end at it or pass through it need {} bytes",
                                            node.name, memory, channels[i], room),
-                               "give it more, or lead channels elsewhere: routecost, place p.out on LINK;");
+                               "give the processor more memory, or route channels elsewhere by routecost or "
+                               "place p.out on LINK;");
     }
 }
 
@@ -146,11 +148,11 @@ void check_floating_point(Completion& c) {
             const Node& node = c.network.nodes[process.node];
             return c.reporter.warning(
                 process.declared,
-                fmt::format("\"{}\" computes with real numbers, and \"{}\", a {}, has no floating-point unit: {} = {} "
-                            "is a T800's",
+                fmt::format("\"{}\" computes with real numbers, but \"{}\", a {}, has no floating-point unit: {} "
+                            "= {} is the workload on a T800",
                             process.name, node.name, node.type, parameter->name,
                             std::get<std::int64_t>(*parameter->default_value)),
-                fmt::format("say what it takes there: {} ({} = ...);", process.name, parameter->name));
+                fmt::format("state the workload on this processor: {} ({} = ...);", process.name, parameter->name));
         }
 }
 

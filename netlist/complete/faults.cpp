@@ -53,7 +53,7 @@ bool find_wire(Completion& c, const DraftFault& draft, Fault& fault) {
     if (wire == c.connection_at.end()) {
         bool crosses = c.network.nodes[fault.node].kind->links == LinkRole::crosses;
         c.reporter.error(draft.at, fmt::format("{} \"{}\"",
-                                               crosses ? "a fault is stated at an end of the wire, not at its switch"
+                                               crosses ? "state the fault at an end of the wire, not at its switch"
                                                        : "no wire leads to the link",
                                                link_name(c.network.nodes, {fault.node, fault.link})));
         return false;

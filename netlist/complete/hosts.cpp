@@ -37,10 +37,9 @@ void refuse_edge_channels(Completion& c, const DraftProcess& process) {
         if (channel.edge == process.node)
             c.reporter.error(
                 channel.placed,
-                fmt::format("the edge channel \"{}\" is placed on \"{}\", where the process \"{}\" is", channel.name,
+                fmt::format("the edge channel \"{}\" is placed on \"{}\", which has the process \"{}\"", channel.name,
                             c.network.nodes[process.node].name, process.name),
-                fmt::format("leave the edge channel out, and connect what it is connected to with a channel "
-                            "of \"{}\"",
+                fmt::format("leave the edge channel out, and connect its other end with a channel of \"{}\"",
                             process.name),
                 {{"the process is placed here", process.placed}});
 }

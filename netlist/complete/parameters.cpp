@@ -112,7 +112,7 @@ private:
         auto guess = did_you_mean(text, choices);
         c_.reporter.error(
             setting.at, fmt::format("illegal value of the parameter \"{}\": \"{}\"", known.name, text),
-            fmt::format("it is one of \"{}\"{}", fmt::join(choices, "\", \""), guess.empty() ? "" : "; " + guess));
+            fmt::format("expected one of \"{}\"{}", fmt::join(choices, "\", \""), guess.empty() ? "" : "; " + guess));
     }
 
     void check_text(const Setting& setting, const ParameterDescription& known, const std::string& text) {
@@ -132,7 +132,7 @@ private:
         c_.reporter.error(
             setting.at,
             fmt::format("the parameter \"{}\" is out of range: {}", known.name, with_unit(number, known.unit)),
-            range_of(known));
+            "expected " + range_of(known));
     }
 
     std::optional<Value> convert(const Setting& setting, ParameterType type) {
@@ -149,7 +149,7 @@ private:
         c_.reporter.error(
             setting.at,
             fmt::format("wrong type for the parameter \"{}\": {} is {}", setting.name, shown(value), type_name(value)),
-            fmt::format("it takes {}", wanted[static_cast<int>(type)]));
+            fmt::format("expected {}", wanted[static_cast<int>(type)]));
         return std::nullopt;
     }
 
@@ -200,7 +200,7 @@ private:
         auto given = array == nullptr ? fmt::format("{} is {}", shown(setting.value), type_name(setting.value))
                                       : fmt::format("an array of {}", counted((*array)->size(), "element"));
         c_.reporter.error(setting.at, fmt::format("wrong type for the parameter \"{}\": {}", setting.name, given),
-                          fmt::format("it takes an array of {}", counted(static_cast<std::size_t>(size), "element")),
+                          fmt::format("expected an array of {}", counted(static_cast<std::size_t>(size), "element")),
                           {{"declared here", declared.at}});
     }
 

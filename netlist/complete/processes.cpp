@@ -37,13 +37,14 @@ const ProcessKind* find_kind(Completion& c, std::size_t index) {
         return nullptr;
     c.kind_refused[index] = true;
     c.reporter.error(used, fmt::format("unknown process kind \"{}\"", process.kind),
-                     guess.empty() ? "the command kinds lists them; a program file ends in .lku, .c8h and the like"
+                     guess.empty() ? "the command kinds lists all kinds; a program file ends in .lku, .c8h or "
+                                     "the like"
                                    : guess);
     return nullptr;
 }
 
 SecondPlace used_here(const Completion& c, const DraftProcess& process) {
-    return {"it is used here", process.used.value_or(c.draft.default_used)};
+    return {"the kind is used here", process.used.value_or(c.draft.default_used)};
 }
 
 void check_port(Completion& c, const DraftProcess& process, const PortDeclaration& port, const ProcessKind& kind) {
@@ -110,7 +111,7 @@ void check_logic(Completion& c, const DraftProcess& process) {
     if (node.kind->is_set_by_link() && process.kind != node.kind->logic)
         c.reporter.error(
             process.placed,
-            fmt::format("\"{}\" is {}: no process can be placed on it but its own logic", node.name, node.kind->noun),
+            fmt::format("\"{}\" is {}: only its own logic can be placed on it", node.name, node.kind->noun),
             fmt::format("use \"{}\" for {};", node.kind->logic, process.name));
 }
 

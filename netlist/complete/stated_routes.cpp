@@ -51,7 +51,8 @@ std::vector<StatedRoute> StatedRoutes::by_ends(const NetworkChannel& channel) co
         if (end == &channel.to && placed->second.size() > 1)
             refuse(placed->second[1].at,
                    fmt::format("the route of the channel \"{}\" is stated at its input", channel.name),
-                   "place the output on the link by which the channel leaves each processor on its way");
+                   "state the route at the output: place the output on each link by which the channel leaves a "
+                   "processor");
         for (std::size_t i = 0; i < placed->second.size(); ++i) {
             StatedRoute here = wire_at({channel, *end, placed->second, i});
             bool again = end == &channel.to && !stated.empty() && stated.back().connection == here.connection;
@@ -144,9 +145,9 @@ std::size_t StatedRoutes::way_from_bus(const StatedPlacement& place) const {
     auto found = way_between(place.where().node, other);
     if (!found)
         refuse(place.at(),
-               fmt::format("the channel \"{}\" is placed on \"{}\", from which no way over a bus leads to \"{}\"",
+               fmt::format("the channel \"{}\" is placed on \"{}\", but no bus leads from there to \"{}\"",
                            name_of(place), link_of(place), node_name(other)),
-               "a bus leads to the memory of bus masters, and by link adapters to processors");
+               "a bus leads to the memory of bus masters, and through link adapters to processors");
     return *found;
 }
 

@@ -25,8 +25,9 @@ void refuse_sharing(Completion& c, const NetworkChannel& first, const NetworkCha
     c.reporter.error(second.connected,
                      fmt::format("{} by \"{}\", which a switch connects during the run: \"{}\" and \"{}\"", what,
                                  link_name(c.network.nodes, link), first.name, second.name),
-                     "such a link is one process's each way, and a channel each way leads to each of its partners",
-                     {{"the other is connected here", first.connected}});
+                     "one process outputs and one inputs on a link switched at run time, with one channel each "
+                     "way for each partner",
+                     {{"the other channel is connected here", first.connected}});
 }
 
 } // namespace

@@ -110,7 +110,7 @@ private:
         connection.crossings.push_back({reached.node, reached.link, leaves.link});
         auto next = wire_at_.find(socket(leaves));
         if (next == wire_at_.end())
-            return leads_nowhere(connection, leaves, "no wire leaves the switch there",
+            return leads_nowhere(connection, leaves, "no wire leaves the switch at this link",
                                  fmt::format("connect {} to ...;", link_name(c_.network.nodes, leaves)));
         if (std::ranges::find(pieces, next->second) != pieces.end())
             return false;
@@ -143,7 +143,7 @@ private:
     void refuse_crosspoint(const LinkConnection& connection, const LinkEnd& at) {
         auto open = open_links(at.node);
         auto name = [&](const LinkEnd& end) { return link_name(c_.network.nodes, end); };
-        leads_nowhere(connection, at, "the switch sets no crosspoint for it",
+        leads_nowhere(connection, at, "the switch has no crosspoint for this wire",
                       open.size() == 2
                           ? fmt::format("connect {} to {};", name(open[0]), name(open[1]))
                           : fmt::format("connect {} to {}.link[...];", name(at), c_.network.nodes[at.node].name));

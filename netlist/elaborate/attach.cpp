@@ -22,8 +22,8 @@ bool Elaborator::leads_to_bus(const Reference& reference, const Found& found) co
 void Elaborator::connect_to_bus(const ConnectStatement& form, const Found& a, const Found& b, const Location& at) {
     if (!leads_to_bus(form.a, a) || !leads_to_bus(form.b, b))
         refuse(form.b.at, "a bus can be connected only to a device's place on it",
-               "a link adapter (C011, C012) stands between a bus and a link; processes are placed on workstations and "
-               "bus masters");
+               "use a link adapter (C011, C012) between the bus and the link; processes are placed on "
+               "workstations and bus masters");
     if (form.a.field == form.b.field)
         refuse(form.b.at,
                form.a.field == "slot" ? "two buses cannot be connected" : "two devices are connected without a bus",
@@ -68,10 +68,10 @@ std::size_t Elaborator::device_end(const Reference& reference, const Found& foun
 int Elaborator::bus_subscript(const Reference& reference, int least, int most) {
     auto given = subscripts(reference.field_subscripts);
     std::string range = least == most ? fmt::format("it is {}.{}[{}]", reference.name, reference.field, least)
-                                      : fmt::format("it goes from {} to {}", least, most);
+                                      : fmt::format("expected from {} to {}", least, most);
     if (given.size() != 1)
         refuse(reference.field_at,
-               fmt::format("wrong number of subscripts: \"{}\" has 1, here are {}", reference.field, given.size()),
+               fmt::format("wrong number of subscripts: \"{}\" has 1, but {} are given", reference.field, given.size()),
                range);
     if (given[0] < least || given[0] > most)
         refuse(reference.field_subscripts[0]->at,

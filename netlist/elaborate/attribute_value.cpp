@@ -38,7 +38,7 @@ std::string AttributeValue::word(const ParameterDescription& description) const 
     std::string word = text();
     const auto& choices = description.choices;
     if (!choices.empty() && std::ranges::find(choices, word) == choices.end())
-        illegal(shown(setting_.value), fmt::format("it is one of {}", fmt::join(choices, ", ")));
+        illegal(shown(setting_.value), fmt::format("expected one of {}", fmt::join(choices, ", ")));
     return word;
 }
 
@@ -60,7 +60,7 @@ double AttributeValue::real(const ParameterDescription& description) const {
 void AttributeValue::check_range(const ParameterDescription& description, double number,
                                  const std::string& shown_number) const {
     if (!in_range(description, number))
-        illegal(shown_number, range_of(description));
+        illegal(shown_number, "expected " + range_of(description));
 }
 
 void AttributeValue::illegal(const std::string& value, const std::string& hint) const {
@@ -70,7 +70,7 @@ void AttributeValue::illegal(const std::string& value, const std::string& hint) 
 void AttributeValue::wrong_type(const std::string& wanted) const {
     refuse(fmt::format("wrong type for the attribute \"{}\": {} is {}", setting_.name, shown(setting_.value),
                        type_name(setting_.value)),
-           "it takes " + wanted);
+           "expected " + wanted);
 }
 
 void AttributeValue::refuse_name(const std::string& whose, const std::vector<std::string>& known) const {

@@ -60,7 +60,7 @@ void apply_connection_attribute(DraftConnection& connection, const Setting& sett
 bool is_high(const Setting& setting, const AttributeValue& value) {
     const auto* integer = setting.value.integer();
     if (integer == nullptr || (integer->value != 0 && integer->value != 1))
-        value.illegal(shown(setting.value), "a priority is HIGH, which is 0, or LOW, which is 1");
+        value.illegal(shown(setting.value), "expected HIGH (0) or LOW (1)");
     return integer->value == 0;
 }
 

@@ -31,8 +31,8 @@ void Elaborator::perform(const ConnectStatement& form, const Location& at) {
     else if (is_channel(a) && is_channel(b))
         connect_channels(port_end(form.a, a), port_end(form.b, b), form, at);
     else
-        refuse(form.b.at, "a link and a channel cannot be connected",
-               "links are connected to links, channels to channels; a channel is placed on a link");
+        refuse(form.b.at, "a link cannot be connected to a channel",
+               "connect links to links and channels to channels; place a channel on a link");
 }
 
 std::size_t Elaborator::connection_for(const ConnectStatement& form, const Location& at) {
@@ -75,7 +75,8 @@ void Elaborator::connect_links(LinkEnd a, LinkEnd b, const ConnectStatement& for
     bool config = a.link == configuration_link || b.link == configuration_link;
     bool crosspoint = a.node == b.node && draft_.nodes[a.node].kind->links == LinkRole::crosses && !config;
     if (config && (a.node == b.node || a.link == b.link))
-        refuse(form.b.at, "a switch is set by a processor, not by a switch", "connect root.link[3] to sw.config;");
+        refuse(form.b.at, "a switch must be set by a processor, not by another switch",
+               "connect root.link[3] to sw.config;");
     if (a.node == b.node && !crosspoint)
         refuse(form.b.at,
                fmt::format("two links of the same processor \"{}\" are connected", draft_.nodes[a.node].name),
@@ -86,7 +87,7 @@ void Elaborator::connect_links(LinkEnd a, LinkEnd b, const ConnectStatement& for
     use_link(a, form.a, crosspoint);
     use_link(b, form.b, crosspoint);
     if (crosspoint && form.by)
-        refuse(form.by->at, "a crosspoint of a switch is not a wire: it takes no connection");
+        refuse(form.by->at, "a crosspoint of a switch is not a wire, so it has no connection");
     count_things(1, at);
     (crosspoint ? draft_.crosspoints : draft_.wires).push_back({a, b, connection_for(form, at), at});
 }

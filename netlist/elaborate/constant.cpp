@@ -52,7 +52,7 @@ Constant integer_arithmetic(const std::string& symbol, const Integer& a, const I
     if ((symbol == "/" || symbol == "%") && b.value == 0)
         throw NoResult{"division by zero", ""};
     if ((symbol == "<<" || symbol == ">>") && (b.value < 0 || b.value > 63))
-        throw NoResult{fmt::format("an integer cannot be shifted by {} bits", b.value), "it can be shifted by 0 to 63"};
+        throw NoResult{fmt::format("an integer cannot be shifted by {} bits", b.value), "expected 0 to 63"};
     if (!integer_operation(symbol[0], a.value, b.value, result.value))
         throw NoResult{fmt::format("{} {} {} is beyond 64 bits", a.value, symbol, b.value), ""};
     if (!integer_operation(symbol[0], a.decimal, b.decimal, result.decimal))
@@ -66,7 +66,7 @@ bool takes_only_integers(std::string_view symbol) {
 
 Constant real_arithmetic(const std::string& symbol, double a, double b) {
     if (takes_only_integers(symbol))
-        throw NoResult{fmt::format("wrong type for the operator {}: it takes integers", symbol), ""};
+        throw NoResult{fmt::format("wrong type for the operator {}: expected integers", symbol), ""};
     if (symbol == "/" && b == 0)
         throw NoResult{"division by zero", ""};
     auto result = symbol == "+" ? a + b : symbol == "-" ? a - b : symbol == "*" ? a * b : a / b;
@@ -176,11 +176,11 @@ Constant apply_cast(const std::string& type, const Constant& operand) {
     }
     auto v = result.value;
     if (type == "char" && (v < -128 || v > 255))
-        throw NoResult{fmt::format("{} is not a character", v), "a character has a code from 0 to 255"};
+        throw NoResult{fmt::format("{} is not a character", v), "expected a code from 0 to 255"};
     if (type == "short" && (v < -32768 || v > 32767))
-        throw NoResult{fmt::format("{} does not fit into a short", v), "a short goes from -32768 to 32767"};
+        throw NoResult{fmt::format("{} does not fit into a short", v), "expected -32768 to 32767"};
     if (type == "int" && (v < -0x80000000LL || v > 0x7fffffffLL))
-        throw NoResult{fmt::format("{} does not fit into an int", v), "an int goes from -2147483648 to 2147483647"};
+        throw NoResult{fmt::format("{} does not fit into an int", v), "expected -2147483648 to 2147483647"};
     return {result};
 }
 
@@ -188,13 +188,13 @@ Constant apply_subscript(const Constant& array, const Constant& subscript) {
     if (array.is_number())
         throw NoResult{fmt::format("{} cannot be subscripted", type_name(array)), ""};
     if (subscript.integer() == nullptr)
-        throw NoResult{fmt::format("wrong type for a subscript: {}", type_name(subscript)),
-                       "a subscript is an integer"};
+        throw NoResult{fmt::format("wrong type for a subscript: {}", type_name(subscript)), "expected an integer"};
     auto size = array.text() != nullptr ? array.text()->size() : (*array.array())->size();
     auto index = subscript.integer()->value;
     if (index < 0 || static_cast<std::uint64_t>(index) >= size)
-        throw NoResult{fmt::format("the subscript {} is outside of the array", index),
-                       fmt::format("it has {} elements, [0] to [{}]", size, static_cast<std::int64_t>(size) - 1)};
+        throw NoResult{
+            fmt::format("the subscript {} is outside of the array", index),
+            fmt::format("the array has {} elements, [0] to [{}]", size, static_cast<std::int64_t>(size) - 1)};
     auto place = static_cast<std::size_t>(index);
     if (array.text() != nullptr)
         return integer_constant(static_cast<unsigned char>((*array.text())[place]));
@@ -206,7 +206,7 @@ Constant apply_size(const Constant& array) {
         return integer_constant(static_cast<std::int64_t>(array.text()->size()));
     if (array.array() == nullptr)
         throw NoResult{fmt::format("wrong type for size: {} is {}", shown(array), type_name(array)),
-                       "it takes an array or a string"};
+                       "expected an array or a string"};
     return integer_constant(static_cast<std::int64_t>((*array.array())->size()));
 }
 

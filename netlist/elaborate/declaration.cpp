@@ -30,28 +30,29 @@ std::string Elaborator::claim_name(const std::string& name) {
 void Elaborator::count_things(std::size_t count, const Location& at) {
     draft_.things += count;
     if (draft_.things > most_things)
-        reporter_.give_up(
-            at, fmt::format("the network is too large: it may have {} things in all: nodes, connections, processes, "
-                            "their channel ends and parameters",
-                            most_things));
+        reporter_.give_up(at, fmt::format("the network is too large: nodes, connections, processes, channel ends and "
+                                          "parameters may be {} in all",
+                                          most_things));
 }
 
 std::vector<std::int64_t> Elaborator::dimensions(const Declarator& declarator) {
     if (declarator.dimensions.size() > most_dimensions)
         refuse(declarator.dimensions[most_dimensions]->at,
                fmt::format("\"{}\" has too many dimensions: {}", declarator.name, declarator.dimensions.size()),
-               fmt::format("{} are allowed", most_dimensions));
+               fmt::format("at most {} are allowed", most_dimensions));
     std::vector<std::int64_t> sizes;
     std::size_t product = 1;
     for (const auto& expression : declarator.dimensions) {
         auto size = evaluator_.integer(*expression, "a dimension").value;
         if (size < 1)
             refuse(expression->at, fmt::format("illegal dimension size {} of \"{}\"", size, declarator.name),
-                   "an array has at least one element; declare what may be absent inside an \"if\"");
+                   "expected at least 1; to leave an array out, declare it inside an \"if\"");
         if (static_cast<std::uint64_t>(size) > most_things || (product *= static_cast<std::size_t>(size)) > most_things)
             refuse(expression->at,
                    fmt::format("illegal dimension size {} of \"{}\": the array is too large", size, declarator.name),
-                   fmt::format("a network has {} things at most", most_things));
+                   fmt::format("a network has at most {} nodes, connections, processes, channel ends and "
+                               "parameters",
+                               most_things));
         sizes.push_back(size);
     }
     return sizes;
@@ -96,7 +97,7 @@ Type Elaborator::type_of_element(const Location& at, std::vector<Setting>& setti
     AttributeValue value(*found, reporter_);
     auto element = value.text();
     if (element != "processor" && element != "process")
-        value.illegal(fmt::format("\"{}\"", element), "it is \"processor\" or \"process\"");
+        value.illegal(fmt::format("\"{}\"", element), "expected \"processor\" or \"process\"");
     settings.erase(found);
     if (element == "process")
         return ProcessType{};
@@ -111,7 +112,7 @@ Type Elaborator::derived_type(const std::string& name, const Location& at, const
         return type;
     }
     if (attributes.interface)
-        refuse(attributes.interface_at, "a node has no attribute \"interface\"", "an interface belongs to a process");
+        refuse(attributes.interface_at, "a node has no attribute \"interface\"", "only a process has an interface");
     apply_node_attributes(std::get<NodeType>(type), settings, scopes_, reporter_);
     return type;
 }

@@ -39,13 +39,14 @@ std::optional<Misfit> integer_misfit(const ParameterDeclaration& parameter, std:
     if (range == integer_ranges.end() || (number >= range->least && number <= range->most))
         return std::nullopt;
     return Misfit{out_of_range(parameter, fmt::format("{}", number)),
-                  fmt::format("{} {} goes from {} to {}", range->article, range->type, range->least, range->most)};
+                  fmt::format("{} {} ranges from {} to {}", range->article, range->type, range->least, range->most)};
 }
 
 std::optional<Misfit> real_misfit(const ParameterDeclaration& parameter, double number) {
     if (parameter.type != "float" || std::abs(number) <= largest_float)
         return std::nullopt;
-    return Misfit{out_of_range(parameter, fmt::format("{}", number)), "a float goes up to 3.4e38; a double further"};
+    return Misfit{out_of_range(parameter, fmt::format("{}", number)),
+                  "a float has at most 3.4e38; declare a double for greater values"};
 }
 
 std::optional<Misfit> text_misfit(const ParameterDeclaration& parameter, const std::string& text) {

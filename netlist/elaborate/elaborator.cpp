@@ -65,7 +65,8 @@ std::int64_t Elaborator::behind_count(std::int64_t first, const Expression& expr
     auto count = evaluator_.integer(expression, "a replicator's count").value;
     std::int64_t end = 0;
     if (count < 0)
-        refuse(expression.at, fmt::format("a replicator cannot count {} times", count), "the count is 0 or more");
+        refuse(expression.at, fmt::format("a replicator cannot count {} times", count),
+               "expected a count of 0 or more");
     if (__builtin_add_overflow(first, count, &end))
         refuse(expression.at, fmt::format("{} + {} is beyond 64 bits", first, count));
     return end;

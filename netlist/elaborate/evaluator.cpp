@@ -40,8 +40,8 @@ void Evaluator::refuse(const Location& at, std::string message, std::string hint
 
 void Evaluator::step(const Location& at) {
     if (++steps_ > most_steps)
-        reporter_.give_up(at,
-                          fmt::format("the netlist is too large: working it out takes more than {} steps", most_steps));
+        reporter_.give_up(
+            at, fmt::format("the netlist is too large: its elaboration takes more than {} steps", most_steps));
 }
 
 Constant Evaluator::value_of(const NameUse& use, const Location& at) {
@@ -81,7 +81,7 @@ Constant Evaluator::value_of(const ArrayConstant& array, const Location& at) {
         check_shape(first, last, at, element->at);
     }
     if (depth > deepest_array)
-        refuse(at, fmt::format("the array has too many dimensions: {} are allowed", deepest_array));
+        refuse(at, fmt::format("the array has too many dimensions: at most {} are allowed", deepest_array));
     return {ConstantArray(std::move(elements)), depth};
 }
 
@@ -89,13 +89,14 @@ void Evaluator::check_shape(const Constant& first, const Constant& element, cons
     if (have_same_shape(first, element))
         return;
     if (first.array() == nullptr || element.array() == nullptr)
-        refuse(array, fmt::format("an array holds values of one type: here are {} and {}", type_name(first),
+        refuse(array, fmt::format("an array holds values of one type, but this array has {} and {}", type_name(first),
                                   type_name(element)));
     auto size = [](const Constant& row) { return (*row.array())->size(); };
     if (size(first) != size(element))
         refuse(at, fmt::format("the array is ragged: this row has {}", counted(size(element), "element")),
-               fmt::format("its first row has {}", size(first)));
-    refuse(at, "the array is ragged: the elements of this row differ from those of its first in size or type");
+               fmt::format("the first row has {}", size(first)));
+    refuse(at, "the array is ragged: the elements of this row differ in size or type from the elements of the "
+               "first row");
 }
 
 Constant Evaluator::evaluate(const Expression& expression) try {
@@ -137,21 +138,21 @@ Integer Evaluator::integer(const Expression& expression, std::string_view whose)
     auto value = evaluate(expression);
     if (const auto* integer = value.integer())
         return *integer;
-    wrong_type(expression, value, whose, "it takes an integer");
+    wrong_type(expression, value, whose, "expected an integer");
 }
 
 double Evaluator::number(const Expression& expression, std::string_view whose) {
     auto value = evaluate(expression);
     if (value.is_number())
         return as_real(value);
-    wrong_type(expression, value, whose, "it takes a number");
+    wrong_type(expression, value, whose, "expected a number");
 }
 
 std::string Evaluator::text(const Expression& expression, std::string_view whose) {
     auto value = evaluate(expression);
     if (const auto* text = value.text())
         return *text;
-    wrong_type(expression, value, whose, "it takes a string: \"...\"");
+    wrong_type(expression, value, whose, "expected a string: \"...\"");
 }
 
 void Evaluator::wrong_type(const Expression& expression, const Constant& value, std::string_view whose,

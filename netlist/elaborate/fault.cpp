@@ -36,7 +36,7 @@ Value checked_value(const FaultKind& kind, const Setting& setting, Reporter& rep
     const auto& choices = attribute->value.choices;
     if (const auto* text = std::get_if<std::string>(&result);
         text != nullptr && !choices.empty() && std::ranges::find(choices, *text) == choices.end())
-        value.illegal(fmt::format("\"{}\"", *text), fmt::format("it is one of {}", fmt::join(choices, ", ")));
+        value.illegal(fmt::format("\"{}\"", *text), fmt::format("expected one of {}", fmt::join(choices, ", ")));
     return result;
 }
 
@@ -55,14 +55,15 @@ DraftFault Elaborator::failing(const FaultStatement& form) {
     }
     if (found.category != Category::node)
         refuse(form.what.at,
-               fmt::format("\"{}\" can have no fault: links, connections that wire links, and devices can",
+               fmt::format("\"{}\" cannot have a fault: only links, connections of links, and devices can",
                            form.what.name));
     draft.fault.node = element(form.what, found);
     const Node& node = draft_.nodes[draft.fault.node];
     if (form.what.field.empty() && node.kind->faults.empty())
-        refuse(form.what.at, fmt::format("{} has no faults of its own", node.kind->noun),
-               node.kind->links == LinkRole::ends ? fmt::format("its links have: fault {}.link[0] silent;", node.name)
-                                                  : "");
+        refuse(form.what.at, fmt::format("{} itself has no faults", node.kind->noun),
+               node.kind->links == LinkRole::ends
+                   ? fmt::format("its links can have faults: fault {}.link[0] silent;", node.name)
+                   : "");
     if (!form.what.field.empty())
         draft.fault.link = link_end(form.what, found).link;
     return draft;
@@ -90,8 +91,8 @@ void Elaborator::perform(const FaultStatement& form, const Location& at) {
         draft.fault.attributes[setting.name] = checked_value(*kind, setting, reporter_);
     for (const Setting& setting : settings)
         if (setting.name == "until" && end_of(draft.fault) <= begin_of(draft.fault))
-            refuse(setting.at, "the fault is over before it begins",
-                   fmt::format("it begins at {}", print_nanoseconds(draft.fault.integer("from"))));
+            refuse(setting.at, "the fault ends before it begins",
+                   fmt::format("the fault begins at {}", print_nanoseconds(draft.fault.integer("from"))));
     for (const auto& attribute : kind->attributes)
         if (!draft.fault.attributes.contains(attribute.value.name))
             refuse(form.fault_at,

@@ -44,7 +44,7 @@ void apply_type(NodeType& type, const Setting& setting, const Scopes& scopes, Re
     if (known == nullptr || known->preset.kind != type.preset.kind || known->needs_type) {
         auto guess = did_you_mean(name, scopes.predefined_node_types());
         value.illegal(fmt::format("\"{}\"", name),
-                      guess.empty() ? "it names a type of processor, such as \"T800\"" : guess);
+                      guess.empty() ? "expected a type of processor, such as \"T800\"" : guess);
     }
     type = with_attributes_of(*known, type.preset);
 }
@@ -52,7 +52,7 @@ void apply_type(NodeType& type, const Setting& setting, const Scopes& scopes, Re
 /// Refuses an attribute `type` that differs from the type in the declaration's first word.
 void check_type(const NodeType& type, const AttributeValue& value) {
     if (auto name = value.text(); in_upper_case(name) != in_upper_case(type.preset.type))
-        value.illegal(fmt::format("\"{}\"", name), fmt::format("the type is {} already", type.preset.type));
+        value.illegal(fmt::format("\"{}\"", name), fmt::format("the type is already {}", type.preset.type));
 }
 
 std::vector<std::string> attribute_names(const DeviceKind& kind) {

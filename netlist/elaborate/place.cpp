@@ -14,7 +14,8 @@ void Elaborator::perform(const PlaceStatement& form, const Location&) {
         place_connection(form);
     else
         refuse(form.what.at,
-               fmt::format("\"{}\" is a node: processes, channels and connections are placed", form.what.name));
+               fmt::format("\"{}\" is a node, which cannot be placed: place processes, channels and connections",
+                           form.what.name));
 }
 
 void Elaborator::place_process(const PlaceStatement& form) {
@@ -22,11 +23,11 @@ void Elaborator::place_process(const PlaceStatement& form) {
     auto where = find(form.where);
     if (where.category != Category::node)
         refuse(form.where.at,
-               fmt::format("\"{}\" is not a processor: a process is placed on a processor", form.where.name));
+               fmt::format("\"{}\" is not a processor: place the process on a processor", form.where.name));
     auto index = element(form.where, where);
     const auto& node = draft_.nodes[index];
     if (!form.where.field.empty())
-        refuse(form.where.field_at, "a process is placed on a processor, not on a link");
+        refuse(form.where.field_at, "place the process on a processor, not on a link");
     bool takes = node.kind->executes != Execution::none || node.kind->is_set_by_link();
     if (!takes && node.kind->links != LinkRole::edge) // a process on an edge turns the edge into a workstation
         refuse(form.where.at, fmt::format("\"{}\" is {}: no process can be placed on it", node.name, node.kind->noun));
@@ -46,7 +47,7 @@ void Elaborator::place_port(const PlaceStatement& form) {
     auto where = find(form.where);
     if (where.category != Category::node)
         refuse(form.where.at,
-               fmt::format("\"{}\" is not a link: a channel is placed on a link, a bus or an edge", form.where.name));
+               fmt::format("\"{}\" is not a link: place the channel on a link, a bus or an edge", form.where.name));
     auto link = place_of_channel(form, where);
     auto& known = draft_.placements[{end.process, end.port}];
     auto tells_a_route = [&](const LinkEnd& at) { return !at.at_edge() && !draft_.nodes[at.node].kind->medium; };
@@ -65,14 +66,14 @@ LinkEnd Elaborator::place_of_channel(const PlaceStatement& form, const Found& fo
                fmt::format("\"{}\" is {}, on which a channel cannot be placed as a whole", where.name, kind.noun),
                fmt::format("place {}.{} on the sender's place there, bus[0]", form.what.name, form.what.field));
     if (kind.medium && !where.field.empty())
-        refuse(where.field_at, "a channel is placed on a bus as a whole",
+        refuse(where.field_at, "place the channel on the whole bus",
                fmt::format("place {}.{} on {};", form.what.name, form.what.field, where.name));
     if (kind.medium)
         return {element(where, found), bus_port};
     if (where.field != "bus")
         return link_end(where, found);
     if (kind.bus == BusRole::adapter)
-        refuse(where.field_at, "a channel is placed on the link of an adapter",
+        refuse(where.field_at, "place the channel on the link of the adapter",
                fmt::format("place {}.{} on {}.link[0];", form.what.name, form.what.field, where.name));
     bus_subscript(where, 0, 0);
     return {device_end(where, found), bus_port};
@@ -83,8 +84,7 @@ void Elaborator::place_edge_channel(const PlaceStatement& form) {
     auto where = find(form.where);
     auto index = where.category == Category::node ? element(form.where, where) : nowhere;
     if (index == nowhere || draft_.nodes[index].kind->links != LinkRole::edge || !form.where.field.empty())
-        refuse(form.where.at,
-               fmt::format("\"{}\" is not an edge: an edge channel is placed on an edge", form.where.name),
+        refuse(form.where.at, fmt::format("\"{}\" is not an edge: place the edge channel on an edge", form.where.name),
                "such as host");
     if (channel.edge != nowhere)
         refuse_placed_twice(form, "channel", channel.name, channel.placed);
@@ -96,8 +96,7 @@ void Elaborator::place_connection(const PlaceStatement& form) {
     auto where = find(form.where);
     if (where.category != Category::connection)
         refuse(form.where.at,
-               fmt::format("\"{}\" is not a connection: a connection of channels is placed on a connection "
-                           "of links",
+               fmt::format("\"{}\" is not a connection: place a connection of channels on a connection of links",
                            form.where.name));
     auto channel = element(form.what, find(form.what)), wire = element(form.where, where);
     auto [known, is_new] = draft_.connection_placements.emplace(channel, DraftConnectionPlacement{wire, form.what.at});

@@ -43,7 +43,7 @@ std::shared_ptr<const Interface> Elaborator::interface(const std::vector<Interfa
     auto result = std::make_shared<Interface>();
     if (entries.size() > most_interface_entries)
         refuse(entries[most_interface_entries].declarator.at,
-               fmt::format("the interface is too large: it may have {} entries", most_interface_entries));
+               fmt::format("the interface is too large: at most {} entries are allowed", most_interface_entries));
     for (const auto& entry : entries) {
         check_unique(result->ports, entry.declarator, reporter_);
         check_unique(result->parameters, entry.declarator, reporter_);
@@ -143,8 +143,7 @@ void Elaborator::perform(const ParameterSetting& form, const Location&) {
         return set_connections(range, settings);
     if (found.category != Category::process)
         refuse(form.process.at,
-               fmt::format("\"{}\" is neither a process nor a connection: its attributes stand where it is "
-                           "declared",
+               fmt::format("\"{}\" is neither a process nor a connection: write its attributes in its declaration",
                            form.process.name));
     set_processes(range, settings, form.process.at);
 }

@@ -28,7 +28,7 @@ std::set<std::string> programs_in(const Draft& draft) {
 /// Returns a hint: the name nearest to the wanted one, or a list of all names.
 std::string choice(const std::string& wanted, const std::vector<std::string>& names, const std::string& if_none) {
     auto guess = did_you_mean(wanted, names);
-    return !guess.empty() ? guess : names.empty() ? if_none : fmt::format("there are {}", fmt::join(names, ", "));
+    return !guess.empty() ? guess : names.empty() ? if_none : fmt::format("the kinds are {}", fmt::join(names, ", "));
 }
 
 void refuse_option(Reporter& reporter, const std::string& program, const std::string& kind, std::size_t column,
@@ -43,10 +43,10 @@ void Elaborator::check_option(const std::string& program, const std::string& kin
                               const std::set<std::string>& programs) {
     if (!programs.contains(program))
         refuse_option(reporter_, program, kind, 1, fmt::format("the netlist uses no program \"{}\"", program),
-                      choice(program, {programs.begin(), programs.end()}, "it uses none at all"));
+                      choice(program, {programs.begin(), programs.end()}, "the netlist uses no program"));
     if (catalogue_.find(kind) == nullptr)
         refuse_option(reporter_, program, kind, program.size() + 2, fmt::format("unknown process kind \"{}\"", kind),
-                      choice(kind, catalogue_.kind_names(), "there is none at all"));
+                      choice(kind, catalogue_.kind_names(), "this program has no kinds"));
 }
 
 void Elaborator::use(const ProgramKinds& kinds) {

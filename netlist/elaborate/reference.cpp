@@ -64,14 +64,14 @@ Elaborator::Elements Elaborator::elements(const Reference& reference, const Foun
     auto given = subscripts(reference.subscripts);
     if (given.size() > sizes.size())
         refuse(reference.subscripts[sizes.size()]->at,
-               fmt::format("wrong number of subscripts: \"{}\" has {}, here are {}", reference.name, sizes.size(),
+               fmt::format("wrong number of subscripts: \"{}\" has {}, but {} are given", reference.name, sizes.size(),
                            given.size()));
     Elements range{found.first, element_count(sizes)};
     for (std::size_t i = 0; i < given.size(); ++i) {
         if (given[i] < 0 || given[i] >= sizes[i])
             refuse(reference.subscripts[i]->at,
                    fmt::format("the subscript {} is outside of \"{}\"", given[i], reference.name),
-                   fmt::format("it goes from 0 to {}", sizes[i] - 1));
+                   fmt::format("expected from 0 to {}", sizes[i] - 1));
         range.count /= static_cast<std::size_t>(sizes[i]);
         range.first += static_cast<std::size_t>(given[i]) * range.count;
     }
@@ -82,7 +82,7 @@ std::size_t Elaborator::element(const Reference& reference, const Found& found) 
     auto range = elements(reference, found);
     if (reference.subscripts.size() < found.dimensions.size())
         refuse(reference.at,
-               fmt::format("\"{}\" is not completely subscripted: it has {}, here are {}", reference.name,
+               fmt::format("\"{}\" is not completely subscripted: it has {}, but {} are given", reference.name,
                            counted(found.dimensions.size(), "subscript"), reference.subscripts.size()),
                fmt::format("such as {}", element_name(reference.name, element_subscripts(0, found.dimensions))));
     return range.first;
@@ -117,7 +117,8 @@ int Elaborator::link_number(const Reference& reference, const Node& node, int li
                fmt::format("its links are {}.link[0] to {}.link[{}]", node.name, node.name, links - 1));
     auto given = subscripts(reference.field_subscripts);
     if (given.size() != 1)
-        refuse(reference.field_at, fmt::format("wrong number of subscripts: \"link\" has 1, here are {}", given.size()),
+        refuse(reference.field_at,
+               fmt::format("wrong number of subscripts: \"link\" has 1, but {} are given", given.size()),
                fmt::format("{}.link[...], from 0 to {}", node.name, links - 1));
     if (given[0] < 0 || given[0] >= links)
         refuse(reference.field_subscripts[0]->at, fmt::format("\"{}\" has no link {}", node.name, given[0]),
@@ -159,7 +160,7 @@ void Elaborator::check_subscripts(const PortDeclaration& port, const Reference& 
                                   const std::vector<std::int64_t>& given) {
     if (given.size() != port.dimensions.size())
         refuse(reference.field_at,
-               fmt::format("{}: \"{}\" has {}, here are {}",
+               fmt::format("{}: \"{}\" has {}, but {} are given",
                            given.size() < port.dimensions.size() ? "the channel is not completely subscripted"
                                                                  : "wrong number of subscripts",
                            port.name, port.dimensions.size(), given.size()),
@@ -168,7 +169,7 @@ void Elaborator::check_subscripts(const PortDeclaration& port, const Reference& 
         if (given[i] < 0 || given[i] >= port.dimensions[i])
             refuse(reference.field_subscripts[i]->at,
                    fmt::format("the subscript {} is outside of \"{}\"", given[i], port.name),
-                   fmt::format("it goes from 0 to {}", port.dimensions[i] - 1), {{"declared here", port.at}});
+                   fmt::format("expected from 0 to {}", port.dimensions[i] - 1), {{"declared here", port.at}});
 }
 
 } // namespace placedpar

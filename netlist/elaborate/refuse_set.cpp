@@ -11,7 +11,7 @@ namespace placedpar {
 namespace {
 
 std::string meant_by(const std::string& name, const std::vector<std::string>& known) {
-    return name == "seed" ? "the seed of a run is an option of its own: --seed N" : did_you_mean(name, known);
+    return name == "seed" ? "set the seed of a run with the option --seed N" : did_you_mean(name, known);
 }
 
 std::string_view base(const Settable& element) { return base_name(element.name); }
@@ -65,16 +65,16 @@ void Elaborator::refuse_name(const SetStatement& set, const std::string& name, c
     if (auto val = std::ranges::find(vals_, array, [](const auto& each) { return each.first; }); val != vals_.end())
         refuse(set.target.at,
                fmt::format("the val \"{}\" {}", array,
-                           val->second.array() != nullptr ? "is set as a whole, not one of its elements"
+                           val->second.array() != nullptr ? "can be set only as a whole, not by element"
                                                           : "is not an array"),
-               fmt::format("the netlist gives it {}: --set '{}=...'", shown(val->second), array));
+               fmt::format("in the netlist its value is {}: --set '{}=...'", shown(val->second), array));
     if (auto element = std::ranges::find(all, array, base); element != all.end())
         refuse(set.target.at,
                fmt::format("\"{}\" is a {}: name the attribute or parameter to set", array, element->noun()),
                fmt::format("--set {}.NAME=VALUE", name), {{element->text_of_members(), {}}});
     if (vals_in_blocks_.contains(array))
         refuse(set.target.at, fmt::format("the val \"{}\" is declared in a block", array),
-               "an option reaches vals outside of blocks");
+               "--set sets only vals outside of blocks");
     std::vector<std::string> known = names_of_vals();
     for (const Settable& each : all) {
         std::ranges::move(names_in(*each.members), std::back_inserter(known));
@@ -98,8 +98,8 @@ void Elaborator::refuse_element(const SetStatement& set, const std::string& name
     if (elements.front() == array)
         refuse(set.target.at, fmt::format("\"{}\" is not an array", array),
                fmt::format("--set {}.{}=...", array, set.target.field));
-    refuse(set.target.at, fmt::format("nothing is called \"{}\"", name),
-           fmt::format("there is {}{}", elements.front(), elements.size() == 1 ? "" : " to " + elements.back()));
+    refuse(set.target.at, fmt::format("nothing has the name \"{}\"", name),
+           fmt::format("the names are {}{}", elements.front(), elements.size() == 1 ? "" : " to " + elements.back()));
 }
 
 } // namespace placedpar

@@ -28,7 +28,7 @@ Draft Elaborator::take() {
     return std::move(draft_);
 }
 
-/// Evaluates the value in the current scopes. If a text is wanted, a value without quotes is taken as it is typed.
+/// Evaluates the value in the current scopes. If the setting is a string, a value without quotes is accepted unchanged.
 Constant Elaborator::value_of(const SetStatement& set, bool text_wanted, const std::string& what_it_takes) {
     Reporter here;
     std::optional<Constant> value;
@@ -36,7 +36,7 @@ Constant Elaborator::value_of(const SetStatement& set, bool text_wanted, const s
         attempt([&] { value = Evaluator(scopes_, here).evaluate(*set.value); });
     const bool is_unquoted = text_wanted && !set.typed.starts_with('"') && !(value && value->text() != nullptr);
     if (is_unquoted && set.typed.size() > longest_string)
-        refuse(set.value_at, fmt::format("the string is too long: {} characters are allowed", longest_string));
+        refuse(set.value_at, fmt::format("the string is too long: at most {} characters are allowed", longest_string));
     if (is_unquoted)
         return {set.typed};
     if (value)
@@ -73,7 +73,7 @@ Constant Elaborator::override_val(const SetStatement& set, const Constant& origi
     if (auto [first, is_new] = overridden_vals_.emplace(name, set.target.at); !is_new)
         refuse(set.target.at, fmt::format("the val \"{}\" is set twice", name), "",
                {{"set first here", first->second}});
-    auto given = fmt::format("the netlist gives it {}, {}{}", shown(original), type_name(original),
+    auto given = fmt::format("in the netlist its value is {}, {}{}", shown(original), type_name(original),
                              set.typed.size() == 1 && is_character(original) ? "; a character is written 'c'" : "");
     Constant value = value_of(set, original.text() != nullptr, given);
     if (value.value.index() != original.value.index() && !(value.integer() != nullptr && original.real() != nullptr))
@@ -90,7 +90,7 @@ void Elaborator::perform(const SetStatement& form, const Location&) {
     if (is_bare(target) && overridden_vals_.contains(target.name))
         return;
     if (!target.field_subscripts.empty())
-        refuse(target.field_at, fmt::format("\"{}\" is set as a whole, not one of its elements", target.field));
+        refuse(target.field_at, fmt::format("\"{}\" can be set only as a whole, not by element", target.field));
     const bool of_all = target.field.empty();
     const std::string name = element_name(target.name, subscripts(target.subscripts));
     const std::string& member = of_all ? name : target.field;

@@ -94,11 +94,11 @@ std::string groups_of(const std::vector<Settable>& elements, std::size_t categor
 
 std::string SettableMember::what_it_takes() const {
     if (description == nullptr)
-        return name == "priority" ? "it takes HIGH or LOW" : "";
+        return name == "priority" ? "expected HIGH or LOW" : "";
     static constexpr const char* types[] = {"an integer", "a number", "a string"};
     bool has_range = description->least || description->most;
-    return fmt::format("it takes {}{}", types[static_cast<int>(description->type)],
-                       has_range ? ": " + range_of(*description) : "");
+    return fmt::format("expected {}{}", types[static_cast<int>(description->type)],
+                       has_range ? " " + range_of(*description) : "");
 }
 
 const char* Settable::noun() const {

@@ -19,7 +19,7 @@ struct SettableMember {
     const ParameterDescription* description = nullptr; ///< null if only an interface declares the parameter
     bool takes_text = false;
 
-    /// Returns a text about the allowed values, such as "it takes an integer: it is at least 1"; "" if the allowed
+    /// Returns a text about the allowed values, such as "expected an integer at least 1"; "" if the allowed
     /// values are not known.
     std::string what_it_takes() const;
 };

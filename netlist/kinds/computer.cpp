@@ -34,23 +34,23 @@ std::vector<AttributeDescription> computer_attributes() {
     using namespace description;
     return {
         {.value = integer("memory", {.unit = "bytes", .by_default = 0, .least = 1, .most = largest_address_space},
-                          "its memory; without it that of the chip or module"),
+                          "size of the memory; default: the memory of the chip or module"),
          .json_name = "memory_bytes",
          .drawn = bytes},
         {.value = integer(
              "clock",
              {.unit = "Hz", .by_default = hardware::Processor::usual_clock, .least = 1, .most = highest_frequency},
-             "its clock"),
+             "clock frequency"),
          .decimal_suffixes = true,
          .json_name = "clock_hz"},
         {.value = integer(
              "linkspeed",
              {.unit = "bit/s", .by_default = hardware::LinkTiming::usual_speed, .least = 1, .most = highest_frequency},
-             "of its links, where their connection says nothing"),
+             "speed of the links, unless the connection states it"),
          .decimal_suffixes = true,
          .json_name = "link_bits_per_second"},
         {.value = integer("channelcall", {.unit = "cycles", .by_default = 0, .least = 0, .most = highest_frequency},
-                          "what the communication library charges for a channel operation"),
+                          "cost of a channel operation in the communication library"),
          .json_name = "channel_call_cycles"},
     };
 }

@@ -68,9 +68,8 @@ std::vector<std::string> tracks_of_outputs(const Network& network, std::size_t n
 DeviceKind crossbar() {
     return {.name = "c004",
             .noun = "a switch",
-            .about =
-                "A crossbar switch: its crosspoints connect its links to each other. Where its link `config` leads "
-                "to a processor, a program sets them during the run.",
+            .about = "A crossbar switch: its crosspoints connect its links to each other. If its link `config` leads "
+                     "to a processor, a program sets the crosspoints during the run.",
             .models = {{.name = "C004", .links = hardware::Crossbar::links}},
             .links = LinkRole::crosses,
             .logic = "csp.switch_logic",

@@ -164,12 +164,12 @@ ProcessKind relay_kind(std::string name, std::string about, std::function<void(P
 }
 
 ProcessKind identity_kind() {
-    return relay_kind("csp.identity", "Outputs what it inputs: a buffer for one packet.", identity);
+    return relay_kind("csp.identity", "Outputs each packet that it inputs: a buffer for one packet.", identity);
 }
 
 ProcessKind prefix_kind() {
     return {.name = "csp.prefix",
-            .about = "Outputs a packet first, then what it inputs; takes the last packet in and keeps it.",
+            .about = "Outputs a packet first, then each packet that it inputs; keeps the last packet.",
             .ports = {packets_in(), packets_out()},
             .parameters = {packet_count(), packet_bytes(), packet_cycles(), packet_words()},
             .body = prefix,
@@ -179,33 +179,40 @@ ProcessKind prefix_kind() {
             }};
 }
 
+/// Returns the kind with a port `out` that is described as an array.
+ProcessKind with_outputs(ProcessKind kind) {
+    kind.ports.back() = packets_out("out", "packets go out; an array of one element or more");
+    return kind;
+}
+
 ProcessKind delta_kind() {
-    return relay_kind("csp.delta", "Outputs what it inputs to each of its outputs, an array, in order.", delta);
+    return with_outputs(
+        relay_kind("csp.delta", "Outputs each input packet on all elements of its output array, in order.", delta));
 }
 
 /// Has no model in Promela, where its components would be processes of their own.
 ProcessKind par_delta_kind() {
-    ProcessKind kind = relay_kind("csp.par_delta",
-                                  "Outputs what it inputs to all of its outputs, an array, at once: in a PAR. On "
-                                  "channels that are placed on a bus it is a broadcast.",
-                                  par_delta);
+    ProcessKind kind = with_outputs(relay_kind("csp.par_delta",
+                                               "Outputs each input packet on all elements of its output array at the "
+                                               "same time, in a PAR. On channels placed on a bus this is a broadcast.",
+                                               par_delta));
     kind.promela = {};
     return kind;
 }
 
 ProcessKind successor_kind() {
-    return relay_kind("csp.successor", "Outputs what it inputs with the number one higher.", successor);
+    return relay_kind("csp.successor", "Outputs each input packet with its number increased by one.", successor);
 }
 
 ProcessKind consumer_kind() {
     return {.name = "csp.consumer",
-            .about = "Takes packets in and measures how fast they come.",
+            .about = "Inputs packets and measures their rate.",
             .ports = {packets_in()},
             .parameters = {packet_count(), packet_cycles(), packet_words()},
-            .measurements = {{"time", "ms", "from its start to the last packet"},
+            .measurements = {{"time", "ms", "time from the start to the last packet"},
                              {"last_number", "", "the number of the last packet"},
                              {"time_per_packet", "us", "mean"},
-                             {"rate", "Kbyte/s", "of the packets' bytes; 1000 bytes a Kbyte"}},
+                             {"rate", "Kbyte/s", "rate of the packets' bytes; 1 Kbyte is 1000 bytes"}},
             .body = consume,
             .is_determinate = always,
             .promela = relayed(nothing)};

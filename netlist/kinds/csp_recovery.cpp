@@ -92,11 +92,12 @@ std::vector<Complaint> require_can_give_up(const Network& network, std::size_t p
     for (const PortBinding& port : network.processes[process].ports) {
         const NetworkChannel& channel = network.channels[port.channel];
         if (std::string reason = why_not_given_up(network, channel.placement); !reason.empty())
-            complaints.push_back({.process = process,
-                                  .about = port.port,
-                                  .message = fmt::format("the channel \"{}\" {}: its process cannot give up a packet",
-                                                         channel.name, reason),
-                                  .hint = "a time-out needs a channel within a processor, or with a link of its own"});
+            complaints.push_back(
+                {.process = process,
+                 .about = port.port,
+                 .message =
+                     fmt::format("the channel \"{}\" {}, so its process cannot give up a packet", channel.name, reason),
+                 .hint = "a time-out needs a channel within a processor, or with a link of its own"});
     }
     return complaints;
 }
@@ -109,27 +110,29 @@ ParameterDescription packet_timeout(const char* about) {
 
 ProcessKind sender_or_fail_kind() {
     return {.name = "csp.sender_or_fail",
-            .about = "Outputs numbered packets, each with a time-out; gives up a packet that has not gone by then.",
+            .about = "Outputs numbered packets, each with a time-out; gives up a packet that is not sent before "
+                     "the time-out.",
             .ports = {packets_out()},
             .parameters = {packet_count(), packet_bytes(), packet_cycles(),
-                           packet_timeout("after which it gives a packet up")},
-            .measurements = {{"given_up", "packets", "whose transfer was not confirmed before the time-out"}},
+                           packet_timeout("time after which it gives up a packet")},
+            .measurements = {{"given_up", "packets", "packets whose transfer was not confirmed before the time-out"}},
             .body = produce_or_fail,
             .check = require_can_give_up};
 }
 
 ProcessKind receiver_or_fail_kind() {
     return {.name = "csp.receiver_or_fail",
-            .about = "Inputs packets, each with a time-out; resets its channel if no packet has come by then.",
+            .about = "Inputs packets, each with a time-out; resets its channel if no packet arrives before the "
+                     "time-out.",
             .ports = {packets_in()},
-            .parameters = {packet_count("the last of which ends it"), packet_cycles(),
-                           packet_timeout("after which it resets its channel"),
+            .parameters = {packet_count("packets until the process ends"), packet_cycles(),
+                           packet_timeout("time after which it resets its channel"),
                            description::integer("patience", {.by_default = 10, .least = 1, .most = 1e9},
-                                                "time-outs, one after the other, after which it ends")},
+                                                "number of consecutive time-outs after which it ends")},
             .measurements = {{"received", "packets", ""},
-                             {"lost", "packets", "that did not come"},
-                             {"resets", "", "of its channel"},
-                             {"bytes_of_pieces", "bytes", "of packets that arrived only in part"}},
+                             {"lost", "packets", "packets that did not arrive"},
+                             {"resets", "", "resets of its channel"},
+                             {"bytes_of_pieces", "bytes", "bytes of incomplete packets"}},
             .body = consume_or_fail,
             .check = require_can_give_up};
 }

@@ -16,7 +16,7 @@
 namespace placedpar {
 
 class MachineNode;   // netlist/kinds/machine_node.hpp: the device in a run
-struct MachineParts; // the same: what a run is made of
+struct MachineParts; // parts of a run; same header
 class Reporter;      // text/reporter.hpp
 
 /// Says how wires end at a device.

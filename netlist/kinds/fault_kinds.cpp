@@ -19,11 +19,12 @@ constexpr double longest = 9e15; ///< ns: a little less than virtual time lasts
 
 AttributeDescription direction() {
     return {.value = description::text("direction", {.by_default = "both", .choices = {"both", "out", "in"}},
-                                       "out: what leaves the end that is named, or that connect names first")};
+                                       "out: the direction that leaves the named end, or the end that connect "
+                                       "names first")};
 }
 
 AttributeDescription factor() {
-    return {.value = integer("factor", {.least = 1, .most = 1e6}, "by which the bit rate is divided"),
+    return {.value = integer("factor", {.least = 1, .most = 1e6}, "the bit rate is divided by this factor"),
             .decimal_suffixes = true};
 }
 
@@ -34,31 +35,31 @@ AttributeDescription moment(const char* name, const char* about) {
 
 } // namespace
 
-AttributeDescription fault_begins() { return moment("from", "when it begins; a time is written 20ms"); }
-AttributeDescription fault_ends() { return moment("until", "when it is over; 0: never"); }
+AttributeDescription fault_begins() { return moment("from", "begin of the fault, such as 20ms"); }
+AttributeDescription fault_ends() { return moment("until", "end of the fault; 0: never"); }
 
 AttributeDescription fault_must_end() {
-    return {.value = integer("until", {.unit = "ns", .least = 1, .most = longest}, "when it is over"),
+    return {.value = integer("until", {.unit = "ns", .least = 1, .most = longest}, "end of the fault"),
             .decimal_suffixes = true};
 }
 
 const std::vector<FaultKind>& link_faults() {
     static const std::vector<FaultKind> kinds{
         {.name = "silent",
-         .about = "bytes and acknowledges that begin on it vanish",
+         .about = "bytes and acknowledges that begin on the link are lost",
          .attributes = {fault_begins(), fault_ends(), direction()}},
         {.name = "loses_acknowledge",
-         .about = "the first acknowledge that begins on it at that time or later vanishes",
+         .about = "the first acknowledge that begins on the link at this time or later is lost",
          .attributes = {fault_begins(), direction()}},
         {.name = "slow",
-         .about = "its bits last longer, on both wires",
+         .about = "the bits of both wires last longer",
          .attributes = {fault_begins(), fault_ends(), factor()}}};
     return kinds;
 }
 
 FaultKind leaves_the_bus() {
     return {.name = "absent",
-            .about = "it does not respond on the bus: each access ends in a bus error",
+            .about = "the device does not respond on the bus: each access ends in a bus error",
             .attributes = {fault_begins(), fault_ends()}};
 }
 

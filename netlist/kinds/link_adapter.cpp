@@ -18,18 +18,20 @@ DeviceKind link_adapter() {
     return {
         .name = "link adapter",
         .noun = "a link adapter",
-        .about = "Joins a link and a bus by a register of one byte in each direction. It overlaps no acknowledges.",
+        .about = "Joins a link and a bus by a register of one byte in each direction. It does not overlap "
+                 "acknowledges.",
         .models = {{.name = "C011", .links = 1, .overlapped_acknowledge = false},
                    {.name = "C012", .links = 1, .overlapped_acknowledge = false}},
         .attributes = {{.value = description::integer(
                             "linkspeed",
                             {.unit = "bit/s", .by_default = hardware::LinkTiming::usual_speed, .least = 1, .most = 1e9},
-                            "of its link, unless the connection states it"),
+                            "speed of the link, unless the connection states it"),
                         .decimal_suffixes = true,
                         .json_name = "link_bits_per_second"},
-                       {.value = description::text("master", {.by_default = ""},
-                                                   "whose program uses it; \"\": the bus's only workstation, or "
-                                                   "else its only master"),
+                       {.value =
+                            description::text("master", {.by_default = ""},
+                                              "master whose program uses the adapter; \"\": the bus's only workstation "
+                                              "or, without one, its only master"),
                         .json_name = "master"}},
         .bus = BusRole::adapter,
         .faults = {leaves_the_bus()},

@@ -26,8 +26,8 @@ auto ask_kind(const Kind& kind, const Work& work) {
     }
 }
 
-/// Does the same for a process of the kind. The UserError also names the process, its place in the netlist, and `what`
-/// the kind was asked, such as "whether it is determinate".
+/// Calls the code of a process's kind. The UserError also names the process, its place in the netlist, and the question
+/// `what` to the kind, such as "whether it is determinate".
 template <class Work>
 auto ask_kind(const ProcessKind& kind, const ProcessInstance& process, const char* what, const Work& work) {
     try {

@@ -25,7 +25,7 @@ inline PortDescription packets_out(std::string name = "out", std::string about =
 }
 
 /// The parameter `count`.
-inline ParameterDescription packet_count(std::string about = "packets that pass before it ends") {
+inline ParameterDescription packet_count(std::string about = "packets until the process ends") {
     return integer("count", {.unit = "packets", .by_default = 1000, .least = 1, .most = 1e12}, std::move(about));
 }
 /// The parameter `bytes`.
@@ -40,8 +40,8 @@ inline ParameterDescription packet_cycles(std::string about = "workload: computa
 /// The parameter `words`: workload, CodeShape::words_outside.
 inline ParameterDescription packet_words() {
     return integer("words", {.unit = "words", .by_default = 0, .least = 0, .most = 1e9},
-                   "workload: words of code and data outside of the chip that each packet accesses; each access takes "
-                   "memorycycles where cycles counts one");
+                   "workload: accesses of each packet to words outside the chip; each access takes memorycycles "
+                   "instead of the one cycle in cycles");
 }
 
 } // namespace description

@@ -8,10 +8,10 @@ namespace placedpar {
 
 std::string range_of(const ParameterDescription& parameter) {
     if (parameter.least && parameter.most)
-        return fmt::format("it goes from {} to {}", *parameter.least, with_unit(*parameter.most, parameter.unit));
+        return fmt::format("from {} to {}", *parameter.least, with_unit(*parameter.most, parameter.unit));
     if (parameter.least)
-        return fmt::format("it is at least {}", with_unit(*parameter.least, parameter.unit));
-    return fmt::format("it is at most {}", with_unit(parameter.most.value(), parameter.unit));
+        return fmt::format("at least {}", with_unit(*parameter.least, parameter.unit));
+    return fmt::format("at most {}", with_unit(parameter.most.value(), parameter.unit));
 }
 
 bool in_range(const ParameterDescription& parameter, double number) {

@@ -30,8 +30,7 @@ struct ParameterDescription {
         ""; ///< name of what the parameter decides, for which the program has more help; "": there is no more help
 };
 
-/// Returns "it goes from 2 to 100 bytes", "it is at least 2 bytes", "it is at most 100 bytes". REQUIRES: the parameter
-/// has a range.
+/// Returns "from 2 to 100 bytes", "at least 2 bytes" or "at most 100 bytes". REQUIRES: the parameter has a range.
 std::string range_of(const ParameterDescription& parameter);
 /// Returns whether the number lies in the range; true if there is no range.
 bool in_range(const ParameterDescription& parameter, double number);

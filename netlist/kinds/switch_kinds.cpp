@@ -45,7 +45,8 @@ void obey_for_ever(ProcessEnvironment& environment) {
 std::vector<Complaint> check_place_of_logic(const Network& network, std::size_t process) {
     const ProcessInstance& self = network.processes[process];
     if (network.nodes[self.node].kind->logic != self.kind)
-        return {{process, "", fmt::format("the process \"{}\" is the logic of a switch", self.name),
+        return {{process, "",
+                 fmt::format("the process \"{}\", the logic of a switch, is placed on another device", self.name),
                  "place it on a C004, whose link config leads to the processor that sets it"}};
     for (std::size_t i = 0; i < process; ++i)
         if (network.processes[i].node == self.node)
@@ -136,8 +137,8 @@ std::vector<Complaint> check_partners(const Network& network, std::size_t proces
     auto partners = count_ports(self, "out"), answers = count_ports(self, "in");
     if (answers != 0 && answers != partners)
         return {{process, "in",
-                 fmt::format("\"{}\" outputs to {} partners, and inputs from {}", self.name, partners, answers),
-                 "from all of them, or from none"}};
+                 fmt::format("\"{}\" outputs to {} partners but inputs from {}", self.name, partners, answers),
+                 "connect inputs from all partners or from none"}};
     auto last = std::get<std::int64_t>(self.parameters.at("first")) + static_cast<std::int64_t>(partners) - 1;
     if (last >= hardware::Crossbar::links)
         return {{process, "first",
@@ -154,33 +155,35 @@ ParameterDescription link_of_switch(const char* name, std::int64_t by_default, c
 
 ProcessKind switch_logic_kind() {
     return {.name = "csp.switch_logic",
-            .about =
-                "The logic of a C004: obeys the commands that come over its configuration link, connects and "
-                "disconnects links, and answers. It is placed on the switch, is a part of the machine, and never ends.",
+            .about = "The logic of a C004: obeys the commands from its configuration link, connects and disconnects "
+                     "links, and answers. It must be placed on the switch, is a part of the machine, and never ends.",
             .ports = {input<SwitchCommand>("commands", "c004 command", "1 to 3 bytes"),
-                      optional(output<SwitchAnswer>("answers", "c004 answer", "a byte, to the command 2"))},
+                      optional(output<SwitchAnswer>("answers", "c004 answer", "a byte that answers command 2"))},
             .body = obey_for_ever,
             .check = check_place_of_logic};
 }
 
 ProcessKind switch_setter_kind() {
-    return {
-        .name = "csp.switching_producer",
-        .about = "Has a switch connect it to each of its partners in turn: sets it, outputs a packet, inputs one if "
-                 "its inputs are connected, and disconnects it again.",
-        .ports = {output<SwitchCommand>("commands", "c004 command", "to the switch"),
-                  optional(input<SwitchAnswer>("answers", "c004 answer", "if connected, it asks after each setting")),
-                  packets_out("out", "an array: to each partner"),
-                  optional(packets_in("in", "an array: from each partner"))},
-        .parameters = {packet_count("rounds, a packet to each partner in each"), packet_bytes(), packet_cycles(),
-                       link_of_switch("link", 0, "of the switch, that leads to its processor"),
-                       link_of_switch("first", 1, "of the switch, that leads to partner 0; the next to partner 1")},
-        .measurements = {{"time", "ms", "of all rounds"},
-                         {"time_per_visit", "us", "mean"},
-                         {"setting_per_visit", "us", "mean; of that what the commands took"},
-                         {"wrong_answers", "", "of the switch"}},
-        .body = visit_partners,
-        .check = check_partners};
+    return {.name = "csp.switching_producer",
+            .about = "Visits its partners in turn over a switch: connects to the partner, outputs a packet, inputs a "
+                     "packet if its inputs are connected, and disconnects.",
+            .ports = {output<SwitchCommand>("commands", "c004 command", "commands to the switch"),
+                      optional(input<SwitchAnswer>(
+                          "answers", "c004 answer",
+                          "answers of the switch; if connected, the process asks after each setting")),
+                      packets_out("out", "an array: to each partner"),
+                      optional(packets_in("in", "an array: from each partner"))},
+            .parameters = {packet_count("number of rounds with a packet to each partner"), packet_bytes(),
+                           packet_cycles(), link_of_switch("link", 0, "link of the switch that leads to its processor"),
+                           link_of_switch("first", 1,
+                                          "link of the switch that leads to partner 0; the following links lead to "
+                                          "the other partners")},
+            .measurements = {{"time", "ms", "time of all rounds"},
+                             {"time_per_visit", "us", "mean"},
+                             {"setting_per_visit", "us", "mean time of the commands in a visit"},
+                             {"wrong_answers", "", "wrong answers of the switch"}},
+            .body = visit_partners,
+            .check = check_partners};
 }
 
 } // namespace placedpar

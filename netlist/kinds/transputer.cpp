@@ -112,8 +112,8 @@ std::vector<AttributeDescription> transputer_attributes() {
     attributes.push_back(
         {.value = description::integer(
              "memorycycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1000},
-             "of an access to a word of external memory, which holds messages, and the code and data that a program "
-             "declares outside of the chip; 0: 3, or 2 for a T2 or T801, or 1 if memory is at most the 4K of a chip"),
+             "cycles of an access to a word of external memory, which holds messages and the code and data "
+             "outside the chip; 0: 3, or 2 for a T2 or T801, or 1 if memory is at most the 4K of a chip"),
          .json_name = "memory_access_cycles"});
     attributes.push_back(
         {.value = description::integer("switching",
@@ -121,21 +121,23 @@ std::vector<AttributeDescription> transputer_attributes() {
                                         .by_default = static_cast<std::int64_t>(hardware::Processor::usual_switching),
                                         .least = 0,
                                         .most = 1000},
-                                       "from one process to the next, beyond the instruction that gives the processor "
-                                       "up"),
+                                       "cycles to switch from one process to the next, besides the instruction "
+                                       "that gives the processor up"),
          .json_name = "switching_cycles"});
     attributes.push_back(
         {.value = description::integer("routecost", {.by_default = 1, .least = 0, .most = 1e9},
-                                       "of routing a channel through it; the cheapest route is chosen"),
+                                       "cost of routing a channel through this processor; the cheapest route is "
+                                       "chosen"),
          .json_name = "route_cost"});
     attributes.push_back({.value = description::integer(
                               "linkquota", {.unit = "links", .by_default = 4, .least = 0, .most = 1e6},
-                              "how many of its wired links, lowest first, may carry through-routed channels; 0: none"),
+                              "number of wired links, lowest first, that may carry through-routed channels; 0: "
+                              "none"),
                           .json_name = "link_quota"});
     attributes.push_back(
         {.value = description::integer("router_priority", {.by_default = 0, .least = 0, .most = 1},
-                                       "of the processes that send and receive packets: HIGH pre-empts computing "
-                                       "processes, LOW waits for its turn"),
+                                       "priority of the processes that send and receive packets: HIGH pre-empts "
+                                       "computing processes, LOW waits for its turn"),
          .json_name = "router_priority"});
     attributes.push_back(
         {.value = description::integer("router_cycles",
@@ -143,7 +145,7 @@ std::vector<AttributeDescription> transputer_attributes() {
                                         .by_default = static_cast<std::int64_t>(hardware::RouterCosts{}.handling),
                                         .least = 0,
                                         .most = 1e9},
-                                       "of a packet that is sent or received, besides its instruction"),
+                                       "cycles to send or receive a packet, besides the instruction"),
          .json_name = "router_cycles"});
     return attributes;
 }
@@ -221,7 +223,7 @@ DeviceKind transputer() {
             .passes_channels_on = true,
             .why_not = what_it_cannot_address,
             .faults = {{.name = "halts",
-                        .about = "from then on it executes nothing, and its links send nothing",
+                        .about = "the processor stops executing, and its links stop sending",
                         .attributes = {fault_begins()},
                         .silences_links = true}},
             .make = make_device<TransputerNode>,

@@ -26,19 +26,18 @@ AttributeDescription nanoseconds_of(std::string name, Time by_default, double le
 
 std::vector<AttributeDescription> bus_attributes() {
     constexpr hardware::VmeTiming usual;
-    return {{.value =
-                 description::text("arbiter", {.by_default = "PRI", .choices = {"PRI", "RRS", "SGL"}},
-                                   "which request is granted: the highest level, the levels in turn, or level 3 alone"),
+    return {{.value = description::text("arbiter", {.by_default = "PRI", .choices = {"PRI", "RRS", "SGL"}},
+                                        "arbitration: grants the highest level, the levels in turn, or level 3 only"),
              .json_name = "arbiter",
              .drawn = [](const Value& value) { return std::get<std::string>(value); }},
-            nanoseconds_of("cycle", usual.word, 1, "of a word, 32 bits"),
-            nanoseconds_of("bytecycle", usual.byte, 1, "of an access to a register"),
-            nanoseconds_of("grant", usual.arbitration, 0, "from a request or a release to the grant"),
-            nanoseconds_of("timeout", usual.time_out, 1, "from an access without an answer to the bus error")};
+            nanoseconds_of("cycle", usual.word, 1, "time of a word of 32 bits"),
+            nanoseconds_of("bytecycle", usual.byte, 1, "time of an access to a register"),
+            nanoseconds_of("grant", usual.arbitration, 0, "time from a request or a release to the grant"),
+            nanoseconds_of("timeout", usual.time_out, 1, "time from an unanswered access to the bus error")};
 }
 
 AttributeDescription request_level() {
-    return {.value = description::integer("level", {.by_default = 3, .least = 0, .most = 3}, "of its request")};
+    return {.value = description::integer("level", {.by_default = 3, .least = 0, .most = 3}, "level of the request")};
 }
 
 /// Returns why no master can hog the bus: the arbiter lacks its level, or no slot is free. Returns "" if one can.
@@ -47,7 +46,7 @@ std::string why_not_hogged(const Network& network, const Fault& hog) {
     auto others = std::ranges::count_if(network.faults,
                                         [&](const Fault& each) { return each.link < 0 && each.node == hog.node; });
     if (has_single_level(bus) && hog.integer("level") != 3)
-        return fmt::format("\"{}\" has the arbiter SGL: there is only level 3", bus.name);
+        return fmt::format("\"{}\" has the arbiter SGL, which has only level 3", bus.name);
     if (free_slot(network, hog.node, static_cast<std::size_t>(others)) < 1)
         return fmt::format("no slot of \"{}\" is free for the master that hogs it", bus.name);
     return "";

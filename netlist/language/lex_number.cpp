@@ -49,8 +49,8 @@ Token Lexer::read_octal(std::string_view digits, Token token) {
     auto at = token.at;
     at.column += illegal;
     reporter_.error(
-        at, fmt::format("{} is not a digit of an octal number", digits[illegal]),
-        fmt::format("a leading 0 makes a number octal; the decimal number is {}", significant.substr(0, 60)));
+        at, fmt::format("{} is not an octal digit", digits[illegal]),
+        fmt::format("a number with a leading 0 is octal; the decimal number is {}", significant.substr(0, 60)));
     apply_suffix(token);
     return token;
 }
@@ -83,7 +83,7 @@ void Lexer::refuse_letters_behind(const Token& token, std::size_t start) {
     reporter_.error(
         token.at,
         fmt::format("\"{}\" is not a number", text().substr(start, std::min<std::size_t>(60, position_ - start))),
-        "a name begins with a letter; the suffixes of a number are k, K, m, M, f and l, of a time ns, us, ms and s");
+        "a name must begin with a letter; a number can end with k, K, m, M, f or l, a time with ns, us, ms or s");
 }
 
 Token Lexer::read_real(std::string_view digits, Token token) {
@@ -120,7 +120,7 @@ Token Lexer::as_time(Token token, std::int64_t nanoseconds) {
     }
     token.integer.value = token.integer.decimal = std::llround(exact);
     if (std::abs(exact - static_cast<double>(token.integer.value)) > 1e-6)
-        reporter_.error(token.at, "a time is a whole number of nanoseconds");
+        reporter_.error(token.at, "expected a whole number of nanoseconds");
     return token;
 }
 
@@ -129,7 +129,7 @@ Token Lexer::read_integer(std::string_view digits, int base, Token token) {
     if (problem == std::errc::result_out_of_range)
         reporter_.error(token.at, "the number is beyond 64 bits");
     else if (digits.empty())
-        reporter_.error(token.at, "0x needs hexadecimal digits behind it");
+        reporter_.error(token.at, "write hexadecimal digits after 0x");
     token.integer.decimal = token.integer.value;
     apply_suffix(token);
     return token;

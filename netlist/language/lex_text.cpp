@@ -25,9 +25,9 @@ char Lexer::read_numeric_escape(int base, int most_digits, const Location& start
         advance();
     }
     if (digits == 0)
-        reporter_.error(start, "illegal escape: \\x needs hexadecimal digits behind it");
+        reporter_.error(start, "illegal escape: write hexadecimal digits after \\x");
     if (value > 255)
-        reporter_.error(start, "illegal escape: a character goes up to \\377");
+        reporter_.error(start, "illegal escape: the greatest character is \\377");
     return static_cast<char>(static_cast<unsigned char>(value));
 }
 
@@ -59,7 +59,7 @@ Token Lexer::read_string() {
     advance();
     while (peek() != '"') {
         if (at_end() || peek() == '\n') {
-            reporter_.error(token.at, "the string has no end on its line", "close it with \"");
+            reporter_.error(token.at, "the string does not end on its line", "close it with \"");
             token.kind = TokenKind::illegal;
             return token;
         }
@@ -67,7 +67,8 @@ Token Lexer::read_string() {
     }
     advance();
     if (token.text.size() > longest_string)
-        reporter_.error(token.at, fmt::format("the string is too long: {} characters are allowed", longest_string));
+        reporter_.error(token.at,
+                        fmt::format("the string is too long: at most {} characters are allowed", longest_string));
     return token;
 }
 
@@ -101,7 +102,8 @@ Token Lexer::read_character() {
     if (peek() == '\'') {
         advance();
     } else {
-        reporter_.error(token.at, "the character constant has no closing '", "a longer text is a string: \"...\"");
+        reporter_.error(token.at, "the character constant has no closing '",
+                        "write a longer text as a string: \"...\"");
         token.kind = TokenKind::illegal;
         skip_line();
     }
@@ -110,7 +112,7 @@ Token Lexer::read_character() {
 }
 
 Token Lexer::refuse_empty_character(Token token) {
-    reporter_.error(token.at, "a character constant holds one character", "such as 'a' or '\\n'");
+    reporter_.error(token.at, "expected one character", "such as 'a' or '\\n'");
     if (peek() == '\'')
         advance();
     token.kind = TokenKind::illegal;

@@ -28,7 +28,7 @@ std::string character_meant(char32_t code) {
            : is_in(quotes)      ? "write \""
            : is_in(apostrophes) ? "write '"
            : is_in(blanks)      ? "write a blank"
-           : code == '#'        ? "#include stands at the beginning of a line"
+           : code == '#'        ? "#include must begin its line"
                                 : "";
 }
 
@@ -86,7 +86,7 @@ void Lexer::skip_comment() {
         }
         advance();
     }
-    reporter_.error(start, "the comment has no end", "close it with */");
+    reporter_.error(start, "the comment does not end", "close it with */");
 }
 
 void Lexer::skip_line() {
@@ -95,7 +95,7 @@ void Lexer::skip_line() {
 }
 
 void Lexer::skip_line_comment(std::string_view mark) {
-    reporter_.error(here(), fmt::format("the language has no comments that begin with {}", mark), "write /* ... */");
+    reporter_.error(here(), fmt::format("comments do not begin with {} in this language", mark), "write /* ... */");
     skip_line();
 }
 
@@ -138,7 +138,7 @@ Token Lexer::next() {
 
 void Lexer::check_length(const Token& name) {
     if (name.text.size() > longest_name)
-        reporter_.error(name.at, fmt::format("the name is too long: {} characters are allowed", longest_name));
+        reporter_.error(name.at, fmt::format("the name is too long: at most {} characters are allowed", longest_name));
 }
 
 Token Lexer::read_name() {

@@ -17,14 +17,15 @@ enum class Dialect { none, comment, program, toolset, development_system };
 constexpr const char* hint_for(Dialect dialect) {
     switch (dialect) {
     case Dialect::development_system:
-        return "for PROCESSOR 0 T8 say T800 p0; for what runs there, use \"KIND\" for name; place name on p0; and wire "
-               "the links: connect p0.link[2] to p1.link[1];";
+        return "instead of PROCESSOR 0 T8 write T800 p0; then use \"KIND\" for name; place name on p0; for its "
+               "process, and connect p0.link[2] to p1.link[1]; for a wire";
     case Dialect::toolset:
-        return "for NODE p0 : with its type say T800 p0; for CONNECT p0[link][2] TO p1[link][1] say connect p0.link[2] "
-               "to p1.link[1]; and for what runs there, use \"KIND\" for name; place name on p0;";
+        return "instead of NODE p0 : with its type write T800 p0; instead of CONNECT p0[link][2] TO p1[link][1] "
+               "write connect p0.link[2] to p1.link[1]; then use \"KIND\" for name; place name on p0; for its "
+               "process";
     default:
-        return "programs in occam are not run: a netlist says of which kind a process is, use \"KIND\" for name; "
-               "the command kinds lists the kinds, and one of your own is written in C++";
+        return "occam programs cannot be run: a netlist names the kind of each process, use \"KIND\" for name; "
+               "the command kinds lists the kinds; write a new kind in C++";
     }
 }
 

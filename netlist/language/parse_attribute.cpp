@@ -44,7 +44,7 @@ std::vector<Attribute> Parser::parse_attributes() {
     do
         attributes.push_back(parse_attribute());
     while (accept(","));
-    expect(")", "behind the attributes");
+    expect(")", "after the attributes");
     return attributes;
 }
 
@@ -59,10 +59,9 @@ Attribute Parser::parse_attribute() {
     else if (accept("="))
         attribute.value = parse_expression();
     else
-        refuse(
-            tokens_.peek().at,
-            fmt::format("the attribute \"{}\" has no value: {} stands here", attribute.name, describe(tokens_.peek())),
-            fmt::format("{} = ...", attribute.name));
+        refuse(tokens_.peek().at,
+               fmt::format("the attribute \"{}\" has no value: found {}", attribute.name, describe(tokens_.peek())),
+               fmt::format("{} = ...", attribute.name));
     return attribute;
 }
 
@@ -76,7 +75,7 @@ DeclarationAttributes Parser::parse_declaration_attributes() {
         else
             result.attributes.push_back(parse_process_attribute());
     while (accept(","));
-    expect(")", "behind the attributes");
+    expect(")", "after the attributes");
     return result;
 }
 
@@ -105,7 +104,7 @@ void Parser::parse_interface_once(DeclarationAttributes& attributes) {
 /// Parses `(input in, out2, output out[3], int n = 3)`. An entry without a type has the type of the entry before it.
 std::vector<InterfaceEntry> Parser::parse_interface() {
     std::vector<InterfaceEntry> entries;
-    expect("(", "behind \"interface\"");
+    expect("(", "after \"interface\"");
     if (accept(")"))
         return entries;
     std::optional<EntryType> type;
@@ -116,7 +115,7 @@ std::vector<InterfaceEntry> Parser::parse_interface() {
             refuse_entry();
         entries.push_back(parse_entry(*type));
     } while (accept(","));
-    expect(")", "behind the interface");
+    expect(")", "after the interface");
     return entries;
 }
 
@@ -127,7 +126,7 @@ void Parser::refuse_entry() {
     bool may_be_type = token.text.size() > 2 && tokens_.peek(1).kind == TokenKind::name; // do not suggest int for "in"
     std::string meant = may_be_type ? word_meant(token.text, types) : "";
     refuse(token.at, fmt::format("illegal token in an interface: {}", describe(token)),
-           meant.empty() ? "an interface lists channels, \"input in\", and parameters, \"int n = 3\""
+           meant.empty() ? "expected channels, \"input in\", and parameters, \"int n = 3\""
                          : fmt::format("did you mean \"{}\"?", meant));
 }
 

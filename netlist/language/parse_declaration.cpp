@@ -22,7 +22,7 @@ Statement Parser::parse_val() {
     auto name = expect_name("a val");
     if (tokens_.peek().is("="))
         refuse(tokens_.peek().at, "illegal token in a val statement: \"=\"",
-               fmt::format("the value follows the name: val {} ...;", name.text));
+               fmt::format("write the value after the name: val {} ...;", name.text));
     auto value = parse_expression();
     expect_semicolon("val");
     return {name.at, ValStatement{name.text, std::move(value)}};
@@ -48,7 +48,7 @@ Token Parser::expect_type(std::string_view what) {
 Declarator Parser::parse_type_name() {
     auto name = expect_type("a node type");
     if (tokens_.peek().is("["))
-        refuse(name.at, "a type cannot be an array", "declare an array of this type instead");
+        refuse(name.at, "a node type cannot be an array", "declare an array of nodes of this type instead");
     return {name.text, name.at, {}};
 }
 
@@ -61,7 +61,7 @@ Statement Parser::parse_declaration() {
     if (tokens_.peek().is("("))
         refuse(
             tokens_.peek().at, "illegal token in a declaration: \"(\"",
-            fmt::format("attributes stand before the names: {} (...) {};", type.text, declaration.names.back().name));
+            fmt::format("write attributes before the names: {} (...) {};", type.text, declaration.names.back().name));
     expect_semicolon(process ? "process" : "declaration");
     return {type.at, std::move(declaration)};
 }
@@ -87,8 +87,8 @@ Statement Parser::parse_setting() {
     if (!tokens_.peek().is("("))
         refuse(process.at, fmt::format("no statement begins with \"{}\"", process.name),
                tokens_.peek().kind == TokenKind::end
-                   ? "a statement ends with \";\""
-                   : "a declaration is TYPE name; parameters are set by name (parameter = value);");
+                   ? "end the statement with \";\""
+                   : "a declaration has the form TYPE name; to set parameters, write name (parameter = value);");
     auto at = process.at;
     auto values = parse_attributes();
     expect_semicolon("parameter");

@@ -37,8 +37,8 @@ int Parser::height_above(const Location& at, std::initializer_list<const Express
     for (const auto* part : parts)
         height = std::max(height, part->height + 1);
     if (height > highest_expression)
-        refuse(at,
-               fmt::format("the expression is too long: {} operators in a row are allowed", highest_expression - 1));
+        refuse(at, fmt::format("the expression is too long: at most {} operators in a row are allowed",
+                               highest_expression - 1));
     return height;
 }
 
@@ -53,7 +53,7 @@ ExpressionPointer Parser::combine(const Token& symbol, ExpressionPointer left, E
 ExpressionPointer Parser::parse_whole_expression() {
     auto expression = parse_expression();
     if (tokens_.peek().kind != TokenKind::end)
-        refuse(tokens_.peek().at, fmt::format("illegal token behind an expression: {}", describe(tokens_.peek())));
+        refuse(tokens_.peek().at, fmt::format("illegal token after an expression: {}", describe(tokens_.peek())));
     return expression;
 }
 
@@ -116,7 +116,7 @@ ExpressionPointer Parser::parse_size() {
     auto at = tokens_.take().at;
     tokens_.take();
     auto array = parse_expression();
-    expect(")", "behind the array");
+    expect(")", "after the array");
     auto height = height_above(at, {array.get()});
     return make(at, SizeOperation{std::move(array)}, height);
 }
@@ -127,7 +127,7 @@ ExpressionPointer Parser::parse_postfix() {
         Nesting nesting(*this);
         auto bracket = tokens_.take();
         auto subscript = parse_expression();
-        expect("]", "behind the subscript");
+        expect("]", "after the subscript");
         expression = combine(bracket, std::move(expression), std::move(subscript));
     }
     return expression;
@@ -141,7 +141,7 @@ ExpressionPointer Parser::parse_primary() {
         Nesting nesting(*this);
         tokens_.take();
         auto inner = parse_expression();
-        expect(")", "behind the expression");
+        expect(")", "after the expression");
         return inner;
     }
     if (token.is_word("size") && tokens_.peek(1).is("("))
@@ -165,12 +165,12 @@ ExpressionPointer Parser::parse_array_constant() {
     ArrayConstant array;
     int height = 1;
     if (tokens_.peek().is("}"))
-        refuse(at, "an array constant has at least one element");
+        refuse(at, "an array constant needs at least one element");
     do {
         array.elements.push_back(parse_expression());
         height = std::max(height, array.elements.back()->height + 1);
     } while (accept(","));
-    expect("}", "behind the array");
+    expect("}", "after the array");
     --arrays_open_;
     return make(at, std::move(array), height);
 }

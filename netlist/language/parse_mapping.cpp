@@ -11,7 +11,7 @@ std::vector<ExpressionPointer> Parser::parse_subscripts() {
         if (tokens_.peek().is("]"))
             refuse(tokens_.peek().at, "a number is missing between \"[\" and \"]\"");
         subscripts.push_back(parse_expression());
-        expect("]", "behind the subscript");
+        expect("]", "after the subscript");
     }
     return subscripts;
 }
@@ -31,7 +31,7 @@ Reference Parser::parse_reference(std::string_view what, std::string_view part) 
 
 Reference Parser::parse_target() {
     auto target = parse_reference("a val, an attribute or a parameter", "an attribute or a parameter");
-    expect("=", "behind the name of what to set");
+    expect("=", "after the name of what to set");
     return target;
 }
 
@@ -40,8 +40,7 @@ Statement Parser::parse_connect() {
     auto a = parse_reference("a link, channel or edge");
     if (!accept(",")) {
         if (!tokens_.peek().is_word("to"))
-            refuse(gap(),
-                   fmt::format("\",\" or \"to\" is missing in connect: {} stands here", describe(tokens_.peek())),
+            refuse(gap(), fmt::format("\",\" or \"to\" is missing in connect: found {}", describe(tokens_.peek())),
                    "connect a.link[0] to b.link[1];");
         tokens_.take();
     }
@@ -58,8 +57,8 @@ Statement Parser::parse_use() {
     auto at = tokens_.take().at;
     UseStatement statement{parse_expression(), std::nullopt};
     if (tokens_.peek().is("."))
-        refuse(statement.program->at, "the name of a program is a text",
-               "it stands in quotes: use \"NAME\" for process;");
+        refuse(statement.program->at, "the name of a program must be a string",
+               "write it in quotes: use \"NAME\" for process;");
     expect_word("for", "in use");
     if (tokens_.peek().is_word("process") || tokens_.peek().is_word("PROCESS"))
         tokens_.take();
@@ -73,7 +72,7 @@ Statement Parser::parse_place() {
     auto at = tokens_.take().at;
     auto what = parse_reference("what is placed");
     if (!tokens_.peek().is_word("on"))
-        refuse(gap(), fmt::format("\"on\" is missing in place: {} stands here", describe(tokens_.peek())),
+        refuse(gap(), fmt::format("\"on\" is missing in place: found {}", describe(tokens_.peek())),
                "place name on processor;");
     tokens_.take();
     PlaceStatement statement{std::move(what), parse_reference("the place")};
@@ -101,7 +100,7 @@ Statement Parser::parse_fault_option() {
     auto at = tokens_.peek().at;
     auto statement = parse_fault_itself();
     if (tokens_.peek().kind != TokenKind::end)
-        refuse(tokens_.peek().at, fmt::format("illegal token behind a fault: {}", describe(tokens_.peek())),
+        refuse(tokens_.peek().at, fmt::format("illegal token after a fault: {}", describe(tokens_.peek())),
                "--fault 't[0].link[1] silent (from = 20ms)'");
     return {at, std::move(statement)};
 }
@@ -110,17 +109,17 @@ Statement Parser::parse_rep() {
     auto at = tokens_.take().at;
     auto parenthesis = accept("(");
     auto name = expect_name("the replicator");
-    expect("=", "behind the replicator's name");
+    expect("=", "after the replicator's name");
     RepStatement statement{name.text, name.at, parse_expression(), nullptr, nullptr, nullptr};
     bool to = tokens_.peek().is_word("to");
     if (!to && !tokens_.peek().is_word("for"))
         refuse(tokens_.peek().at,
-               fmt::format("\"for\" or \"to\" is missing in rep: {} stands here", describe(tokens_.peek())),
+               fmt::format("\"for\" or \"to\" is missing in rep: found {}", describe(tokens_.peek())),
                fmt::format("rep {0} = first for count, or rep {0} = first to last", name.text));
     tokens_.take();
     (to ? statement.last : statement.count) = parse_expression();
     if (parenthesis)
-        expect(")", "behind the replicator");
+        expect(")", "after the replicator");
     statement.body = parse_body("rep");
     return {at, std::move(statement)};
 }

@@ -36,8 +36,8 @@ const std::vector<std::string>& statement_words() {
 
 /// Returns a hint for a reserved word that cannot begin a statement.
 std::string_view hint_at_statement(std::string_view word) {
-    return word == "else"  ? "it belongs to an \"if\" just before it"
-           : word == "for" ? "what is repeated begins with rep: rep i = 0 for n statement"
+    return word == "else"  ? "\"else\" must follow an \"if\""
+           : word == "for" ? "a repeated statement begins with rep: rep i = 0 for n statement"
                            : "";
 }
 
@@ -61,8 +61,9 @@ std::string word_meant(const std::string& word) {
 
 Parser::Nesting::Nesting(Parser& owner) : parser(owner) {
     if (++parser.depth_ > deepest_nesting)
-        parser.reporter_.give_up(parser.tokens_.peek().at,
-                                 fmt::format("the nesting is too deep: {} levels are allowed", deepest_nesting));
+        parser.reporter_.give_up(
+            parser.tokens_.peek().at,
+            fmt::format("the nesting is too deep: at most {} levels are allowed", deepest_nesting));
 }
 
 void Parser::refuse(const Location& at, std::string message, std::string hint) {
@@ -97,7 +98,7 @@ void Parser::expect_word(std::string_view word, std::string_view where) {
 
 void Parser::refuse_missing(std::string_view what, std::string_view where) {
     const auto& here = tokens_.peek();
-    refuse(gap(), fmt::format("\"{}\" is missing {}: {} stands here", what, where, describe(here)));
+    refuse(gap(), fmt::format("\"{}\" is missing {}: found {}", what, where, describe(here)));
 }
 
 Location Parser::gap() {
@@ -127,7 +128,7 @@ void Parser::expect_semicolon(std::string_view statement) {
     bool illegal = next.kind == TokenKind::illegal || !(on_another_line() || statement_is_over());
     if (illegal)
         refuse(next.at, fmt::format("illegal token in {} statement: {}", with_article(statement), describe(next)),
-               "a statement ends with \";\"");
+               "end the statement with \";\"");
     reporter_.error(tokens_.behind_last(),
                     fmt::format("\";\" is missing at the end of {} statement", with_article(statement)));
     if (next.kind != TokenKind::name && !statement_is_over())
@@ -137,10 +138,10 @@ void Parser::expect_semicolon(std::string_view statement) {
 Token Parser::expect_name(std::string_view what) {
     const auto& token = tokens_.peek();
     if (token.kind != TokenKind::name)
-        refuse(token.at, fmt::format("the name of {} is missing: {} stands here", what, describe(token)));
+        refuse(token.at, fmt::format("the name of {} is missing: found {}", what, describe(token)));
     if (is_reserved(token.text))
         refuse(token.at,
-               fmt::format("{} is a word of the language: it cannot be the name of {}", describe(token), what));
+               fmt::format("{} is a word of the language and cannot be the name of {}", describe(token), what));
     return tokens_.take();
 }
 

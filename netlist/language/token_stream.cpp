@@ -65,7 +65,7 @@ void TokenStream::obey(const Token& directive) {
     if (lower_case(directive.text) == "include")
         return include(directive);
     reporter_.error(directive.at, fmt::format("\"#{}\" is not a directive", directive.text),
-                    "there is only #include \"file\"");
+                    "the only directive is #include \"file\"");
     lexer.skip_line();
 }
 
@@ -78,7 +78,7 @@ void TokenStream::include(const Token& directive) {
         return;
     }
     if (++includes_ > most_includes)
-        reporter_.give_up(directive.at, fmt::format("more than {} files are included", most_includes));
+        reporter_.give_up(directive.at, fmt::format("the netlist includes more than {} files", most_includes));
     open(*name);
 }
 
@@ -105,7 +105,7 @@ void TokenStream::open(const Token& name) {
     included_.push_back(loaded.file->path());
     included_bytes_ += loaded.file->text().size();
     if (included_bytes_ > most_included_bytes)
-        reporter_.give_up(name.at, fmt::format("more than {} bytes are included", most_included_bytes));
+        reporter_.give_up(name.at, fmt::format("the netlist includes more than {} bytes", most_included_bytes));
     report_problems(loaded, name);
     if (loaded.problems.empty())
         open_.push_back({Lexer(loaded.file, reporter_), real, name.at});
@@ -117,7 +117,7 @@ void TokenStream::refuse_missing(const Token& name) {
         folders += (folders.empty() ? "" : ", ") + folder.string();
     reporter_.error(name.at, fmt::format("cannot include \"{}\": there is no such file", name.text),
                     folders.empty() ? "-I FOLDER adds a folder to search, besides the folder of the including file"
-                                    : "it is neither beside the file that includes it nor in " + folders);
+                                    : "looked in the folder of the including file and in " + folders);
 }
 
 /// Returns true, after reporting, if the file includes itself, directly or through others.
@@ -127,7 +127,7 @@ bool TokenStream::includes_itself(const std::filesystem::path& real, const Token
         return false;
     std::vector<SecondPlace> others;
     for (auto between = std::next(same); between != open_.end(); ++between)
-        others.push_back({"on the way from the file to itself, included here", between->included_at});
+        others.push_back({"included here, on the way from the file to itself", between->included_at});
     reporter_.error(name.at, fmt::format("\"{}\" includes itself", name.text), "", std::move(others));
     return true;
 }

@@ -12,7 +12,7 @@ namespace placedpar {
 
 /// Functions for the names of arrays and their elements. Of several subscripts, the last varies fastest.
 
-/// Returns "out" for "out[2]"; a name without a subscript is returned as it is.
+/// Returns "out" for "out[2]"; returns a name without a subscript unchanged.
 std::string_view base_name(std::string_view name);
 /// Returns the subscripts of a name: {2} for "out[2]", {0, 1} for "t[0][1]", none for "t".
 std::vector<std::int64_t> subscripts_of(std::string_view name);

@@ -28,7 +28,8 @@ std::vector<std::string> kinds_in_promela(const Catalogue& catalogue) {
 const ProcessKind& kind_with_statements(const ProcessInstance& process, const Catalogue& catalogue) {
     const ProcessKind* kind = catalogue.find(process.kind);
     if (!kind || !kind->promela)
-        throw UserError(fmt::format("\"{}\" is a {}, which does not say in Promela what it communicates; these do: {}",
+        throw UserError(fmt::format("\"{}\" is a {}, a kind without a Promela model of its communications; these "
+                                    "kinds have one: {}",
                                     process.name, process.kind.empty() ? "process without a kind" : process.kind,
                                     fmt::join(kinds_in_promela(catalogue), ", ")));
     return *kind;
@@ -78,8 +79,8 @@ std::string legend(const Network& network) {
 void refuse_broadcasts(const Network& network) {
     for (const NetworkChannel& channel : network.channels)
         if (std::size_t bus = channel.placement.broadcast_on; bus != nowhere)
-            throw UserError(fmt::format("the channel \"{}\" is broadcast on \"{}\": its outputs wait for outputs of "
-                                        "other channels, which outputs in Promela do not",
+            throw UserError(fmt::format("the channel \"{}\" is broadcast on \"{}\", and Promela cannot model "
+                                        "outputs that wait for outputs of other channels",
                                         channel.name, network.nodes[bus].name));
 }
 
@@ -87,8 +88,8 @@ void refuse_broadcasts(const Network& network) {
 
 std::string print_promela(const Network& network, const Catalogue& catalogue) {
     if (network.processes.size() > most_processes)
-        throw UserError(fmt::format("{} processes are too many for Spin, which allows {}", network.processes.size(),
-                                    most_processes));
+        throw UserError(fmt::format("{} processes are too many for Spin, which allows at most {}",
+                                    network.processes.size(), most_processes));
     refuse_broadcasts(network);
     std::string out = legend(network) + fmt::format("chan c[{}] = [0] of {{ byte }};\n", network.channels.size() + 1);
     std::string start;

@@ -323,6 +323,13 @@ std::vector<PathShare> as_shares(const std::map<std::pair<Activity, Name>, Time>
 
 } // namespace
 
+std::vector<PathShare> shares_by_activity(const std::vector<PathPart>& parts) {
+    std::map<std::pair<Activity, std::string_view>, Time> times;
+    for (const PathPart& part : parts)
+        times[{part.activity, ""}] += part.end - part.begin;
+    return as_shares(times);
+}
+
 std::string name_of(const PathShare& share) { return name_on_path(share.activity, share.subject); }
 
 std::vector<PathShare> shares_of(const std::vector<PathPart>& parts) {

@@ -104,5 +104,7 @@ std::string name_of(const PathShare&);
 /// Returns the shares as shares_of() does, but with one share for all elements of an array: "computing: slave[] on
 /// t[]".
 std::vector<PathShare> shares_by_array(const std::vector<PathPart>&);
+/// Returns one share for each activity, with the subject "".
+std::vector<PathShare> shares_by_activity(const std::vector<PathPart>&);
 
 } // namespace placedpar

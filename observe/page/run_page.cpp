@@ -155,7 +155,7 @@ std::string RunPage::html(const PageContent& content, std::span<const PathPart> 
 
 std::string RunPage::warnings(const std::filesystem::path& path) const {
     std::string why = timeline_.why_empty();
-    return why.empty() ? "" : fmt::format("{}: the page's timelines are empty: {}\n", shown_output(path), why);
+    return why.empty() ? "" : fmt::format("{}: the timelines of the page are empty: {}\n", shown_output(path), why);
 }
 
 } // namespace placedpar

@@ -25,7 +25,7 @@ bool never_ends(const std::string& process, const RunResult& result) {
 
 const TraceWindow& require_time_in(const TraceWindow& window) {
     if (window.from >= window.until)
-        throw UserError(fmt::format("the trace would end at {}, and begin at {}: give it a later end",
+        throw UserError(fmt::format("the trace would begin at {} but end at {}: choose a later end",
                                     to_string(window.until), to_string(window.from)));
     return window;
 }
@@ -36,7 +36,7 @@ Timeline::Timeline(Tracks& tracks, const TraceWindow& window, TraceWriter& write
 std::string Timeline::why_empty() const {
     if (window_.from == Time{} || *end_ > window_.from)
         return "";
-    return fmt::format("the run was over at {}, and the part that is wanted begins at {}", to_string(*end_),
+    return fmt::format("the run ended at {}, before the begin of the trace at {}", to_string(*end_),
                        to_string(window_.from));
 }
 

@@ -1,6 +1,7 @@
 #include "observe/trace/trace_file.hpp"
 
 #include "observe/trace/perfetto_trace.hpp"
+#include "observe/trace/svg_trace.hpp"
 #include "observe/trace/vcd_trace.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
@@ -14,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-enum class TraceFormat { json, vcd };
+enum class TraceFormat { json, vcd, svg };
 
 TraceFormat trace_format(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
@@ -24,14 +25,27 @@ TraceFormat trace_format(const std::filesystem::path& path) {
         return TraceFormat::json;
     if (ending == ".vcd")
         return TraceFormat::vcd;
-    throw UserError(fmt::format("{}: the ending says what a trace is for: .json for ui.perfetto.dev, .vcd for GTKWave",
+    if (ending == ".svg")
+        return TraceFormat::svg;
+    throw UserError(fmt::format("{}: unknown kind of trace: the name must end in .json for ui.perfetto.dev, .vcd for "
+                                "GTKWave, or .svg for a drawing",
                                 path.string()));
 }
 
 std::unique_ptr<TraceWriter> make_writer(TraceFormat format, OutputFile& file, const Tracks& tracks) {
-    if (format == TraceFormat::vcd)
-        return std::make_unique<VcdTrace>(file, tracks);
+    switch (format) {
+    case TraceFormat::vcd: return std::make_unique<VcdTrace>(file, tracks);
+    case TraceFormat::svg: return std::make_unique<SvgTrace>(file, tracks);
+    case TraceFormat::json: break;
+    }
     return std::make_unique<PerfettoTrace>(file, tracks);
+}
+
+/// Returns the window with no more entries than a file of this format can show.
+TraceWindow window_for(const std::filesystem::path& path, TraceWindow window) {
+    if (trace_format(path) == TraceFormat::svg)
+        window.most_entries = std::min(window.most_entries, SvgTrace::most_entries);
+    return window;
 }
 
 } // namespace
@@ -39,8 +53,8 @@ std::unique_ptr<TraceWriter> make_writer(TraceFormat format, OutputFile& file, c
 void require_trace_format(const std::filesystem::path& path) { trace_format(path); }
 
 TraceFile::TraceFile(const std::filesystem::path& path, const Network& network, const TraceWindow& window)
-    : path_(path), window_(require_time_in(window)), file_((require_trace_format(path), path)), tracks_(network),
-      writer_(make_writer(trace_format(path), file_, tracks_)), timeline_(tracks_, window, *writer_) {}
+    : path_(path), window_(window_for(path, require_time_in(window))), file_(path), tracks_(network),
+      writer_(make_writer(trace_format(path), file_, tracks_)), timeline_(tracks_, window_, *writer_) {}
 
 std::string TraceFile::finish(const RunResult& result, std::span<const PathPart> critical_path) {
     writer_->draw_path(critical_path);
@@ -51,8 +65,8 @@ std::string TraceFile::finish(const RunResult& result, std::span<const PathPart>
 
 std::string TraceFile::warnings() const {
     if (std::optional<Time> full = timeline_.full_at())
-        return fmt::format("{}: the trace is full at {}, with {} entries; the rest of the run is not in it. Choose a "
-                           "part of the run with --trace-from and --trace-until, or more with --trace-limit\n",
+        return fmt::format("{}: the trace ends at {}, where it is full with {} entries; choose a part of the run "
+                           "with --trace-from and --trace-until, or raise --trace-limit\n",
                            shown_output(path_), to_string(*full), window_.most_entries);
     if (std::string why = timeline_.why_empty(); !why.empty())
         return fmt::format("{}: the trace is empty: {}\n", shown_output(path_), why);

@@ -14,8 +14,8 @@ namespace placedpar {
 /// Throws UserError if the ending of the name is not that of a trace format.
 void require_trace_format(const std::filesystem::path&);
 
-/// A trace file. The ending of its name selects the format: .json (PerfettoTrace) or .vcd (VcdTrace). A pipe or device
-/// without an ending gets JSON; standard output, "-", gets JSON, too.
+/// A trace file. The ending of its name selects the format: .json (PerfettoTrace), .vcd (VcdTrace) or .svg (SvgTrace).
+/// A pipe or device without an ending gets JSON; standard output, "-", gets JSON, too.
 class TraceFile {
 public:
     /// Throws UserError as require_trace_format(), and if the file cannot be written or the window is empty. The

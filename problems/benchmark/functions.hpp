@@ -24,7 +24,7 @@ struct OverBox {
     static constexpr auto numbers() {
         return std::tuple(
             PolicyNumber{"dimensions", &Function::dimensions, Function::least_dimensions, 10000, "parameters"},
-            PolicyNumber{"bits", &Function::bits, 1, 52, "of each parameter's field"});
+            PolicyNumber{"bits", &Function::bits, 1, 52, "bits of each parameter"});
     }
     static constexpr std::size_t least_dimensions = 1;
     ParameterCoding representation() const { return {dimensions, {Function::low, Function::high, bits}}; }
@@ -61,16 +61,17 @@ struct StepFunction : OverBox<StepFunction> {
 /// and the numbers themselves, so that an individual has the same noise in every evaluation. The optimum is unknown.
 struct Quartic : OverBox<Quartic> {
     static constexpr std::string_view name = "quartic",
-                                      about = "the sum of i x_i^4 with noise (De Jong's F4), the same for equals";
+                                      about = "the sum of i x_i^4 with noise (De Jong's F4); equal strings have equal "
+                                              "noise";
     static constexpr std::size_t usual_dimensions = 30, usual_bits = 8;
     static constexpr double low = -1.28, high = 1.28;
     double noise = 1; ///< standard deviation
     std::size_t seed = 1;
     static constexpr auto numbers() {
-        return std::tuple_cat(OverBox::numbers(),
-                              std::tuple(PolicyNumber{"noise", &Quartic::noise, 0, 1e6,
-                                                      "standard deviation of what is added to each objective"},
-                                         PolicyNumber{"seed", &Quartic::seed, 0, 1e15, "of that noise"}));
+        return std::tuple_cat(
+            OverBox::numbers(),
+            std::tuple(PolicyNumber{"noise", &Quartic::noise, 0, 1e6, "standard deviation of the noise"},
+                       PolicyNumber{"seed", &Quartic::seed, 0, 1e15, "seed of the noise"}));
     }
     double objective(std::span<const double> x) const;
     std::optional<double> optimum() const;
@@ -81,7 +82,7 @@ struct Foxholes {
     static constexpr std::string_view name = "foxholes", about = "Shekel's 25 foxholes in a plain (De Jong's F5)";
     std::size_t bits = 17;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"bits", &Foxholes::bits, 1, 52, "of each of the two fields"});
+        return std::tuple(PolicyNumber{"bits", &Foxholes::bits, 1, 52, "bits of each of the two fields"});
     }
     ParameterCoding representation() const { return {2, {-65.536, 65.536, bits}}; }
     double objective(std::span<const double> x) const;
@@ -101,7 +102,7 @@ struct Rastrigin : OverBox<Rastrigin> {
 /// 418.9829 n - the sum of x_i sin(sqrt(|x_i|)): the deepest valley lies at 420.9687, far from the second best.
 struct Schwefel : OverBox<Schwefel> {
     static constexpr std::string_view name = "schwefel",
-                                      about = "Schwefel's function: the best valley is far from the next best";
+                                      about = "Schwefel's function: the best valley is far from the second best";
     static constexpr std::size_t usual_dimensions = 10, usual_bits = 16;
     static constexpr double low = -500, high = 500;
     /// The greatest x sin(sqrt(x)) in the range, and the x where it occurs.

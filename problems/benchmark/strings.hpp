@@ -15,7 +15,7 @@ namespace placedpar {
 
 /// The number of ones.
 struct OneMax {
-    static constexpr std::string_view name = "one-max", about = "the number of ones: each bit counts by itself";
+    static constexpr std::string_view name = "one-max", about = "the number of ones; each bit counts independently";
     std::size_t bits = 100;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"bits", &OneMax::bits, 1, 1e6, "length of the string"});
@@ -30,11 +30,12 @@ struct OneMax {
 /// number of its zeros minus 1. Each bit by itself leads away from the optimum.
 struct Trap {
     static constexpr std::string_view name = "trap",
-                                      about = "deceptive traps: blocks where each bit by itself leads away";
+                                      about = "deceptive traps: in each block, single bit changes lead away from the "
+                                              "optimum";
     std::size_t blocks = 10, size = 5;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"blocks", &Trap::blocks, 1, 1e5, "in a string"},
-                          PolicyNumber{"size", &Trap::size, 2, 64, "of a block, in bits"});
+        return std::tuple(PolicyNumber{"blocks", &Trap::blocks, 1, 1e5, "number of blocks in a string"},
+                          PolicyNumber{"size", &Trap::size, 2, 64, "bits of a block"});
     }
     BitString representation() const { return BitString(blocks * size); }
     double objective(const Genome& genome) const;
@@ -67,13 +68,14 @@ private:
 /// 0 ... 1 / bits.
 struct NkLandscape {
     static constexpr std::string_view name = "nk",
-                                      about = "a landscape where each bit counts by its `k` neighbours, from a seed";
+                                      about = "a landscape in which the value of each bit depends on `k` neighbours, "
+                                              "drawn from a seed";
     std::size_t bits = 32, k = 4, seed = 1;
     static constexpr auto numbers() {
-        return std::tuple(
-            PolicyNumber{"bits", &NkLandscape::bits, 1, 10000, "length of the string: N"},
-            PolicyNumber{"k", &NkLandscape::k, 0, 8, "neighbours on which a bit's part depends: K, less than N"},
-            PolicyNumber{"seed", &NkLandscape::seed, 0, 1e15, "of the table of parts"});
+        return std::tuple(PolicyNumber{"bits", &NkLandscape::bits, 1, 10000, "length of the string: N"},
+                          PolicyNumber{"k", &NkLandscape::k, 0, 8,
+                                       "number of neighbours on which a bit's value depends: K, less than N"},
+                          PolicyNumber{"seed", &NkLandscape::seed, 0, 1e15, "seed of the table of values"});
     }
     /// Throws UserError unless k < bits.
     Landscape problem() const;

@@ -35,10 +35,10 @@ private:
 /// Cities on a circle of radius 1; the shortest tour goes around it.
 struct CircleTour {
     static constexpr std::string_view name = "tour-circle",
-                                      about = "the travelling salesman, cities on a circle of radius 1";
+                                      about = "the travelling salesman with cities on a circle of radius 1";
     std::size_t cities = 20;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"cities", &CircleTour::cities, 1, 10000, "on the circle"});
+        return std::tuple(PolicyNumber{"cities", &CircleTour::cities, 1, 10000, "number of cities"});
     }
     Tour problem() const;
 };
@@ -47,11 +47,11 @@ struct CircleTour {
 /// number of cities is odd.
 struct LatticeTour {
     static constexpr std::string_view name = "tour-lattice",
-                                      about = "the travelling salesman, cities on a lattice of width 1";
+                                      about = "the travelling salesman with cities on a lattice of spacing 1";
     std::size_t rows = 5, columns = 4;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"rows", &LatticeTour::rows, 1, 100, "of cities"},
-                          PolicyNumber{"columns", &LatticeTour::columns, 1, 100, "of cities"});
+        return std::tuple(PolicyNumber{"rows", &LatticeTour::rows, 1, 100, "rows of cities"},
+                          PolicyNumber{"columns", &LatticeTour::columns, 1, 100, "columns of cities"});
     }
     Tour problem() const;
 };
@@ -59,11 +59,12 @@ struct LatticeTour {
 /// Cities uniformly distributed in a square of width 1. The shortest tour is unknown.
 struct RandomTour {
     static constexpr std::string_view name = "tour-random",
-                                      about = "the travelling salesman, cities at random in a square, from a seed";
+                                      about = "the travelling salesman with random cities in a square, drawn from a "
+                                              "seed";
     std::size_t cities = 20, seed = 1;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"cities", &RandomTour::cities, 1, 10000, "in the square"},
-                          PolicyNumber{"seed", &RandomTour::seed, 0, 1e15, "of their places"});
+        return std::tuple(PolicyNumber{"cities", &RandomTour::cities, 1, 10000, "number of cities"},
+                          PolicyNumber{"seed", &RandomTour::seed, 0, 1e15, "seed of the cities' positions"});
     }
     Tour problem() const;
 };

@@ -29,18 +29,20 @@ struct PlantFamily {
         constexpr double widest = 1.67; // with a2 = -.7 the poles are a complex pair
         return std::tuple(
             PolicyNumber{"a1", &PlantFamily::a1, -widest, widest,
-                         "what the coefficient a1 changes to, from 1.5 (Table 5.4)"},
+                         "final value of the coefficient a1, which begins at 1.5 (Table 5.4)"},
             PolicyNumber{"from", &PlantFamily::from, 0, 1e6, "generation at which the change begins"},
             PolicyNumber{"lasts", &PlantFamily::lasts, 0, 1e6,
-                         "generations that it takes, in a straight line; 0: at once"},
+                         "duration of the change in generations, in a straight line; 0: a step"},
             PolicyNumber{"noise", &PlantFamily::noise, 0, 1e3, "standard deviation of the white noise e (5.8)"},
             PolicyNumber{"c1", &PlantFamily::c1, -10, 10, "colour of the noise: e(k) + c1 e(k-1) + c2 e(k-2)"},
-            PolicyNumber{"c2", &PlantFamily::c2, -10, 10, "colour of the noise, too"},
-            PolicyNumber{"generations", &PlantFamily::generations, 1, 1e6, "how many the record is long enough for"},
+            PolicyNumber{"c2", &PlantFamily::c2, -10, 10, "second coefficient of the noise's colour"},
+            PolicyNumber{"generations", &PlantFamily::generations, 1, 1e6,
+                         "number of generations for which the record suffices"},
             PolicyNumber{"per_sample", &PlantFamily::per_sample, 1, 1e3,
-                         "generations between two samples; an island's trials are to be as many"},
+                         "generations between two samples; set an island's trials to the same number"},
             PolicyNumber{"simulated", &PlantFamily::simulated, 0, 1,
-                         "1: the model is simulated inside the window; 0: it predicts from measured outputs"});
+                         "1: the model is simulated inside the window; 0: the model predicts from measured "
+                         "outputs"});
     }
 
     PlantExperiment experiment() const {

@@ -13,7 +13,7 @@ class RandomStream;
 ///
 ///     y(k) = a1 y(k-1) + a2 y(k-2) + b0 (u(k-d) + b1 u(k-d-1)) + e(k) + c1 e(k-1) + c2 e(k-2)
 ///
-/// 5.8 has u(k), thus d = 0, which is outside of the search space of Table 5.1; here d is 1.
+/// Equation 5.8 has u(k), that is d = 0, which is outside the search space of Table 5.1; here d is 1.
 struct Plant {
     double a1 = 1.5, a2 = -0.7, b0 = 1, b1 = 0.5;
     std::size_t delay = 1; ///< in samples, 1 to 4
@@ -26,8 +26,9 @@ struct Pole {
 Pole pole_of(double a1, double a2);
 
 /// How a1 changes during an experiment, from 1.5 in a straight line. The default is that of Table 5.4, which prints a1
-/// = -1.5 + 1.0 (gen - 200). There the sign is that of A(q^-1), and the plant would be unstable from the second
-/// generation on. Here the change takes as long as the table says: a1 = 1.5 - (gen - 200) / 200 until generation 400.
+/// = -1.5 + 1.0 (gen - 200). The printed sign belongs to A(q^-1), and the printed plant would be unstable from the
+/// second generation on. Here the change lasts as long as in the table: a1 = 1.5 - (gen - 200) / 200 until generation
+/// 400.
 struct PlantChange {
     double a1 = 0.5;    ///< value at the end
     double from = 200;  ///< generation

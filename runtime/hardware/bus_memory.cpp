@@ -48,7 +48,7 @@ void MemoryLane::fill(std::int64_t bytes) {
         copy_in_memory(bytes);
 }
 
-/// Marks the buffer as read. A master needs one more word on the bus for that.
+/// Copies a part out of the buffer. A bus master also writes one word over the bus, which marks the buffer as read.
 void MemoryLane::empty(std::int64_t bytes) {
     if (from_ == From::master)
         return copy_in_memory(bytes);
@@ -71,7 +71,7 @@ void MemoryLane::copy_in_memory(std::int64_t bytes) {
     });
 }
 
-/// Only one of the two processes that use the buffer can wait for it at a time.
+/// Waits until the buffer is full or empty. Only one of its two users can wait at a time.
 void MemoryLane::wait_until(bool full, Activity activity, AnyChannel& channel, const SourceLocation& where,
                             bool master) {
     if (full_ == full)

@@ -14,8 +14,8 @@ class Process;
 
 namespace placedpar::hardware {
 
-/// Memory with two ports, as a transputer bus master's: its transputer works on it, and masters reach it over the bus
-/// (thesis, appendix D: the BBK-V2 has 2 Mbyte of it).
+/// A memory with two ports, as on a transputer bus master. Its transputer uses one port; bus masters reach it over the
+/// bus (thesis, appendix D: the BBK-V2 has 2 Mbyte).
 class DualPortedMemory final : public BusSlave {
 public:
     DualPortedMemory(Kernel&, std::string name) : name_(std::move(name)) {}
@@ -25,19 +25,19 @@ private:
     std::string name_;
 };
 
-/// A direction between a master and the transputer of a dual-ported memory. Messages go through a buffer in the memory,
-/// one at a time. The master moves its words over the bus; the transputer copies them from or to its process's memory.
-/// It converts them if the two computers have different byte orders: a 68020 is big endian, a T800 little endian. Each
-/// end interrupts the other when the other may use the buffer.
+/// One direction between a bus master and the transputer of a dual-ported memory. Messages go through a buffer in the
+/// memory, one at a time. The master moves the words over the bus. The transputer copies them between the buffer and
+/// its process's memory. It swaps bytes if the two computers have different byte orders: a 68020 is big endian, a T800
+/// little endian. Each end interrupts the other when the buffer becomes available to it.
 class MemoryLane final : public Carrier {
 public:
-    /// Size of the buffer for one direction, in bytes (our choice). A longer message is moved in parts.
+    /// The size of the buffer for one direction, in bytes (our choice). A longer message is moved in parts.
     static constexpr std::int64_t buffer_bytes = 65536;
 
-    /// Which end outputs: the master, or the transputer whose memory it is.
+    /// The end that outputs: the bus master, or the transputer that owns the memory.
     enum class From { master, memory };
-    /// `conversion`: cycles of the transputer for each word, 0 if both computers have the same byte order. REQUIRES:
-    /// master and memory outlive it, and execute the processes at their ends.
+    /// `conversion`: cycles of the transputer for each word; 0 if both computers have the same byte order. REQUIRES:
+    /// master and memory outlive the lane, and execute the processes at their ends.
     MemoryLane(Kernel&, VmeMaster&, DualPortedMemory&, From, Cycles conversion);
 
     std::string why_not_given_up() const override { return "leads through the memory of a bus master"; }
@@ -60,7 +60,7 @@ private:
     From from_;
     Cycles conversion_;
     bool full_ = false;          ///< the buffer holds a part of a message
-    std::int64_t bytes_ = 0;     ///< length of that part, in bytes
+    std::int64_t bytes_ = 0;     ///< length of this part in bytes
     bool last_ = false;          ///< the part is the last of its message
     Process* waiting_ = nullptr; ///< the process that waits for the buffer
 };

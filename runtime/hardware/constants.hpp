@@ -5,29 +5,28 @@
 
 namespace placedpar::hardware {
 
-/// Where a constant comes from.
+/// The origin of a constant.
 enum class Provenance {
-    published,  ///< a databook, or a measurement that others have published
-    workload,   ///< what a program itself costs; the netlist states it
-    calibrated, ///< set so that one measured figure is reproduced
-    ours,       ///< our choice, since no source was found
+    published,  ///< from a databook, or from a published measurement
+    workload,   ///< cost of the program itself, which the netlist states
+    calibrated, ///< set so that the model reproduces one measured figure
+    ours,       ///< our choice, because no source was found
     fitted      ///< fitted to several measured figures
 };
 
 const char* name_of(Provenance);
 
-/// A constant of the model, with its origin.
+/// A constant of the model with its origin.
 struct Constant {
     std::string_view group, name;
     double value;
     std::string_view unit;
     Provenance mark;
-    std::string_view source; ///< the publication; otherwise the meaning of the choice, or the figures that it was
-                             ///< fitted to
+    std::string_view source; ///< publication; meaning of our own choice; measured figures of a fit
 };
 
-/// Returns every timing constant that a netlist does not state, read from where the simulation uses it. Constants of
-/// one group are adjacent.
+/// Returns every timing constant that a netlist does not state. The simulation uses the same constants. The constants
+/// of a group are adjacent.
 std::vector<Constant> constants();
 
 } // namespace placedpar::hardware

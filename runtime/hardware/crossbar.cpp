@@ -116,7 +116,7 @@ std::string Crossbar::state_of(int output) const {
     return fmt::format("was connected to input {}{}", choice.input, choice.ready ? "" : ", and command 3 had not come");
 }
 
-/// Each output has a track, which says the input that it takes data from.
+/// Shows a change in the trace. Each output has a track, which names the input that feeds it.
 void Crossbar::trace_change(int output, const Choice& before) const {
     const Choice& choice = choices_[static_cast<std::size_t>(output)];
     std::string track = fmt::format("{}.link[{}]", name(), output);

@@ -19,18 +19,18 @@ namespace placedpar::hardware {
 
 class Link;
 
-/// A message to the configuration link of a C004: one to three bytes. Written from memory of INMOS's data sheet, which
-/// is not available. INMOS's network checker (check.c of its `ispy`, published) sends [0][input][output] and [4], and
-/// uses the top bit of a C004B's answer as here. It does not send [3].
+/// A message of one to three bytes to the configuration link of a C004. Written from memory of INMOS's data sheet,
+/// which is not available. INMOS's network checker (check.c of its `ispy`, published) sends [0][input][output] and [4],
+/// and uses the top bit of a C004B's answer as here. It does not send [3].
 struct SwitchCommand {
     enum class Kind : std::uint8_t {
         connect_output = 0,    ///< [0][input][output]
-        connect_links = 1,     ///< [1][link][link]: both ways
-        enquire = 2,           ///< [2][output]: which input it is connected to
-        ready = 3,             ///< [3]: ends a configuration; the new connections now carry data
-        reset = 4,             ///< [4]: all outputs are disconnected
+        connect_links = 1,     ///< [1][link][link]: connects both directions
+        enquire = 2,           ///< [2][output]: asks for the input of an output
+        ready = 3,             ///< [3]: ends a configuration; from now on the new connections carry data
+        reset = 4,             ///< [4]: disconnects all outputs
         disconnect_output = 5, ///< [5][output]
-        disconnect_links = 6   ///< [6][link][link]: their outputs
+        disconnect_links = 6   ///< [6][link][link]: disconnects both links' outputs
     };
     Kind kind = Kind::ready;
     std::uint8_t first = 0, second = 0;
@@ -39,23 +39,24 @@ struct SwitchCommand {
     WireForm wire_form() const { return WireForm(bytes()); }
 };
 
-/// A byte on the configuration link: the input that an output is connected to, and the top bit set if it is.
+/// The byte that answers an enquiry: the number of the input. The top bit is set if the output is connected.
 struct SwitchAnswer {
     static constexpr std::uint8_t connected = 0x80;
     std::uint8_t byte = 0;
 };
 
-/// An IMS C004 has 32 outputs. Each output repeats the data of an input of its choice, or nothing. Commands set it
-/// during the run; at the start nothing is connected. Data at an input that no output has chosen is lost. Ours: data is
-/// also lost if its output leads to another link than intended, or between a connection and the next command 3. An
-/// existing connection is unaffected when it is made again, and while others are made.
+/// An IMS C004: a switch with 32 inputs and 32 outputs. Each output repeats the data of one input, or nothing. Commands
+/// change the connections during the run; at the start nothing is connected. Data is lost at an input that no output
+/// repeats. Ours: data is also lost if its output leads to another link than intended, and between the making of a
+/// connection and the next command 3. A connection is not disturbed when it is made again, or while other connections
+/// are made.
 ///
-/// It also executes its own logic: a process that inputs commands from the configuration link and obeys them. This
-/// takes no time in addition to the link's.
+/// The switch executes its own logic: a process that inputs commands from the configuration link and obeys them. This
+/// process takes no time in addition to the link's.
 class Crossbar final : public Executive {
 public:
     static constexpr int links = 32;
-    /// Hundredths of a bit time that a bit needs to cross it (C004 manual).
+    /// Delay of a bit in the switch, in hundredths of a bit time (C004 manual).
     static constexpr std::int64_t crossing_delay = 175;
 
     Crossbar(Kernel&, std::string name);
@@ -63,30 +64,30 @@ public:
     /// Returns the crossbar that executes the running process. Throws std::logic_error if no crossbar executes it.
     static Crossbar& here();
 
-    /// Obeys the command at once. Only `enquire` has an answer. Throws std::invalid_argument for a link that the switch
-    /// does not have, and for an unknown kind of command.
+    /// Obeys the command at once. Returns an answer only for `enquire`. Throws std::invalid_argument for a link that
+    /// the switch does not have, and for an unknown kind of command.
     std::optional<SwitchAnswer> obey(const SwitchCommand&);
 
     /// Returns whether data that arrives at the input leaves at the output.
     bool leads(int input, int output) const;
 
-    /// Leads a link through the switch: its end a is wired to the switch's link `at_a`, its end b to `at_b`. REQUIRES:
-    /// before the run.
+    /// Leads a link through the switch. Its end a is wired to the switch's link `at_a`, its end b to `at_b`. REQUIRES:
+    /// the run has not begun.
     void lead_on(Link&, int at_a, int at_b);
 
-    /// Data of a link that the switch lost because no output led it on.
+    /// Data of a link that the switch lost because no output repeated it.
     struct Loss {
         const Link* link;
         bool leaves_a; ///< the data came from end a
         FaultEffect effect;
-        int output;        ///< of the first packet
-        std::string state; ///< what the output did then: "was connected to no input"
+        int output;        ///< output that should have repeated the first lost packet
+        std::string state; ///< state of this output at that time, such as "was connected to no input"
     };
-    /// Returns the losses, one for each direction of a link that lost data, in the order of lead_on(); the direction
-    /// from a comes first.
+    /// Returns the losses. There is one for each direction of a link that lost data, in the order of lead_on(); the
+    /// direction from a comes first.
     std::deque<Loss> losses() const;
     std::uint64_t commands() const { return commands_; }
-    /// Returns how many connections were made, counted at each output.
+    /// Returns how many connections were made. A connection of two links counts at each output.
     std::uint64_t connections() const { return connections_; }
 
     Time tick(Priority) const override { return std::chrono::microseconds{1}; }
@@ -95,10 +96,10 @@ public:
     void leave(Process&, Process* successor) override;
 
 private:
-    /// The input that an output is connected to.
+    /// The input to which an output is connected.
     struct Choice {
         int input = nothing;
-        bool ready = false; ///< command 3 has come
+        bool ready = false; ///< true once command 3 has come
     };
     static constexpr int nothing = -1;
 
@@ -125,7 +126,7 @@ private:
 
     Kernel& kernel_;
     std::array<Choice, links> choices_{}; ///< by output
-    std::deque<SwitchedLink> ways_;       ///< a deque, since references must stay valid
+    std::deque<SwitchedLink> ways_;       ///< a deque, because references must stay valid
     std::uint64_t commands_ = 0, connections_ = 0;
 };
 

@@ -2,12 +2,14 @@
 
 #include "runtime/executive.hpp"
 
-/// What a T800's instructions cost, in cycles, code and data in internal memory. Published: instruction table of the
-/// T4 notebook (pahihu/t4), checked there against INMOS's "Transputer instruction set: a compiler writer's guide".
+/// The costs of a T800's instructions in cycles, with code and data in internal memory. Published: instruction table of
+/// the T4 notebook (pahihu/t4), which was checked there against INMOS's "Transputer instruction set: a compiler
+/// writer's guide".
 namespace placedpar::hardware::instructions {
 
-/// Costs of a program's operations, compiled in line as occam's are. A communication of w words costs 2w + 19 for the
-/// process that copies them, and 19 for the one that waits; an output of one word costs 23 in either case.
+/// The costs of a program's operations, compiled in line as occam compiles them. A communication of w words costs 2w +
+/// 19 cycles for the process that copies them and 19 cycles for the process that waits. An output of one word costs 23
+/// cycles for either process.
 constexpr OperationCosts t800{
     .soft_communication = Cycles{19},    // in, out
     .soft_word_output = Cycles{23},      // outword, outbyte
@@ -29,22 +31,24 @@ constexpr OperationCosts t800{
     .disable_guard = Cycles{8},          // disc, diss
     .disable_timeout = Cycles{23},       // dist
     .alternation_end = Cycles{4},        // altend
-    // Ours: a routine that can give up starts a second process, which waits for the time-out or for a message that ends
-    // the attempt, and then ends that process: startp, tin, endp.
+    // Ours: an attempt starts a second process, which waits for the time-out or for a message, then ends the attempt
+    // and itself: startp, tin, endp.
     .attempt = Cycles{12 + 30 + 13},
     .reset_channel = Cycles{3}, // ours: resetch
 };
 
-/// A block move, before its words. Each word takes 2 cycles on the chip, or two accesses outside of it.
+/// The cycles of a block move before its first word. Each word takes 2 cycles on the chip, or two accesses outside of
+/// the chip.
 constexpr Cycles block_move_start{8};
 
-/// Interrupt latency from low to high priority, typical; 58 at most, 78 while the floating-point unit is busy.
+/// The typical interrupt latency from low to high priority. At most it is 58 cycles, or 78 while the floating-point
+/// unit is busy.
 constexpr Cycles preemption{19};
 
-/// What a channel operation of the INMOS C toolset (ChanOut, ChanIn) costs beyond its instruction: for
-/// processors whose programs are written in C. Derived: half the round trip of a message of n words between
-/// two T805s took 11.0 + 2.250 n us (sarevok/pr, Poznan 2008); 11.0 us are 220 cycles at 20 MHz, of which 19
-/// are the instruction's. It includes the rescheduling of the receiver.
+/// The cycles of a channel operation of the INMOS C toolset (ChanOut, ChanIn) beyond its instruction, for processors
+/// whose programs are written in C. Derived: half the round trip of a message of n words between two T805s took 11.0 +
+/// 2.250 n us (sarevok/pr, Poznan 2008). 11.0 us are 220 cycles at 20 MHz; the instruction takes 19 of them. The
+/// rescheduling of the receiver is included.
 constexpr Cycles toolset_channel_call{201};
 
 } // namespace placedpar::hardware::instructions

@@ -15,7 +15,7 @@ namespace placedpar::hardware {
 
 namespace {
 
-/// Returns the index of the last part that is not empty. Empty parts do not travel.
+/// Returns the index of the last part that is not empty. Only parts with bytes are sent.
 std::size_t last_travelling_part(const WireForm& form) {
     std::size_t part = form.parts() - 1;
     while (part > 0 && form[part] == 0)
@@ -55,7 +55,8 @@ LinkFaults& Link::faults() {
     return *faults_;
 }
 
-/// A change of speed takes effect with the next packet.
+/// Returns the time until which no packet has to be checked for faults. While a fault changes the speed, every packet
+/// has to be checked, so the time is now.
 Time Link::steady_until() const {
     const bool is_at_speed = faults_->bits_per_second(kernel_.now()) == timing_.bits_per_second;
     return is_at_speed ? faults_->steady_until(kernel_.now()) : kernel_.now();
@@ -78,7 +79,7 @@ LinkDirection::LinkDirection(Kernel& kernel, std::string name, const PacketTimes
 
 void LinkDirection::move_messages_of(LinkEngineMemory& memory) {
     if (memories_[1])
-        throw std::logic_error(fmt::format("{}: a link has two ends, which have a processor each already", name_));
+        throw std::logic_error(fmt::format("{}: both ends of the link already have a processor", name_));
     memories_[memories_[0] ? 1 : 0] = &memory;
 }
 
@@ -171,7 +172,7 @@ void LinkDirection::send(Process& sender, std::uint32_t bytes, bool last_part) {
     touch.begin_if_free(number_);
 }
 
-/// Receives a part, and returns whether all of it is there already.
+/// Begins to receive a part. Returns whether the whole part has arrived already.
 bool LinkDirection::receive(Process& receiver) {
     if (course_.waits_idly(number_)) {
         receiver_ = &receiver;
@@ -183,7 +184,7 @@ bool LinkDirection::receive(Process& receiver) {
     return all_here;
 }
 
-/// Asks for a part, and returns whether all of it is there already.
+/// Asks for a part. Returns whether the whole part has arrived already.
 bool LinkDirection::receiver_asks(LinkCourse::Touch& touch) {
     using Phase = LinkState::Phase;
     LinkState::Direction& direction = touch->directions[number_];
@@ -192,7 +193,8 @@ bool LinkDirection::receiver_asks(LinkCourse::Touch& touch) {
     const bool all_here =
         has_come && direction.ends != LinkState::Ends::sender_left && touch->packets.streams[number_].bytes_left == 0;
     if (all_here) {
-        touch->drop_last_bytes(number_); // of this moment, if the arrival of the first byte woke an alternation
+        // If the first byte's arrival woke an alternation, the last byte may be about to arrive at this very time.
+        touch->drop_last_bytes(number_);
         deliver();
     } else {
         direction.receiver = LinkState::Receiver::waits;
@@ -207,7 +209,7 @@ bool LinkDirection::receiver_asks(LinkCourse::Touch& touch) {
     return all_here;
 }
 
-/// Hands the part to the receiver, before the receiving process or the sending one goes on.
+/// Hands the part over, before the receiving or the sending process continues.
 void LinkDirection::deliver() {
     took_last_part_ = last_part_;
     if (last_part_)
@@ -303,7 +305,8 @@ void LinkDirection::trace_byte(const LinkState& state, const LinkState::Outcome&
         trace_standstill();
 }
 
-/// The trace shows the bytes of a part as one stretch, unless the first byte waits for its acknowledge.
+/// Shows the bytes of a part in the trace as one interval. A first byte that waits for its acknowledge gets an interval
+/// of its own.
 void LinkDirection::trace_bytes(Time since) {
     if (course_.trace_carries(number_))
         return;
@@ -317,7 +320,7 @@ void LinkDirection::trace_break(Time byte_started) {
     kernel_.trace()->leaves({name_, later(byte_started, times_.byte().carried), bytes}, kernel_.now());
 }
 
-/// Ends the stretch, since the message under way gets no further.
+/// Ends the interval in the trace, because the current message does not continue.
 void LinkDirection::trace_standstill() {
     if (kernel_.trace() && course_.trace_carries(number_))
         trace_break(state().packets.streams[number_].last_start);

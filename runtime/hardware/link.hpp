@@ -18,30 +18,30 @@
 namespace placedpar::hardware {
 
 /// The memory of a processor, as the engines of its links use it. A part of a message takes one word for each
-/// bytes_in_a_word bytes, and one for the rest at its end.
+/// `bytes_in_a_word` bytes; remaining bytes at its end take one more word.
 struct LinkEngineMemory {
     std::uint32_t bytes_in_a_word = 4; ///< or 2
     std::uint64_t words_of_ended_parts = 0;
     int parts_under_way = 0;
 
     std::uint64_t words_in(std::uint32_t bytes) const {
-        return (std::uint64_t{bytes} + bytes_in_a_word - 1) >> (bytes_in_a_word / 2); // a division by 2 or 4
+        return (std::uint64_t{bytes} + bytes_in_a_word - 1) >> (bytes_in_a_word / 2); // divides by 2 or 4
     }
 };
 
-/// A program that writes the bytes of a direction to a register, or reads them from one, such as the driver of a link
-/// adapter. It stands in the place of an engine, which would move them from memory or to it.
+/// A program that writes the bytes of a direction to a register, or reads them from a register. The driver of a link
+/// adapter is such a program. It replaces an engine, which would move the bytes from or to memory.
 class RegisterUser {
 public:
-    /// Called when the register is free for the next byte, or holds one. It must not wait and must not throw.
+    /// Called when the register is free for the next byte, or when it holds a byte. Must not wait or throw.
     virtual void register_ready() = 0;
 
 protected:
     ~RegisterUser() = default;
 };
 
-/// What a link that moves bytes by counts calls. The calls must not wait and must not throw. They may call give() and
-/// take() of the same direction.
+/// The callbacks of a link that moves bytes by counts. They must not wait or throw. They may call give() and take() of
+/// the same direction.
 class ByteUser {
 public:
     virtual void sent() {}       ///< the acknowledge of the last byte of give() has come
@@ -52,60 +52,61 @@ protected:
     ~ByteUser() = default;
 };
 
-/// One direction of a link, for the messages of one channel: the two engines that the instructions `out` and
-/// `in` start at its ends. A sender goes on when the acknowledge of its last byte has arrived, a receiver when
-/// the last byte has. If no process has asked for a message, its first byte waits at the receiving end and is not
-/// acknowledged. The times are exact to the bit.
+/// One direction of a link. It carries the messages of one channel, by the two engines that the instructions `out` and
+/// `in` start at its ends. A sender continues when the acknowledge of its last byte has arrived, a receiver when the
+/// last byte has arrived. If no process has asked for a message, its first byte waits at the receiving end without an
+/// acknowledge. The times are exact to the bit.
 ///
-/// A message gets no further when one of its bytes or acknowledges is lost. It also gets no further when the process at
-/// one end gives it up: no byte is acknowledged any more, and the other end stays in the message until it is given up
-/// or reset, too. This is our rule: the real engines would mistake the rest of one message and the beginning of the
-/// next for one message.
+/// If a byte or an acknowledge of a message is lost, the message does not continue. Neither does a message that the
+/// process at one end gives up: no further byte is acknowledged, and the other end stays in the message until it is
+/// given up or reset, too. This rule is ours: the real engines would take the rest of one message and the beginning of
+/// the next for one message.
 ///
-/// Throws std::logic_error when a second channel uses it, and for a message without bytes.
+/// Throws std::logic_error if a second channel uses the direction, and for a message without bytes.
 class alignas(64) LinkDirection final : public Carrier {
 public:
-    /// Direction 0, from a to b, or 1 of the link whose course it is.
+    /// `number`: 0 for the direction from a to b, 1 for the other. The course is that of the link.
     LinkDirection(Kernel&, std::string name, const PacketTimes&, LinkCourse&, std::size_t number);
 
-    /// One of its two engines moves the messages from this memory, or to it. Throws std::logic_error when both have a
-    /// memory already. REQUIRES: it outlives the run.
+    /// States that one of the two engines moves the messages from or to this memory. Throws std::logic_error if both
+    /// engines have a memory. REQUIRES: the memory outlives the run.
     void move_messages_of(LinkEngineMemory&);
 
     void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
     void input(AnyChannel&, const SourceLocation&) override;
     bool message_waits(const AnyChannel&) const override { return byte_waits(); }
 
-    // For a link adapter, whose program sends or receives one byte at a time. Call the first two before the run.
+    // These functions are for a link adapter, whose program sends or receives one byte at a time. Call the first two
+    // before the run.
     void is_written_by(RegisterUser&);
     void is_read_by(RegisterUser&);
-    /// The running process begins to send a message on the channel.
+    /// Begins to send a message of the running process on the channel.
     void begin_writing(AnyChannel&);
-    /// The running process begins to send a part of that message.
+    /// Begins to send a part of this message.
     void begin_part(AnyChannel&, std::uint32_t bytes, bool last_part);
     bool can_be_written() const { return phase() == LinkState::Phase::idle; }
     /// REQUIRES: can_be_written().
     void write_byte();
-    /// The running process begins to receive a message on the channel.
+    /// Begins to receive a message for the running process on the channel.
     void begin_reading(AnyChannel&);
     bool can_be_read() const { return phase() == LinkState::Phase::owed; }
-    /// What ended with the byte that was read.
+    /// States what the byte that was read has ended.
     enum class Ended { nothing, part, message };
-    /// REQUIRES: can_be_read().
+    /// Reads the byte. REQUIRES: can_be_read().
     Ended read_byte();
 
-    // For ends that move bytes by counts. Each end says how many bytes it will give or take; the counts need not agree.
-    // The end with the smaller count is done first, and the other goes on with the rest. A fault may strike the bytes,
-    // and the trace does not show them. Each stretch of bytes on which both ends agree counts as a part: its words of
-    // memory are rounded up.
+    // These functions are for ends that move bytes by counts. Each end states how many bytes it will give or take; the
+    // counts may differ. The end with the smaller count is done first, and the other end continues with its remaining
+    // bytes. A fault may strike the bytes. The trace does not show them. Bytes on which both ends agree count as a
+    // part, whose words of memory are rounded up.
     /// Makes both ends move bytes by counts. Throws std::logic_error if a channel or an adapter uses the direction.
-    /// REQUIRES: the run has not begun; the users outlive it.
+    /// REQUIRES: the run has not begun; the users outlive the direction.
     void move_by_counts(ByteUser& sender, ByteUser& receiver);
-    /// Offers bytes. Throws std::logic_error for 0 bytes, and while an earlier give() has not been sent().
+    /// Offers bytes. Throws std::logic_error for 0 bytes, and if sent() has not been called for an earlier give().
     void give(std::uint32_t bytes);
-    /// Asks for bytes. Throws std::logic_error for 0 bytes, and while an earlier take() has not been taken().
+    /// Asks for bytes. Throws std::logic_error for 0 bytes, and if taken() has not been called for an earlier take().
     void take(std::uint32_t bytes);
-    /// Whether a first byte waits for which no receiver has asked.
+    /// Returns whether a first byte waits that no receiver has asked for.
     bool byte_waits() const;
 
     bool output_is_lost(const AnyChannel&) const override { return sender_ && gets_no_further(); }
@@ -113,36 +114,36 @@ public:
     bool output_must_be_reset(const AnyChannel&) const override;
     bool input_must_be_reset(const AnyChannel&) const override;
 
-    /// Whether the message under way was given up at that end. Its program must then leave it.
+    /// Returns whether the current message was given up at this end. The end's program must then leave the message.
     bool output_is_given_up() const { return output_given_up_; }
     bool input_is_given_up() const { return input_given_up_; }
 
     std::string why_not_given_up() const override { return ""; }
     bool give_up_output(AnyChannel&) override;
     bool give_up_input(AnyChannel&) override;
-    /// Returns how many bytes of the message that was given up were acknowledged (output) or taken (input).
+    /// Returns how many bytes were acknowledged (output) or taken (input) of the message that was given up.
     std::uint64_t reset_output(AnyChannel&) override;
     std::uint64_t reset_input(AnyChannel&) override;
 
-    /// "t[0].link[1] -> t[1].link[0]"
+    /// Returns a name such as "t[0].link[1] -> t[1].link[0]".
     const std::string& name() const { return name_; }
     /// Returns how many bytes the wire has begun to carry.
     std::uint64_t bytes_carried() const;
-    /// Returns for how long the wire has carried the bits of bytes.
+    /// Returns how long the wire has carried the bits of bytes.
     Time time_occupied() const;
 
-    /// Makes every step of the link an event. Tests compare such a run with the usual one. REQUIRES: the run has not
+    /// Makes every step of the link an event. Tests compare such a run with a usual run. REQUIRES: the run has not
     /// begun.
     void simulate_every_byte() { course_.show_every_step(); }
 
-    // The rest is for its link.
-    /// Gives the direction the faults of its link.
+    // The other public functions are for the direction's link.
+    /// Subjects the direction to the faults of its link.
     void suffer(LinkFaults& faults) { faults_ = &faults; }
-    /// Call before the speed of the link changes.
+    /// Records the bytes carried so far. Call it before the speed of the link changes.
     void note_speed();
-    /// Whether a fault strikes the packet that begins. REQUIRES: the link has faults.
+    /// Returns whether a fault strikes the packet that begins. REQUIRES: the link has faults.
     bool is_lost(LinkStep);
-    /// Acts on a step of this direction that was performed. Returns the process that goes on; null if none does.
+    /// Acts on a step of this direction. Returns the process that continues, or null.
     Process* step_performed(LinkState&, LinkStep, const LinkState::Outcome&);
 
 private:
@@ -150,9 +151,9 @@ private:
     void send(Process&, std::uint32_t bytes, bool last_part);
     bool receive(Process&);
 
-    /// What the instructions `out` and `in` do for a part of a message. Both are members of the direction, not
-    /// variables of a process, since the direction is needed next anyway, while the stack of a process may be in no
-    /// cache.
+    /// The work of the instructions `out` and `in` for a part of a message. Both objects are members of the direction
+    /// instead of local variables of a process. The direction is needed next anyway, while the stack of a process may
+    /// be in no cache.
     struct Out final : Communication {
         explicit Out(LinkDirection& d) : direction(d) {}
         void set(std::uint32_t part, bool last, const SourceLocation& place) {
@@ -185,11 +186,11 @@ private:
     void deliver();
     Process* sending_ended(LinkState&);
 
-    // Bytes by counts: link_counts.cpp.
+    // These members move bytes by counts: link_counts.cpp.
     struct Counts {
         ByteUser &sender, &receiver;
-        std::uint32_t to_give = 0, to_take = 0; ///< bytes beyond the part under way
-        bool gives = false, takes = false;      ///< whether a give(), a take() is under way
+        std::uint32_t to_give = 0, to_take = 0; ///< bytes of the counts beyond the current part
+        bool gives = false, takes = false;      ///< whether a give() or a take() has not ended
     };
     void begin_part_by_counts(LinkState&);
     bool agree_on_part(LinkState&);
@@ -197,57 +198,58 @@ private:
     void end_of_taking();
     void step_performed_by_counts(LinkState&, LinkStep, const LinkState::Outcome&);
 
-    // Messages that are given up: link_recovery.cpp.
+    // These members handle messages that are given up: link_recovery.cpp.
     std::uint64_t bytes_taken() const;
     std::uint64_t bytes_acknowledged() const;
     void break_off(LinkCourse::Touch&);
     void drop_output(LinkCourse::Touch&);
     void receiver_leaves(LinkCourse::Touch&);
 
-    // The trace: link.cpp.
+    // These members write the trace: link.cpp.
     void trace_byte(const LinkState&, const LinkState::Outcome&);
     void trace_bytes(Time since);
     void trace_break(Time byte_started);
     void trace_standstill();
 
-    // The members stand in the order of use, which saves lines of the cache: what every packet needs, ...
+    // The members are in the order of use, which saves cache lines. These are needed for every packet.
     Kernel& kernel_;
     LinkCourse& course_;
-    Process* sender_ = nullptr;     ///< set from the start of a part to the acknowledge of its last byte
+    Process* sender_ = nullptr;     ///< set from the start of a part until the acknowledge of its last byte
     Process* receiver_ = nullptr;   ///< set while a process waits for a part
-    AnyChannel* channel_ = nullptr; ///< the channel that uses the direction; null until one does
-    LinkFaults* faults_ = nullptr;  ///< null if its link has no faults
-    const std::uint8_t number_;     ///< 0 or 1: its place in its link
-    bool last_part_ = false;        ///< the part under way ends its message
+    AnyChannel* channel_ = nullptr; ///< the channel that uses the direction; null before its first message
+    LinkFaults* faults_ = nullptr;  ///< null if the link has no faults
+    const std::uint8_t number_;     ///< 0 or 1: index in the link
+    bool last_part_ = false;        ///< the current part ends its message
     bool took_last_part_ = false;   ///< the last part that was delivered ended its message
-    bool output_given_up_ = false;  ///< the sender has given up the message under way
-    bool input_given_up_ = false;   ///< the receiver has given up the message under way
+    bool output_given_up_ = false;  ///< the sender has given up the current message
+    bool input_given_up_ = false;   ///< the receiver has given up the current message
 
-    // ... what every message needs, ...
+    // These are needed for every message.
     In input_{*this};
     const PacketTimes& times_;
     Out output_{*this};
-    std::array<LinkEngineMemory*, 2> memories_{}; ///< the memories at its ends; null where there is none
-    std::uint64_t bytes_of_ended_parts_ = 0;      ///< bytes carried before the part under way
-    std::uint64_t bytes_before_part_ = 0;         ///< bytes of the message under way before its present part
+    std::array<LinkEngineMemory*, 2> memories_{}; ///< memories at the two ends; null at an end without one
+    std::uint64_t bytes_of_ended_parts_ = 0;      ///< bytes carried before the current part
+    std::uint64_t bytes_before_part_ = 0;         ///< bytes of the current message before the current part
 
-    // ... and what few do.
-    RegisterUser *writer_ = nullptr, *reader_ = nullptr; ///< null if an engine is at that end
-    std::unique_ptr<Counts> counts_;                     ///< null if it carries messages
-    std::uint64_t bytes_left_over_ = 0;        ///< bytes that have come of the message that its sender has given up
-    std::uint64_t acknowledged_when_left_ = 0; ///< bytes of the message that its receiver has given up
-    std::uint64_t sent_when_given_up_ = 0, taken_when_given_up_ = 0; ///< bytes; until the end is reset
-    std::uint64_t bytes_at_old_speed_ = 0;                           ///< bytes carried before the speed last changed
+    // These are needed rarely.
+    RegisterUser *writer_ = nullptr, *reader_ = nullptr; ///< null if an engine moves the bytes at this end
+    std::unique_ptr<Counts> counts_;                     ///< null if the direction carries messages
+    std::uint64_t bytes_left_over_ = 0;        ///< bytes that arrived of a message that its sender has given up
+    std::uint64_t acknowledged_when_left_ = 0; ///< bytes acknowledged of a message that its receiver has given up
+    std::uint64_t sent_when_given_up_ = 0, taken_when_given_up_ = 0; ///< bytes of a message that was given up; kept
+                                                                     ///< until the end is reset
+    std::uint64_t bytes_at_old_speed_ = 0;                           ///< bytes carried before the last change of speed
     Time occupied_at_old_speed_{}, old_speed_until_{};
-    std::uint64_t bytes_traced_ = 0; ///< bytes carried that the trace has been told of
+    std::uint64_t bytes_traced_ = 0; ///< bytes that the trace has shown
     std::string name_;
 };
 
-/// A link: two wires, each carrying the bytes of one direction and the acknowledges of the other.
+/// A link of two wires. Each wire carries the bytes of one direction and the acknowledges of the other.
 class Link final : private LinkObserver {
 public:
-    /// `a` and `b` name its ends in reports. Throws std::logic_error unless bits_per_second > 0 and the wire's delay is
-    /// not negative.
+    /// `a` and `b`: names of the ends in reports. Throws std::logic_error unless bits_per_second > 0 and the wire's
+    /// delay is at least 0.
     explicit Link(Kernel&, const LinkTiming& = {}, const std::string& a = "a", const std::string& b = "b");
     Link(const Link&) = delete;
     Link& operator=(const Link&) = delete;
@@ -257,23 +259,23 @@ public:
     const LinkDirection& from_a_to_b() const { return a_to_b_; }
     const LinkDirection& from_b_to_a() const { return b_to_a_; }
 
-    /// Prefetches what words_moved() reads.
+    /// Prefetches the data that words_moved() reads.
     void fetch() const { course_.fetch(); }
-    /// Returns how many words of the parts under way the engines at this memory have moved before now. It performs
-    /// steps that are due, and changes nothing that can be seen.
+    /// Returns how many words of the current parts the engines at this memory moved before `now`. Performs steps that
+    /// are due, without a visible effect.
     std::uint64_t words_moved(const LinkEngineMemory& memory, Time now) {
         return memory.words_in(course_.bytes_begun_before(now, 0)) +
                memory.words_in(course_.bytes_begun_before(now, 1));
     }
 
-    /// Adds a fault, and returns a record of its effects, which lives as long as the link. REQUIRES: the run has not
-    /// begun. Throws what LinkFaults::add throws.
+    /// Adds a fault. Returns a record of its effects, which is valid as long as the link exists. Throws as
+    /// LinkFaults::add. REQUIRES: the run has not begun.
     const FaultEffect& suffer(const LinkFault&);
 
-    /// Leads its wires through a passage that may stop packets. REQUIRES: the run has not begun; the passage outlives
-    /// it.
+    /// Leads the wires through a device that may stop packets. REQUIRES: the run has not begun; the device outlives the
+    /// run.
     void lead_through(SwitchPath&);
-    /// A passage may be opened or closed only while such an object lives.
+    /// Marks a change of a SwitchPath. A path may begin or cease to lead packets only while such an object exists.
     class WayChange {
     public:
         explicit WayChange(Link& link) : touch_(link.course_) {}

@@ -15,7 +15,7 @@ namespace placedpar::hardware {
 
 namespace {
 
-/// Returns the index of the last part that is not empty. Empty parts do not travel.
+/// Returns the index of the last part that is not empty. Only parts with bytes are sent.
 std::size_t last_part_on_wire(const WireForm& form, const AnyChannel& channel) {
     if (form.total() == 0)
         throw std::logic_error("a message without bytes cannot travel on channel " + channel.name());
@@ -32,7 +32,7 @@ bool same(const WireForm& a, const WireForm& b) {
     return equal;
 }
 
-/// "4 + 148 bytes"
+/// Returns a text such as "4 + 148 bytes".
 std::string bytes_in_words(const WireForm& form) {
     std::string text;
     for (std::size_t part = 0; part < form.parts(); ++part)
@@ -62,7 +62,8 @@ void AdapterProgram::access() {
     master_.access_byte(adapter_);
 }
 
-/// Reads the status until the register is ready or the message is given up. An access sees the status of its end.
+/// Reads the status register until the data register is ready or the message is given up. An access reads the status of
+/// the moment at which it ends.
 template <class Over>
 void AdapterProgram::poll(LinkAdapter::Register& data, Activity activity, AnyChannel& channel,
                           const SourceLocation& where, Over over) {
@@ -126,7 +127,7 @@ void AdapterProgram::FromLink::input(AnyChannel& channel, const SourceLocation& 
         if (!link.input_is_given_up())
             program.access();
         ended = LinkDirection::Ended::nothing;
-        if (!link.input_is_given_up() && link.can_be_read()) // else the sender has given up meanwhile
+        if (!link.input_is_given_up() && link.can_be_read()) // // otherwise the sender has given up the message
             ended = link.read_byte();
     }
 }
@@ -164,7 +165,7 @@ void AdapterBroadcast::Lane::input(AnyChannel& to, const SourceLocation& where) 
 
 bool AdapterBroadcast::Lane::message_waits(const AnyChannel& to) const { return program.to_link().message_waits(to); }
 
-/// An output is lost on all lanes if it is lost on one.
+/// Returns whether the output is lost on any lane. It is then lost on all lanes.
 bool AdapterBroadcast::Lane::output_is_lost(const AnyChannel&) const {
     return broadcast.is_written() && std::ranges::any_of(broadcast.lanes_, [](const Lane& lane) {
                return lane.link().output_is_lost(*lane.channel);
@@ -173,7 +174,8 @@ bool AdapterBroadcast::Lane::output_is_lost(const AnyChannel&) const {
 
 bool AdapterBroadcast::Lane::input_is_lost(const AnyChannel& to) const { return link().input_is_lost(to); }
 
-/// Whether the other lanes wait for this one: for its outputter before the message is written, for its inputter after.
+/// Returns whether the other lanes wait for this lane. Before the message is written they wait for its outputter,
+/// afterwards for its inputter.
 bool AdapterBroadcast::Lane::holds_others_up() const {
     if (!broadcast.is_written())
         return outputter == nullptr;

@@ -18,12 +18,13 @@ class Process;
 
 namespace placedpar::hardware {
 
-/// A link adapter (IMS C011, C012) between a link and a bus: registers for a byte of output, a byte of input, and the
-/// status of each. It does not overlap acknowledges: a byte that comes in is acknowledged when it is read from its
-/// register (Helios-NG sources), so the link's timing must say so, too.
+/// A link adapter (IMS C011, C012) between a link and a bus. It has a register for a byte of output, a register for a
+/// byte of input, and a status for each. It does not overlap acknowledges: an input byte is acknowledged when a program
+/// reads it from the register (Helios-NG sources). So the link's timing must not overlap acknowledges, either.
 class LinkAdapter final : public BusSlave {
 public:
-    /// The end of the link at which the adapter is; a transputer is at the other. REQUIRES: the link outlives it.
+    /// The end of the link at which the adapter is; the other end is at a transputer. REQUIRES: the link outlives the
+    /// adapter.
     enum class End { a, b };
     LinkAdapter(Kernel&, std::string name, Link&, End);
 
@@ -34,7 +35,7 @@ public:
 private:
     friend class AdapterProgram;
 
-    /// One of the two registers for data, and the process that waits for its interrupt.
+    /// One of the two data registers, with the process that waits for its interrupt.
     struct Register final : RegisterUser {
         explicit Register(Kernel& k) : kernel(k) {}
         void register_ready() override;
@@ -47,26 +48,26 @@ private:
     Register output_, input_;
 };
 
-/// How a master sends and receives messages by an adapter: it reads the status register until the data register is
-/// ready, then writes or reads a byte, for each byte of the message. A process that has read the status in vain for
-/// BusProgram::most_polls times waits for the adapter's interrupt. Each access costs the program its time and the bus a
-/// cycle.
+/// The program by which a master sends and receives messages at an adapter. For each byte it reads the status register
+/// until the data register is ready, then writes or reads the byte. After BusProgram::most_polls unsuccessful reads of
+/// the status, it waits for the adapter's interrupt. Each access costs the program time and the bus a cycle.
 ///
 /// If a message is given up (runtime/recovery.hpp), the program leaves it after the current access.
 class AdapterProgram {
 public:
-    /// REQUIRES: master and adapter outlive it; no other master uses the adapter; the master executes the processes
-    /// that output by to_link() and input by from_link().
+    /// REQUIRES: master and adapter outlive the program, and no other master uses the adapter. The master executes the
+    /// processes that output by to_link() and input by from_link().
     AdapterProgram(Kernel&, VmeMaster&, LinkAdapter&);
 
-    /// For channels from a process on the master to one on the transputer at the other end of the link, and back.
+    /// Return the carriers of the two directions: from a process on the master to a process on the transputer behind
+    /// the link, and back.
     Carrier& to_link() { return to_link_; }
     Carrier& from_link() { return from_link_; }
 
 private:
     friend class AdapterBroadcast;
 
-    /// What both directions need of the link, whose other end is an engine.
+    /// The common part of both directions. At the other end of the link an engine moves the bytes.
     struct AdapterLane : Carrier {
         AdapterLane(AdapterProgram& p, LinkDirection& l) : program(p), link(l) {}
         bool message_waits(const AnyChannel& c) const override { return link.message_waits(c); }
@@ -109,29 +110,29 @@ private:
     FromLink from_link_{*this, adapter_.from_link()};
 };
 
-/// Thrown when the outputs to one broadcast are not the same message.
+/// Thrown if the outputs to one broadcast are not the same message.
 class BroadcastError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// Sends one message to the transputers at several adapters at once: one write to the bus reaches the output registers
-/// of all adapters. A program outputs it in a PAR, on a channel for each adapter; the component that comes last writes
-/// the bytes, when the status of each adapter in turn has shown that its register is free.
+/// Sends one message to the transputers at several adapters. A single write to the bus reaches the output registers of
+/// all adapters. A program outputs the message in a PAR, on one channel for each adapter. The component that comes last
+/// writes the bytes. It writes a byte when the status of each adapter has shown a free register.
 ///
-/// 1. Each of its lanes has a channel before the run.
-/// 2. Outputs on the lanes at one time must be equal messages of one form. The process that outputs a different message
-///    gets a BroadcastError. So does every process if messages of the protocol cannot be compared (SameMessage).
+/// 1. Each lane gets a channel before the run.
+/// 2. Simultaneous outputs on the lanes must be equal messages of the same form. A process that outputs a different
+/// message gets a BroadcastError. If messages of the protocol cannot be compared (SameMessage), every process gets a
+/// BroadcastError.
 class AdapterBroadcast {
 public:
-    /// REQUIRES: at least one program, all of one master. Throws std::logic_error otherwise.
+    /// REQUIRES: at least one program, and all programs have the same master. Throws std::logic_error otherwise.
     AdapterBroadcast(Kernel&, const std::vector<AdapterProgram*>&);
 
-    /// Puts the channel on the path to the transputer of adapter number i. REQUIRES: i < adapters(); the channel
-    /// outlives the run.
+    /// Makes the channel lead to the transputer of adapter i. REQUIRES: i < adapters(); the channel outlives the run.
     void carry(AnyChannel& channel, std::size_t i);
     std::size_t adapters() const { return lanes_.size(); }
-    /// Returns the messages written completely, each counted once for all adapters, and (below) their bytes.
+    /// Return the number of complete messages, and of their bytes. A message to all adapters counts once.
     std::uint64_t messages() const { return messages_; }
     std::uint64_t bytes() const { return bytes_; }
 
@@ -162,8 +163,8 @@ private:
     Kernel& kernel_;
     std::vector<Lane> lanes_;
     std::size_t waiting_ = 0;
-    const AnyChannel* first_ = nullptr; ///< the channel that waited first
-    std::optional<WireForm> form_;      ///< of that channel's message
+    const AnyChannel* first_ = nullptr; ///< channel whose process came first
+    std::optional<WireForm> form_;      ///< form of the message on this channel
     std::uint64_t messages_ = 0, bytes_ = 0;
 };
 

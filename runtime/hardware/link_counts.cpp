@@ -1,7 +1,7 @@
-// Bytes that both ends move by counts, which need not agree.
+// These functions move bytes by counts. Each end states a count, and the two counts may differ.
 //
-// The bytes on which both ends agree are a part: as many as the smaller count. When the part ends for an end, either
-// its count is done, or a new part begins, as long as the other end's next count allows.
+// The length of a part is the smaller count. When a part ends and one end's count is not done, the next part begins as
+// soon as the other end states a new count.
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/kernel.hpp"
@@ -25,7 +25,8 @@ void LinkDirection::move_by_counts(ByteUser& sender, ByteUser& receiver) {
 
 void LinkDirection::give(std::uint32_t bytes) {
     if (bytes == 0 || std::exchange(counts_->gives, true))
-        throw std::logic_error(fmt::format("{}: give() wants bytes, and the bytes before them sent", name_));
+        throw std::logic_error(
+            fmt::format("{}: give() needs at least one byte, and sent() for the bytes before", name_));
     LinkCourse::Touch touch(course_);
     counts_->to_give = bytes;
     begin_part_by_counts(*touch);
@@ -34,12 +35,13 @@ void LinkDirection::give(std::uint32_t bytes) {
 
 void LinkDirection::take(std::uint32_t bytes) {
     if (bytes == 0 || std::exchange(counts_->takes, true))
-        throw std::logic_error(fmt::format("{}: take() wants bytes, and the bytes before them taken", name_));
+        throw std::logic_error(
+            fmt::format("{}: take() needs at least one byte, and taken() for the bytes before", name_));
     counts_->to_take = bytes;
     ask_by_counts();
 }
 
-/// Begins a part: all bytes that are to be given, or fewer if the receiver has asked for fewer.
+/// Begins a part with all bytes that are offered. If the receiver has asked for fewer bytes, shortens the part.
 void LinkDirection::begin_part_by_counts(LinkState& state) {
     begin_part_of(state, counts_->to_give);
     counts_->to_give = 0;
@@ -48,8 +50,8 @@ void LinkDirection::begin_part_by_counts(LinkState& state) {
         agree_on_part(state);
 }
 
-/// Makes the part as short as the receiver's count, if no more than its first byte has begun. Returns whether a part is
-/// there that the receiver can take.
+/// Shortens the part to the receiver's count. This is possible while at most the first byte has begun. Returns whether
+/// there is a part that the receiver can take.
 bool LinkDirection::agree_on_part(LinkState& state) {
     LinkState::Direction& direction = state.directions[number_];
     LinkPackets::Stream& stream = state.packets.streams[number_];
@@ -68,7 +70,7 @@ bool LinkDirection::agree_on_part(LinkState& state) {
     return true;
 }
 
-/// Asks for the bytes that are to be taken.
+/// Asks for the bytes of the receiver's count.
 void LinkDirection::ask_by_counts() {
     bool all_here = false;
     {
@@ -82,7 +84,7 @@ void LinkDirection::ask_by_counts() {
         end_of_taking();
 }
 
-/// Call when a part has arrived.
+/// Continues the receiver's count after a part has arrived.
 void LinkDirection::end_of_taking() {
     if (counts_->to_take > 0)
         return ask_by_counts();

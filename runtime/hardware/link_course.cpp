@@ -9,7 +9,7 @@ namespace placedpar::hardware {
 
 namespace {
 
-constexpr Time end_of_time = Time::max() - std::chrono::hours{1}; // later moments are rounded to it
+constexpr Time end_of_time = Time::max() - std::chrono::hours{1}; // later times are rounded to this time
 
 bool begins_packet(LinkStep step) { return step == LinkStep::byte_begins || step == LinkStep::acknowledge_begins; }
 
@@ -21,7 +21,7 @@ LinkCourse::LinkCourse(Kernel& kernel, const PacketTimes& times, LinkObserver& o
     ahead_ = &states_[1];
 }
 
-/// In a large machine the states of a link are in no near cache.
+/// Prefetches the states of the link. In a large machine they are in no near cache.
 void LinkCourse::fetch_states() const {
     constexpr std::size_t line = 64;
     const char* first = reinterpret_cast<const char*>(states_.data());
@@ -35,7 +35,7 @@ void LinkCourse::Touch::begin_if_free(std::size_t direction) {
         course_.perform(next);
 }
 
-/// Performs the step, asking the observer before and telling it afterwards.
+/// Performs a step. Asks the observer before a packet begins, and reports the step to the observer afterwards.
 Process* LinkCourse::perform(const LinkState::Next& next) {
     LinkState::Fate fate = state_->may_lose_packets && begins_packet(next.step) ? observer_.packet_begins(next)
                                                                                 : LinkState::Fate::comes_over;
@@ -69,7 +69,7 @@ bool LinkCourse::waits_idly(std::size_t direction) {
     return true;
 }
 
-/// Performs the invisible steps up to now.
+/// Performs the invisible steps up to `now`.
 void LinkCourse::perform_steps_until(Time now) {
     if (runs_from_ <= now) {
         if (state_->packets.now < runs_from_)
@@ -117,8 +117,8 @@ void LinkCourse::look_ahead() {
     }
 }
 
-/// Runs a copy of the state, whose next step is invisible, ahead to the next visible step. If there is none, the link
-/// falls silent with its last step.
+/// Runs a copy of the state ahead to the next visible step. The next step of the state itself is invisible. If no
+/// visible step follows, schedules the end of the last step: the link then falls silent.
 void LinkCourse::run_ahead(LinkState::Next next) {
     *ahead_ = *state_;
     where_next_ = Ahead::after_others;
@@ -137,7 +137,7 @@ void LinkCourse::run_ahead(LinkState::Next next) {
     schedule(next);
 }
 
-/// Whether packets may run by themselves, from this one on.
+/// Returns whether this packet and the following ones may be computed together.
 bool LinkCourse::may_run(const LinkState::Next& next) const {
     if (next.at >= ahead_->runs_before(next.direction, times_))
         return false;
@@ -150,7 +150,8 @@ bool LinkCourse::may_run(const LinkState::Next& next) const {
     return is_told(0) && is_told(1);
 }
 
-/// Lets packets begin that need nothing but their times worked out. Returns whether any has begun.
+/// Computes several packets together, as long as only their times must be computed. Returns whether any packet
+/// has begun.
 bool LinkCourse::run_packets(LinkState& state) {
     Time before = std::min({end_of_time, steady_until_, state.arrivals[state.first_arrival()]});
     for (std::size_t direction : {0u, 1u})
@@ -165,8 +166,8 @@ bool LinkCourse::run_packets(LinkState& state) {
     return true;
 }
 
-/// Takes the link out of the kernel's queue, since no step is due. If one would come after the end of virtual time, the
-/// event stays there, and the kernel reports it.
+/// Removes the link's event from the kernel's queue, because no step is due. If a step would come after the end of
+/// virtual time, keeps the event there, so that the kernel reports the error.
 void LinkCourse::stand_still() {
     next_ = {};
     if (state_->lasts_too_long)

@@ -18,33 +18,31 @@ class Process;
 
 namespace placedpar::hardware {
 
-/// What the course of a link calls when a packet begins or a step was performed. A Link implements it.
+/// The callbacks of a link's course, called when a packet begins or a step was performed. A Link implements them.
 class LinkObserver {
 public:
-    /// Returns a time before which all packets that begin reach the other end, at the present speed, and need no call
+    /// Returns a time up to which every packet that begins reaches the other end, at the present speed, without a call
     /// of packet_begins. Called only for a link that may lose packets.
     virtual Time steady_until() const = 0;
-    /// Decides whether a packet that is about to begin reaches the other end. Called only for a link that may lose
-    /// packets.
+    /// Decides whether a packet that begins now reaches the other end. Called only for a link that may lose packets.
     virtual LinkState::Fate packet_begins(const LinkState::Next&) = 0;
-    /// Acts on a step that was performed and visible. It may change the state, but must not begin a Touch of another
-    /// link. Returns the process that the step wakes; null if there is none.
+    /// Acts on a visible step that was performed. May change the state, but must not begin a Touch of another link.
+    /// Returns the process that the step wakes, or null.
     virtual Process* step_performed(LinkState&, const LinkState::Next&, const LinkState::Outcome&) = 0;
 
 protected:
     ~LinkObserver() = default;
 };
 
-/// The course of a link through time. Only the steps that a process, a trace or a fault can see are events. The other
-/// steps are performed when the state is read or changed. So a link keeps the state of the time at which it was last
-/// touched, and has one event in the kernel's queue: its next visible step. To find that step, a copy of the state is
-/// run ahead.
+/// The course of a link through time. Only steps that a process, a trace or a fault can see are events. The other steps
+/// are performed when the state is read or changed. So a link keeps the state at the time at which it was last touched,
+/// and has one event in the kernel's queue: its next visible step. To find this step, a copy of the state is run ahead.
 class LinkCourse final : private Event {
 public:
     LinkCourse(Kernel&, const PacketTimes&, LinkObserver&);
 
-    /// Lets its owner change the state of the link. The constructor brings the state up to now; the destructor finds
-    /// the next visible step. One Touch may stand within another: the outer one looks ahead again.
+    /// Allows its owner to change the state of the link. The constructor brings the state up to now; the destructor
+    /// finds the next visible step. Touches may be nested: the outer Touch looks ahead again.
     class Touch {
     public:
         explicit Touch(LinkCourse& course) : course_(course) { course_.catch_up_and_stay(); }
@@ -53,22 +51,22 @@ public:
         Touch& operator=(const Touch&) = delete;
         LinkState* operator->() { return course_.state_; }
         LinkState& operator*() { return *course_.state_; }
-        /// Lets the next packet of a direction begin, if it is due and its wire is free.
+        /// Begins the next packet of a direction if it is due and its wire is free.
         void begin_if_free(std::size_t direction);
 
     private:
         LinkCourse& course_;
     };
 
-    /// The state of the last Touch. Members that only a Touch changes are right at any time.
+    /// Returns the state at the last Touch. A member that only a Touch changes is correct at any time.
     const LinkState& touched() const { return *state_; }
-    /// The state of now. A packet that begins now may have begun or not.
+    /// Returns the state now. A packet that begins now may or may not be included.
     const LinkState& state();
 
-    /// Prefetches what bytes_begun_before() reads.
+    /// Prefetches the data that bytes_begun_before() reads.
     void fetch() const { __builtin_prefetch(&period_); }
-    /// Returns how many bytes of the part under way have begun before now. Bytes that begin now are left out, since the
-    /// order of simultaneous events would decide about them.
+    /// Returns how many bytes of the current part began before `now`. Bytes that begin at `now` are excluded, because
+    /// they depend on the order of simultaneous events.
     std::uint32_t bytes_begun_before(Time now, std::size_t direction) {
         if (period_.is_simple_around(now)) [[likely]]
             return period_.part_bytes[direction] - period_.bytes_left(direction, now - Time{1});
@@ -78,17 +76,17 @@ public:
         return bytes > 0 && stream.last_start >= now ? bytes - 1 : bytes;
     }
 
-    /// Notes that a receiver waits, and returns true, if nothing is under way in the direction. Since the next visible
-    /// step stays what it was, this needs no Touch. Otherwise changes nothing and returns false.
+    /// Marks a receiver as waiting and returns true if the direction is idle. The next visible step does not change, so
+    /// no Touch is needed. Otherwise changes nothing and returns false.
     bool waits_idly(std::size_t direction);
 
-    // The following make more steps visible. Call the first two before the run.
-    /// Makes every step an event. Tests compare such a run with the usual one.
+    // The following functions make more steps visible. Call the first two before the run.
+    /// Makes every step an event. Tests compare such a run with a usual run.
     void show_every_step() { shows_every_step_ = true; }
-    /// Makes packets visible that a fault may strike.
+    /// Makes each packet visible that a fault may strike.
     void show_faults() { state_->may_lose_packets = true; }
-    /// Says whether the trace shows bytes of the direction as under way. While it does not, the next byte is visible;
-    /// while it does, the last byte is.
+    /// States whether the trace shows the direction as carrying bytes. If it does not, the direction's next byte is
+    /// visible; if it does, the last byte is.
     void trace_knows(std::size_t direction, bool carries) { trace_carries_[direction] = carries; }
     bool trace_carries(std::size_t direction) const { return trace_carries_[direction]; }
 
@@ -116,20 +114,20 @@ private:
     bool trace_sees_byte(const LinkState&, std::size_t direction) const;
     bool may_run(const LinkState::Next&) const;
 
-    // The members stand in the order of use, which saves lines of the cache.
-    Time quiet_until_{};                    ///< no step happens earlier, so that `state_` is the state of now
-    Time runs_from_ = never, runs_until_{}; ///< between these times packets run by themselves
-    LinkState* state_ = nullptr;            ///< the state of the last Touch
+    // The members are in the order of use, which saves cache lines.
+    Time quiet_until_{};                    ///< no step happens before this time, so `state_` is the state now
+    Time runs_from_ = never, runs_until_{}; ///< between these times packets are computed together
+    LinkState* state_ = nullptr;            ///< state at the last Touch
     LinkState* ahead_ = nullptr;            ///< the state just before the next visible step
-    LinkPeriod period_;                     ///< period of the packets between the two
+    LinkPeriod period_;                     ///< period of the packets between these two states
     std::array<LinkState, 2> states_;
     LinkState::Next next_; ///< the next visible step
-    /// Whether there is a next visible step, and whether it is the next step of `state_` or that of `ahead_`.
+    /// Whether there is a next visible step. It is the next step of `state_` (at_once) or of `ahead_` (after_others).
     enum class Ahead : std::uint8_t { nowhere, at_once, after_others };
     Ahead where_next_ = Ahead::nowhere;
     bool shows_every_step_ = false;
     std::array<bool, 2> trace_carries_{};
-    Time steady_until_ = never; ///< see LinkObserver
+    Time steady_until_ = never; ///< result of LinkObserver::steady_until()
     std::uint64_t first_rank_;
     Kernel& kernel_;
     const PacketTimes& times_;

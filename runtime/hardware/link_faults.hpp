@@ -10,31 +10,34 @@
 
 namespace placedpar::hardware {
 
-/// What goes wrong with a link, and when. A packet is one byte of data or one acknowledge. Whether a fault strikes it
-/// is decided when it begins on its wire. This is our rule, since a half packet would be understood by chance only.
+/// A fault of a link. A packet is one byte of data or one acknowledge. Whether the fault strikes a packet is decided
+/// when the packet begins on its wire. This rule is ours, because half a packet would be understood only by chance.
 struct LinkFault {
     enum class Kind {
-        silent,            ///< packets vanish
-        loses_acknowledge, ///< the first acknowledge that begins at `from` or later vanishes
-        slow               ///< a bit lasts `factor` times as long, on both wires: the ends of a link run at one speed
+        silent,            ///< packets are lost
+        loses_acknowledge, ///< loses the first acknowledge that begins at or after `from`
+        slow               ///< a bit lasts `factor` times as long on both wires, because both ends of a link run at the
+                           ///< same speed
     };
     Kind kind = Kind::silent;
     Time from{};
-    Time until = Time::max(); ///< the end of the fault; loses_acknowledge does not use it
-    bool wire_from_a = true;  ///< strikes what leaves a: bytes from a to b, acknowledges of bytes from b to a
-    bool wire_from_b = true;  ///< strikes what leaves b
+    Time until = Time::max(); ///< end of the fault; not used by loses_acknowledge
+    bool wire_from_a = true;  ///< strikes packets that leave end a: bytes from a to b, and acknowledges of bytes from b
+                              ///< to a
+    bool wire_from_b = true;  ///< strikes packets that leave end b
     std::int64_t factor = 1;  ///< for `slow`
 };
 
-/// What a fault has done so far.
+/// The effects of a fault so far.
 struct FaultEffect {
-    /// A packet that it struck: a byte of a message or its acknowledge.
+    /// A packet that the fault struck: a byte of a message, or its acknowledge.
     struct Hit {
         Time at;
-        std::string channel; ///< the channel whose message it belonged to
+        std::string channel; ///< name of the channel that the message belonged to
         bool acknowledge;
-        std::uint64_t byte; ///< its number in the message, from 1
-        /// On a link between routers the message is a packet of a channel, or a packet that acknowledges one.
+        std::uint64_t byte; ///< number of the byte in the message, from 1
+        /// The kind of message. On a link between routers a message is a packet of a channel, or a packet that
+        /// acknowledges one.
         enum class Message { whole, packet, acknowledging_packet };
         Message message = Message::whole;
     };
@@ -42,37 +45,37 @@ struct FaultEffect {
     std::optional<Hit> first, last;
 };
 
-/// A device through which a link leads and which may stop its packets, such as a switch that is set during the run. It
-/// must hold a Link::WayChange when it begins or ceases to lead packets on.
+/// A device on the path of a link that may stop packets. An example is a switch that is set during the run. While it
+/// begins or ceases to lead packets, it must hold a Link::WayChange.
 class SwitchPath {
 public:
-    /// Whether packets that leave a, or b, now reach the other end.
+    /// Returns whether packets from end a (else from end b) now reach the other end.
     virtual bool leads_on(bool leaves_a) const = 0;
-    /// Notes that a packet, which begins now, gets no further.
+    /// Records that a packet, which begins now, is lost.
     virtual void lose(const FaultEffect::Hit& packet, bool leaves_a) = 0;
 
 protected:
     ~SwitchPath() = default;
 };
 
-/// The faults of one link, and the passages that it leads through. They are consulted when a packet begins and need no
-/// events, so that a fault has no effect on a link that carries nothing.
+/// The faults of one link, and the devices through which it leads. They are consulted when a packet begins and need no
+/// events. So a fault has no effect on a link that carries nothing.
 class LinkFaults {
 public:
     explicit LinkFaults(std::int64_t bits_per_second) : bits_per_second_(bits_per_second) {}
 
-    /// Adds a fault, and returns a record of its effects, which is kept up to date. Throws std::logic_error unless
-    /// 0 <= from < until and factor >= 1.
+    /// Adds a fault. Returns a record of its effects, which is kept up to date. Throws std::logic_error unless 0 <=
+    /// from < until and factor >= 1.
     const FaultEffect& add(const LinkFault&);
-    /// Adds a passage. REQUIRES: it outlives the run.
+    /// Adds a device. REQUIRES: the device outlives the run.
     void lead_through(SwitchPath& passage) { passages_.push_back(&passage); }
 
     /// Returns the speed of the link now.
     std::int64_t bits_per_second(Time now) const;
-    /// Returns whether the byte or acknowledge that begins now is lost, and records the effects of the faults.
+    /// Decides whether the byte or acknowledge that begins now is lost. Records the effects of the faults.
     bool strike(const FaultEffect::Hit& packet, bool leaves_a);
-    /// Returns a time before which all packets that begin reach the other end at the present speed, with no effect to
-    /// record, unless a passage changes.
+    /// Returns a time up to which every packet that begins reaches the other end at the present speed, without an
+    /// effect to record. A change of a device on the path ends this period.
     Time steady_until(Time now) const;
 
 private:
@@ -85,8 +88,8 @@ private:
         Time steady_until(Time now) const;
     };
 
-    std::int64_t bits_per_second_; ///< without faults
-    std::deque<Each> faults_;      ///< a deque, since references to the effects must stay valid
+    std::int64_t bits_per_second_; ///< speed without faults
+    std::deque<Each> faults_;      ///< a deque, because references to the effects must stay valid
     std::vector<SwitchPath*> passages_;
 };
 

@@ -10,35 +10,37 @@
 
 namespace placedpar::hardware {
 
-/// Stands for a time that never comes.
+/// A time that never comes.
 inline constexpr Time never = Time::max();
 
-/// The packets of a link's two directions, and their times. In each direction bytes and their acknowledges take turns.
-/// A packet is asked for at the time `due` and begins when its wire is free. LinkState says what follows from that.
+/// The packets of a link's two directions, with their times. In each direction bytes and their acknowledges alternate.
+/// A packet is requested at the time `due`, and begins when its wire is free. LinkState defines the consequences.
 struct LinkPackets {
-    /// One direction at the time `now`: the part of a message that is under way, and the next packet.
+    /// One direction at the time `now`: the current part of a message, and the next packet.
     struct Stream {
         std::uint32_t bytes_left = 0; ///< bytes of the part that have not begun
-        bool acknowledge = false;     ///< the next packet is the acknowledge of the last byte begun; else the next byte
-        Time last_start{};            ///< when the last byte began
-        Time due = never;             ///< when the next packet is asked for; never: no packet is
-        Time start_before{};          ///< when the byte before the last one began
+        bool acknowledge = false;     ///< true: the next packet is the acknowledge of the last byte that began; false:
+                                      ///< the next byte
+        Time last_start{};            ///< start of the last byte that began
+        Time due = never;             ///< time at which the next packet is requested; never: there is no next packet
+        Time start_before{};          ///< start of the byte before the last one that began
         bool flows() const { return due != never; }
-        /// Whether the next packet is the last byte of the part, or the acknowledge of that byte.
+        /// Returns whether the next packet is the last byte of the part, or the acknowledge of this byte.
         bool ends_part() const { return bytes_left == std::uint32_t{!acknowledge}; }
     };
 
     Time now{};
     std::array<Stream, 2> streams;
-    std::array<Time, 2> free_at{}; ///< wire number i carries the bytes of direction i, and is free from then on
+    std::array<Time, 2> free_at{}; ///< time at which each wire becomes free; wire i carries the bytes of direction i
 
     std::size_t wire_of(std::size_t direction) const { return direction ^ std::size_t{streams[direction].acknowledge}; }
-    /// Returns when the direction's next packet begins, if no other packet takes its wire earlier.
+    /// Returns the start of the direction's next packet, unless another packet takes its wire earlier.
     Time begin_of_next(std::size_t direction) const {
         return std::max(streams[direction].due, free_at[wire_of(direction)]);
     }
-    /// Begins the direction's next packet now, and times its answer: the acknowledge of a byte, the byte after an
-    /// acknowledge. It has no branch, since the host processor cannot predict whether the packet is a byte.
+    /// Begins the direction's next packet now, and schedules its answer: a byte is answered by its acknowledge, an
+    /// acknowledge by the next byte. Has no branch, because the host processor cannot predict whether the packet is a
+    /// byte.
     void begin(const PacketTimes& times, std::size_t direction) {
         Stream& stream = streams[direction];
         const bool acknowledge = stream.acknowledge;

@@ -6,9 +6,9 @@ namespace {
 
 constexpr std::size_t none = 2;
 
-/// Returns the direction whose packet begins next; none if the limit stops it. If both directions want one wire, the
-/// acknowledge goes first, as in comes_before() of link_state.cpp. Simultaneous packets on different wires do not
-/// affect each other.
+/// Returns the direction whose packet begins next, or `none` if the limit excludes this packet. If both directions need
+/// the same wire, the acknowledge goes first, as in comes_before() of link_state.cpp. Simultaneous packets on different
+/// wires do not affect each other.
 std::size_t next_within(const LinkPackets& packets, const LinkLimit& limit) {
     Time begins[] = {packets.begin_of_next(0), packets.begin_of_next(1)};
     bool first = begins[0] < begins[1] || (begins[0] == begins[1] && packets.streams[0].acknowledge);
@@ -18,7 +18,7 @@ std::size_t next_within(const LinkPackets& packets, const LinkLimit& limit) {
     return begins[direction] >= limit.before || stops ? none : direction;
 }
 
-/// Lets the next packet begin, and returns its direction; none if the limit stops it.
+/// Begins the next packet and returns its direction, or returns `none` if the limit excludes the packet.
 std::size_t begin_next(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) {
     std::size_t direction = next_within(packets, limit);
     if (direction != none) {
@@ -28,7 +28,8 @@ std::size_t begin_next(LinkPackets& packets, const PacketTimes& times, const Lin
     return direction;
 }
 
-/// Returns when the last byte of a part began, the earlier of two; never if no last byte has begun.
+/// Returns the start of a part's last byte; the earlier one if both directions have begun their last bytes. Returns
+/// `never` if no last byte has begun.
 Time end_of_a_part(const LinkPackets& packets) {
     Time end = never;
     for (const LinkPackets::Stream& stream : packets.streams)
@@ -37,8 +38,8 @@ Time end_of_a_part(const LinkPackets& packets) {
     return end;
 }
 
-/// Whether the packets after `now` repeat those after `then`. REQUIRES: the direction that is not `other` began a byte
-/// at both times.
+/// Returns whether the packets after `now` repeat the packets after `then`. REQUIRES: the direction opposite to `other`
+/// began a byte at both times.
 bool is_in_phase(const LinkPackets& now, const LinkPackets& then, std::size_t other) {
     auto ahead = [](Time moment, Time of) { return std::max(moment - of, Time{0}); };
     const LinkPackets::Stream &stream = now.streams[other], &before = then.streams[other];
@@ -47,10 +48,10 @@ bool is_in_phase(const LinkPackets& now, const LinkPackets& then, std::size_t ot
            ahead(now.free_at[other], now.now) == ahead(then.free_at[other], then.now);
 }
 
-/// Whether the packet that has just begun in this direction is the last byte of a part.
+/// Returns whether the last packet of this direction was the last byte of a part.
 bool has_begun_last_byte(const LinkPackets::Stream& stream) { return stream.acknowledge && stream.bytes_left == 0; }
 
-/// Lets all packets within the limit begin, up to the last byte of a part.
+/// Begins all packets within the limit, up to the last byte of a part.
 void run_each(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) {
     for (std::size_t next; (next = begin_next(packets, times, limit)) != none;)
         if (has_begun_last_byte(packets.streams[next]))
@@ -68,7 +69,7 @@ void LinkPeriod::replay(LinkPackets& packets, const PacketTimes& times, const Li
     run_each(packets, times, limit);
 }
 
-/// The packets are compared with those of one earlier time. A new time is noted after 1, 2, 4, 8 ... bytes, so that a
+/// Compares the packets with those of one noted earlier time. A new time is noted after 1, 2, 4, 8 ... bytes, so a
 /// period of any length is found.
 bool LinkPeriod::find(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) {
     since = never;
@@ -96,7 +97,7 @@ bool LinkPeriod::find(LinkPackets& packets, const PacketTimes& times, const Link
     return any;
 }
 
-/// Notes the period between the two. If it is short, it is known from its first occurrence on.
+/// Stores the period between `then` and `now`. A short period is known from its first occurrence on.
 void LinkPeriod::begin(const LinkPackets& then, const LinkPackets& now) {
     length = now.now - then.now;
     first = length <= longest_simple ? then : now;
@@ -112,7 +113,8 @@ void LinkPeriod::begin(const LinkPackets& then, const LinkPackets& now) {
 }
 
 void LinkPeriod::pass_periods(LinkPackets& packets, Time before) const {
-    // None where the last byte of a part has begun: of its bytes none is left, so that the bound is negative.
+    // If the last byte of a part has begun, no byte of the part is left. The bound is then negative, and no period is
+    // passed.
     std::int64_t periods = (before - packets.now - Time{1}) / length;
     for (std::size_t i : {0u, 1u})
         if (std::uint32_t bytes = paces[i].bytes_a_period)
@@ -128,7 +130,7 @@ void LinkPeriod::pass_periods(LinkPackets& packets, Time before) const {
             stream.due += by;
         if (std::uint32_t bytes = paces[i].bytes_a_period) {
             stream.bytes_left -= static_cast<std::uint32_t>(periods) * bytes;
-            // One that began before the first period may have done so at another distance.
+            // A byte that began before the first period may have begun at another distance.
             bool extrapolated = stream.last_start < since && length <= longest_simple;
             stream.last_start = by + (extrapolated ? since + Time{paces[i].last_start} : stream.last_start);
             stream.start_before += by;

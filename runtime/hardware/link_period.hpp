@@ -10,50 +10,52 @@
 
 namespace placedpar::hardware {
 
-/// How far packets may run by themselves. The acknowledge of the last byte of a part always stops them.
+/// A limit for packets that are computed together. The acknowledge of the last byte of a part is always beyond the
+/// limit.
 struct LinkLimit {
-    Time before = never;          ///< packets that begin at this time or later stay
-    bool last_bytes_stop = false; ///< the last byte of a part stays, too
+    Time before = never;          ///< packets that begin at or after this time are beyond the limit
+    bool last_bytes_stop = false; ///< the last byte of a part is beyond the limit, too
 };
 
-/// After a few bytes the two directions of a link repeat themselves: each packet of one begins at the same distance
-/// from the packets of the other. From there on whole periods are passed at once, so that a long message costs what a
-/// short one does.
+/// The period of a link's packets. After a few bytes the packets of the two directions repeat: each packet of one
+/// direction begins at the same distance from the packets of the other. From then on whole periods are skipped at once.
+/// So a long message costs as much host time as a short one.
 ///
-/// The first members share a line of the cache, since they are read most.
+/// The most frequently read members come first, so that they share a cache line.
 struct alignas(64) LinkPeriod {
     Time since = never; ///< start of the first period; never: no period is known
-    Time until{};       ///< bytes_left() holds until then: the last byte of a part, or the end of what was run ahead
-    Time length{};      ///< of one period
-    /// One direction at the time `since`. Its times count from `since`, in picoseconds.
+    Time until{};       ///< end of the time for which bytes_left() is valid: the last byte of a part, or the end of the
+                        ///< computed packets
+    Time length{};      ///< length of one period
+    /// One direction at the time `since`. Its times are relative to `since`, in picoseconds.
     struct Pace {
         std::uint32_t bytes_left = 0, bytes_a_period = 0;
         std::int32_t last_start = 0, start_before = 0;
     };
     std::array<Pace, 2> paces;
-    std::array<std::uint32_t, 2> part_bytes{}; ///< lengths of the parts under way: a copy, for bytes_begun_before()
+    std::array<std::uint32_t, 2> part_bytes{}; ///< lengths of the current parts, copied for bytes_begun_before()
     LinkPackets first;                         ///< the packets at the time `since`
 
-    /// Lets all packets within the limit begin, up to the last byte of a part, and notes the period in which they
-    /// repeat. Returns whether any packet has begun.
+    /// Begins all packets within the limit, up to the last byte of a part. Stores the period with which they repeat.
+    /// Returns whether any packet has begun.
     bool find(LinkPackets&, const PacketTimes&, const LinkLimit&);
     void forget() { since = never; }
 
-    /// Lets packets begin once more that find() ran before, up to a limit that is not beyond that of find().
+    /// Begins again the packets that find() began, up to a limit that is not beyond the limit of find().
     void replay(LinkPackets&, const PacketTimes&, const LinkLimit&) const;
-    /// Passes as many whole periods as end before that time and before the last byte of a part. REQUIRES: packets.now
-    /// is within the period that is known.
+    /// Skips as many whole periods as end before `before` and before the last byte of a part. REQUIRES: packets.now is
+    /// within the known period.
     void pass_periods(LinkPackets&, Time before) const;
-    /// Whether bytes_left() may be asked for this time and for the picosecond before.
+    /// Returns whether bytes_left() is valid for this time and for the picosecond before.
     bool is_simple_around(Time moment) const { return since < moment && moment < until; }
-    /// Returns how many bytes a direction has not begun at that time. It has no branch, since the host processor cannot
+    /// Returns how many bytes a direction has not begun at `moment`. Has no branch, because the host processor cannot
     /// predict the outcome. REQUIRES: since <= moment < until.
     std::uint32_t bytes_left(std::size_t direction, Time moment) const {
         const Pace& pace = paces[direction];
         std::int64_t periods = (moment - since - Time{pace.last_start}) / length;
         bool one_more = since + Time{pace.start_before} + (periods + 1) * length <= moment;
         return pace.bytes_left - static_cast<std::uint32_t>(periods) * pace.bytes_a_period -
-               (std::uint32_t{one_more} & (pace.bytes_a_period >> 1)); // of two
+               (std::uint32_t{one_more} & (pace.bytes_a_period >> 1)); // only for two bytes a period
     }
 
 private:

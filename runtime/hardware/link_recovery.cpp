@@ -1,4 +1,4 @@
-// What happens when a byte or an acknowledge is lost, and when a process gives up a message.
+// These functions handle lost bytes and acknowledges, and messages that a process gives up.
 
 #include "runtime/channel.hpp"
 #include "runtime/hardware/link.hpp"
@@ -12,14 +12,15 @@ namespace placedpar::hardware {
 using Phase = LinkState::Phase;
 using Ends = LinkState::Ends;
 
-/// A byte of a message that the other end has given up gets no further, whatever the faults do, and is not counted.
+/// Returns whether the packet is lost. Asks the faults, unless the other end has given up the message: its bytes never
+/// arrive, and are not counted as lost.
 bool LinkDirection::is_lost(LinkStep step) {
     using Message = FaultEffect::Hit::Message;
     const bool acknowledge = step == LinkStep::acknowledge_begins;
     if (!acknowledge && state().directions[number_].ends != Ends::agree)
         return false;
     const AnyChannel::PacketPayload payload = channel_ ? channel_->payload() : AnyChannel::PacketPayload{};
-    const std::string& own_name = channel_ ? channel_->name() : name_; // no channel: bytes are moved by counts
+    const std::string& own_name = channel_ ? channel_->name() : name_; // without a channel, bytes are moved by counts
     FaultEffect::Hit hit{kernel_.now(), payload.channel ? payload.channel->name() : own_name, acknowledge,
                          bytes_before_part_ + bytes_started() + std::uint64_t{!acknowledge}};
     if (payload.channel)
@@ -27,8 +28,7 @@ bool LinkDirection::is_lost(LinkStep step) {
     return faults_->strike(hit, acknowledge != (number_ == 0));
 }
 
-/// Whether the message under way gets no further: a packet is lost, or the receiver has left before the next byte was
-/// sent.
+/// Returns whether the current message is stuck: a packet is lost, or the receiver left before the next byte was sent.
 bool LinkDirection::gets_no_further() const {
     const Phase now = phase();
     return now == Phase::byte_lost || now == Phase::acknowledge_lost ||
@@ -47,8 +47,8 @@ bool LinkDirection::input_must_be_reset(const AnyChannel&) const {
     return state().directions[number_].ends == Ends::sender_left;
 }
 
-/// Returns how many bytes of the message under way the receiving end has. A byte for which no process has asked counts
-/// once the whole of it has arrived.
+/// Returns how many bytes of the current message the receiving end has. A byte that no process has asked for counts
+/// when the whole byte has arrived.
 std::uint64_t LinkDirection::bytes_taken() const {
     const LinkState::Direction& direction = state().directions[number_];
     const LinkPackets::Stream& stream = state().packets.streams[number_];
@@ -70,8 +70,8 @@ std::uint64_t LinkDirection::bytes_acknowledged() const {
     return bytes_before_part_ + bytes_started() - std::uint64_t{state().is_unacknowledged(number_)};
 }
 
-/// Drops the arrivals of the part under way. The last byte of the part before may still be on a long wire; its receiver
-/// waits for it, so that its arrival stays.
+/// Drops the expected arrivals of the current part. The last byte of the previous part may still be on a long wire. Its
+/// arrival is kept, because its receiver waits for it.
 void LinkDirection::break_off(LinkCourse::Touch& touch) {
     touch->drop_first_byte(number_);
     const bool last_byte_has_begun = bytes_started() > 0 && touch->packets.streams[number_].bytes_left == 0;
@@ -79,7 +79,7 @@ void LinkDirection::break_off(LinkCourse::Touch& touch) {
         touch->drop_last_byte(number_);
 }
 
-/// Lets the sender stop in the middle of its message, if it is in one.
+/// Stops the sender in the middle of its message. Does nothing to a message if none is being sent.
 void LinkDirection::drop_output(LinkCourse::Touch& touch) {
     LinkState::Direction& direction = touch->directions[number_];
     if (channel_->output_waits()) {
@@ -107,13 +107,13 @@ bool LinkDirection::give_up_output(AnyChannel& channel) {
         sender = std::exchange(sender_, nullptr);
     }
     if (writer_)
-        writer_->register_ready(); // its program may sleep until the register is free
+        writer_->register_ready(); // the program may sleep until the register is free
     else if (sender)
         kernel_.make_ready(*sender);
     return true;
 }
 
-/// Takes the receiving end out of its message. If the sender is in one, that message gets no further.
+/// Takes the receiving end out of its message. The sender's current message cannot continue.
 void LinkDirection::receiver_leaves(LinkCourse::Touch& touch) {
     LinkState::Direction& direction = touch->directions[number_];
     const bool in_message = bytes_taken() > 0;

@@ -11,7 +11,8 @@ constexpr std::uint8_t order_of(EventQueue::Priority priority, std::size_t rank)
     return static_cast<std::uint8_t>(priority * LinkState::ranks + rank);
 }
 
-/// Where a direction's requests for wires, and the end of a packet on its own wire, stand among simultaneous steps.
+/// The order of a direction's steps among simultaneous steps: its requests for wires, and the end of a packet on its
+/// own wire.
 struct Orders {
     std::uint8_t acknowledge_asks, byte_asks, wire_is_free;
 };
@@ -20,7 +21,7 @@ constexpr std::array<Orders, 2> orders{{
     {order_of(EventQueue::request, 5), order_of(EventQueue::start, 5), order_of(EventQueue::start, 4)},
 }};
 
-/// What an entry of LinkState::arrivals is.
+/// The meaning of an entry of LinkState::arrivals.
 struct Arrival {
     LinkStep step;
     std::uint8_t direction, order;
@@ -38,8 +39,8 @@ constexpr std::array<Arrival, LinkState::most_arrivals> kinds_of_arrivals{{
     {LinkStep::falls_silent, 1, order_of(EventQueue::arrival, 4)},
 }};
 
-/// If two packets wait for one wire, the acknowledge goes first. next_within() in link_period.cpp follows the same rule
-/// for packets that run by themselves.
+/// Returns whether step a comes before step b. If two packets wait for the same wire, the acknowledge goes first.
+/// next_within() in link_period.cpp follows the same rule.
 bool comes_before(const LinkState::Next& a, const LinkState::Next& b) {
     if (a.at != b.at) [[likely]]
         return a.at < b.at;
@@ -77,7 +78,7 @@ LinkState::Next LinkState::next() const {
     return next;
 }
 
-/// The loop has no branches, since the host processor cannot predict the outcome.
+/// Has no branches in its loop, because the host processor cannot predict the outcome.
 std::size_t LinkState::first_arrival() const {
     Time earliest = arrivals[0];
     std::size_t first = 0;
@@ -110,8 +111,8 @@ LinkState::Outcome LinkState::perform(const Next& next, const PacketTimes& times
     return {};
 }
 
-/// A first byte whose receiver waits is noticed before it has arrived. If nothing can be lost, its arrival then changes
-/// nothing, and is not expected.
+/// Begins a byte. A first byte whose receiver waits is noticed before the whole byte has arrived. If packets cannot be
+/// lost, this arrival then changes nothing and is left out.
 LinkState::Outcome LinkState::begin_byte(std::size_t d, const PacketTimes& times, Fate fate) {
     Direction& direction = directions[d];
     LinkPackets::Stream& stream = packets.streams[d];
@@ -155,7 +156,8 @@ LinkState::Outcome LinkState::begin_acknowledge(std::size_t d, const PacketTimes
     return {.delivers = delivers};
 }
 
-/// The receiver has the part already if the acknowledge has begun, as it must have when the next part is under way.
+/// Handles the arrival of a part's last byte. If the acknowledge of this byte has begun, the part was handed over then.
+/// This is always so if the next part has begun.
 LinkState::Outcome LinkState::last_byte_arrives(std::size_t d) {
     Direction& direction = directions[d];
     const LinkPackets::Stream& stream = packets.streams[d];
@@ -198,7 +200,8 @@ Time LinkState::may_start(std::size_t d) const {
     return phase == Phase::travels && !stream.acknowledge ? stream.due : stream.last_start;
 }
 
-/// A packet that waited for its wire leaves the end of the packet that it waited for: the link is busy until then.
+/// Withdraws the next packet. If it waited for its wire, keeps the end of the packet ahead of it as an arrival, because
+/// the link is busy until then.
 void LinkState::stop(std::size_t d, Phase phase) {
     directions[d].at = may_start(d);
     directions[d].phase = phase;

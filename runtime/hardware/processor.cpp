@@ -13,8 +13,8 @@ namespace placedpar::hardware {
 
 namespace {
 
-/// Returns occam's costs, plus the calls of the program's communication library, plus the cost of words in this memory.
-/// A word that is copied is read and written.
+/// Returns the costs of occam's operations, plus the calls of the program's communication library, plus the accesses to
+/// words in this memory. A word that is copied is read and written.
 OperationCosts costs_with(Cycles channel_call, const Memory& memory) {
     OperationCosts costs = instructions::t800;
     costs.copied_word = 2 * memory.access;
@@ -93,7 +93,7 @@ void Processor::make_ready(Process& p) {
     } else if (turn_.scheduled() && current_->priority() == Priority::low) {
         if (p.priority() == Priority::high) {
             preempt();
-        } else { // the current one may have had no rival so far: now its timeslice counts
+        } else { // from now on the current process has a rival, so its timeslice matters
             settle();
             schedule_end();
         }
@@ -110,7 +110,7 @@ void Processor::leave(Process& p, Process* successor) {
         make_ready(*successor);
 }
 
-/// Runs the successor in the place of the current process.
+/// Runs the successor in place of the current process.
 void Processor::go_on(Process& successor) {
     current_ = &successor;
     if (successor.priority() == Priority::low && !high_.empty())
@@ -165,14 +165,14 @@ bool Processor::begin_computing(Process& self, Cycles cycles, const CodeShape& h
     return false;
 }
 
-/// Returns the end of the first timeslice period at which the current process has run for a whole period.
+/// Returns the first end of a timeslice period at which the current process has run for a whole period.
 Time Processor::end_of_slice() const {
     Time rounded_up = later(later(dispatched_at_, timeslice), timeslice - Time{1});
     return rounded_up == Time::max() ? rounded_up : rounded_up / timeslice * timeslice;
 }
 
-/// Returns the next descheduling point after the end of the slice, as far as links leave the process the memory. Points
-/// are counted back from the end of the work, which is one, too.
+/// Returns the next descheduling point after the end of the slice. Busy links may make it later. Points are counted
+/// back from the end of the work, which is itself a descheduling point.
 Time Processor::next_point_after_slice() const {
     Time over = std::max(end_of_slice(), kernel_.now());
     Time left = later(kernel_.now(), work_left(*current_)) - over;
@@ -195,7 +195,7 @@ void Processor::take_turn() {
     schedule_end();
 }
 
-/// Schedules the end of the work. Busy links make the end later; settle() finds by how much when the event comes.
+/// Schedules the end of the work. Busy links make the end later; settle() computes the delay when the event happens.
 void Processor::schedule_end() {
     Time end = std::min(later(kernel_.now(), work_left(*current_)), halts_at_);
     if (has_low_rivals())
@@ -220,7 +220,7 @@ void Processor::stop_turn() {
 
 bool Processor::has_low_rivals() const { return current_->priority() == Priority::low && !low_.empty(); }
 
-/// Whether the process of low priority, which has work left, must give way to a rival now.
+/// Returns whether a low-priority process that has work left must give way to a rival now.
 bool Processor::gives_way() const { return has_low_rivals() && next_point_after_slice() == kernel_.now(); }
 
 void Processor::note_computing(const Process& process) const {
@@ -250,13 +250,13 @@ void Processor::end_turn() {
     }
 }
 
-/// Interrupts a process of low priority for one of high priority that waits in the queue.
+/// Interrupts a low-priority process. The first high-priority process of the queue runs instead.
 void Processor::preempt() {
     if (turn_.scheduled())
         stop_turn();
     preempted_ = std::exchange(current_, nullptr);
     Process* high = high_.pop_front();
-    Time rest = work_left(*preempted_) % duration(grain(*preempted_).instruction); // of the instruction
+    Time rest = work_left(*preempted_) % duration(grain(*preempted_).instruction); // rest of the current instruction
     work_left(*preempted_) -= rest;
     work_left(*high) = later(work_left(*high), rest + duration(instructions::preemption));
     current_ = high;

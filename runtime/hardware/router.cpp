@@ -46,7 +46,7 @@ void Router::Port::post(const RouterPacket& packet) {
         router_.kernel_.make_ready(sender_);
 }
 
-/// REQUIRES: a packet waits.
+/// Returns the next packet to send. REQUIRES: a packet waits.
 RouterPacket Router::Port::take_turn() {
     auto turn = std::move(turns_.front());
     turns_.pop_front();
@@ -78,7 +78,8 @@ bool Router::Port::halted() const { return router_.executive_ && router_.executi
 
 bool Router::Port::stands_still() const { return out_.output_is_lost() || halted() || opposite_->halted(); }
 
-/// A packet has crossed the link even if only the acknowledge of its end was lost.
+/// Returns whether a packet of the route is here. If only the acknowledge of its last byte was lost, the packet itself
+/// has crossed the link.
 bool Router::Port::holds_packet_of(const Route& route) const {
     bool has_got_over = on_link_ && !out_.output_waits();
     return (being_sent_ == &route && !has_got_over) ||
@@ -193,7 +194,7 @@ void Route::arrived(const RouterPacket& packet) {
     }
 }
 
-/// Takes a packet for the inputting process. The last packet completes its message.
+/// Takes a packet for the inputting process. The last packet of a message completes the message.
 void Route::take(const RouterPacket& packet) {
     if (packet.last) {
         channel_->hand_over();

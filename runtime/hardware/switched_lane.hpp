@@ -12,19 +12,19 @@ namespace placedpar::hardware {
 
 class LinkDirection;
 
-/// One engine of a processor's link that a switch connects with different partners, one after another. It carries one
-/// message at a time, and keeps the channel of that message.
+/// One engine of a processor's link. A switch connects it with different partners, one after another. It carries one
+/// message at a time, and stores the channel of this message.
 struct SharedEngine {
-    std::string name; ///< of the link, for messages
+    std::string name; ///< name of the link in error messages
     const AnyChannel* channel = nullptr;
 };
 
-/// A direction of a link through a switch that is set during the run, so that other links share the engines at its
-/// ends. Throws std::logic_error if a process uses an engine that is still in a message of another channel. On the real
-/// machine these would be one channel, with one process at each end.
+/// A direction of a link through a switch. The switch is set during the run, so other links share the engines at the
+/// ends of this link. Throws std::logic_error if a process uses an engine while it carries a message of another
+/// channel. On the real machine these channels would be one channel, with one process at each end.
 class SwitchedLane final : public Carrier {
 public:
-    /// REQUIRES: its arguments outlive it.
+    /// REQUIRES: the arguments outlive the lane.
     SwitchedLane(Kernel&, LinkDirection& direction, SharedEngine& sender, SharedEngine& receiver)
         : direction_(direction), sender_(sender), receiver_(receiver) {}
 

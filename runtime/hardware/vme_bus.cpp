@@ -21,8 +21,8 @@ void require_place(const VmeBus& bus, const std::string& name, const VmePlace& p
                                            "{} and {}",
                                            bus.name(), levels - 1, slots, name, place.level, place.slot));
     if (bus.arbitration() == Arbitration::single_level && place.level != levels - 1)
-        throw std::logic_error(fmt::format("bus {}: an arbiter of a single level knows BR3 only; {} has {}", bus.name(),
-                                           name, place.level));
+        throw std::logic_error(fmt::format("bus {}: an arbiter of a single level only knows BR3; {} has BR{}",
+                                           bus.name(), name, place.level));
 }
 
 } // namespace
@@ -31,7 +31,9 @@ VmeBus::VmeBus(Kernel& kernel, std::string name, Arbitration arbitration, const 
     : kernel_(kernel), name_(std::move(name)), arbitration_(arbitration), timing_(timing),
       first_rank_(kernel.new_ranks(2)) {
     if (timing.word <= Time{0} || timing.byte <= Time{0} || timing.time_out <= Time{0} || timing.arbitration < Time{0})
-        throw std::logic_error("bus " + name_ + ": its words, bytes and time-out take time, its arbitration may");
+        throw std::logic_error(
+            "bus " + name_ +
+            ": the times of a word, a byte and the time-out must be positive, the time of arbitration not negative");
 }
 
 void VmeBus::attach(VmeMaster& master) {
@@ -55,7 +57,7 @@ void VmeBus::asked_by(VmeMaster& master) {
     end_block_after(std::min(words_moved() + 1, holder_->blocks_.front()->words));
 }
 
-/// Returns how many words of the block under way have been moved.
+/// Returns how many words of the current block have been moved.
 std::uint64_t VmeBus::words_moved() const {
     return static_cast<std::uint64_t>((kernel_.now() - block_began_) / holder_->blocks_.front()->each);
 }
@@ -65,7 +67,7 @@ void VmeBus::end_block_after(std::uint64_t words) {
     kernel_.future().schedule(end_block_, later(block_began_, all), EventQueue::arrival, first_rank_);
 }
 
-/// Whether the holder gives up the bus after the present word.
+/// Returns whether the holder gives up the bus after the current word.
 bool VmeBus::must_yield() const {
     return std::ranges::any_of(masters_, [&](const VmeMaster* other) {
         if (other == holder_ || !other->asks_)
@@ -98,7 +100,7 @@ bool VmeBus::is_nearer(const VmeMaster& master, const VmeMaster& than) const {
     return std::pair(turn_of(master), master.place().slot) < std::pair(turn_of(than), than.place().slot);
 }
 
-/// Returns the master's place in the order of turns; 0 goes first.
+/// Returns the position of the master's request level in the order of turns; position 0 goes first.
 int VmeBus::turn_of(const VmeMaster& master) const {
     int first = arbitration_ == Arbitration::round_robin ? last_level_ - 1 : levels - 1;
     return (first - master.place().level + levels) % levels;
@@ -111,7 +113,7 @@ void VmeBus::grant(VmeMaster& master) {
     move_block();
 }
 
-/// Moves the holder's first block, until another master must have the bus.
+/// Moves the holder's first block. The block ends early if another master must get the bus.
 void VmeBus::move_block() {
     VmeMaster::Block& block = *holder_->blocks_.front();
     block_began_ = kernel_.now();

@@ -19,16 +19,17 @@ namespace placedpar::hardware {
 
 class VmeMaster;
 
-/// Determines which of the requesting masters gets a VMEbus. `priority` (PRI): the highest request level. `round_robin`
-/// (RRS): the levels take turns, downwards from the one below that which had the bus last. `single_level` (SGL): there
-/// is only BR3. Within a level the grant is passed from slot to slot: the lowest one that asks keeps it (VMEbus
-/// specification).
+/// The rule by which one of the requesting masters gets a VMEbus. `priority` (PRI): the highest request level.
+/// `round_robin` (RRS): the levels take turns in descending order, beginning below the level that had the bus last.
+/// `single_level` (SGL): there is only BR3. Within a level the grant is passed from slot to slot, and the requesting
+/// master in the lowest slot keeps it (VMEbus specification).
 enum class Arbitration { priority, round_robin, single_level };
 
-/// When a master gives up the bus: `when_done` (RWD) after each block of words, `on_request` (ROR) when another asks.
+/// The time at which a master gives up the bus: `when_done` (RWD) after each block of words, `on_request` (ROR) when
+/// another master requests the bus.
 enum class Release { when_done, on_request };
 
-/// How long things take on a VMEbus.
+/// The times of a VMEbus.
 struct VmeTiming {
     Time word = std::chrono::nanoseconds{310};        ///< D32 with ordinary memory, published (textbook figure)
     Time byte = std::chrono::nanoseconds{310};        ///< ours: a register is as fast as ordinary memory
@@ -42,41 +43,43 @@ public:
     virtual ~BusSlave() = default;
     virtual const std::string& bus_name() const = 0;
 
-    /// A period in which the slave does not respond, like a board that was removed from its slot.
+    /// A period in which the slave does not respond, as if its board were removed from its slot.
     struct Absence {
         Time from, until;
-        std::uint64_t unanswered = 0; ///< accesses
+        std::uint64_t unanswered = 0; ///< number of accesses without response
     };
-    /// Adds a period without response. The returned reference is valid as long as the slave exists. REQUIRES: before
-    /// the run.
+    /// Adds a period without response. The returned reference is valid as long as the slave exists. REQUIRES: the run
+    /// has not begun.
     const Absence& leave(Time from, Time until) { return absences_.emplace_back(Absence{from, until}); }
-    /// Begins an access; returns whether the slave responds.
+    /// Begins an access. Returns whether the slave responds.
     bool answer(Time now);
 
 private:
     std::deque<Absence> absences_;
 };
 
-/// Thrown when no slave responds: the bus timer has ended the cycle.
+/// Thrown if no slave responds and the bus timer ends the cycle.
 class BusError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// A VMEbus: its masters request it, one of them has it, and it moves words for the processes that the master executes.
+/// A VMEbus. Its masters request the bus, and one of them gets it. The bus then moves words for the processes of this
+/// master.
 ///
-/// 1. The arbiter decides `arbitration` after the bus was asked for or given up, among all who ask then.
-/// 2. A word that is being moved is moved to its end. After it a master that releases on request gives the bus up if
-///    another asks for it; one that releases when done does so if a higher level asks for it and the arbitration is PRI
-///    (BCLR). The rest of its block waits for its next turn.
-/// 3. A master that releases on request keeps the bus until another master asks for it, and needs no arbitration
-///    meanwhile.
-/// 4. The words of a block follow each other without a break; one event covers the block until a request arrives that
-///    the holder must yield to. A request at the end of a word waits for the next word.
+/// 1. The arbiter decides `arbitration` after the bus was requested or given up. It decides among all masters that then
+/// request the bus.
+/// 2. A word is always moved to its end. After it, the master may have to give up the bus: with Release::on_request, if
+/// any other master requests it; with Release::when_done, only if a higher level requests it and the arbitration is PRI
+/// (BCLR). The rest of the block waits for the master's next turn.
+/// 3. A master with Release::on_request keeps the bus until another master requests it. Meanwhile it needs no
+/// arbitration.
+/// 4. The words of a block follow each other without a break. One event covers the block until a request arrives to
+/// which the holder must yield. A request at the end of a word waits for the next word.
 class VmeBus {
 public:
-    /// Throws std::logic_error unless the times of a word, a byte and the time-out are positive and that of the
-    /// arbitration is not negative.
+    /// Throws std::logic_error unless the times of a word, a byte and the time-out are positive, and the time of the
+    /// arbitration is at least 0.
     VmeBus(Kernel&, std::string name, Arbitration = Arbitration::priority, const VmeTiming& = {});
     VmeBus(const VmeBus&) = delete;
     VmeBus& operator=(const VmeBus&) = delete;
@@ -86,7 +89,7 @@ public:
     const VmeTiming& timing() const { return timing_; }
     const std::vector<VmeMaster*>& masters() const { return masters_; }
 
-    /// Returns how long the bus has moved words so far, accesses without a response included.
+    /// Returns how long the bus has moved words so far, including accesses without a response.
     Time time_busy() const;
 
 private:
@@ -121,36 +124,38 @@ private:
     std::uint64_t first_rank_;
     std::vector<VmeMaster*> masters_;
     VmeMaster* holder_ = nullptr;
-    int last_level_ = 0; ///< level of the last master on the bus
-    Time block_began_{}; ///< when the current words began
-    Time busy_{};        ///< total time of earlier words
+    int last_level_ = 0; ///< level of the master that had the bus last
+    Time block_began_{}; ///< start of the current block
+    Time busy_{};        ///< total time of earlier blocks
     StepEvent<&VmeBus::arbitrate> arbitrate_{*this};
     StepEvent<&VmeBus::end_block> end_block_{*this};
 };
 
-/// A master's place on a bus.
+/// A master's position on a bus.
 struct VmePlace {
-    int level = 3; ///< of BR0 to BR3
+    int level = 3; ///< request level, BR0 to BR3
     int slot = 1;  ///< the daisy chain begins at slot 1
     Release release = Release::when_done;
 };
 
-/// Costs of programmed input and output to a master's program, in addition to the bus's time, in cycles of the
-/// executive's clock.
+/// The costs of programmed input and output for a master's program, in cycles of the executive's clock. The bus's time
+/// comes in addition.
 struct BusProgram {
-    Cycles byte_access{};         ///< to a register
-    Cycles read_word{};           ///< of memory
-    Cycles write_word{};          ///<
-    bool in_blocks = false;       ///< words of memory are moved by one instruction, without the program between them
-    Cycles interrupt{};           ///< from an interrupt to the process that it wakes
-    std::int64_t most_polls = 32; ///< unsuccessful reads of a status register before the program waits for an interrupt
+    Cycles byte_access{};         ///< access to a register
+    Cycles read_word{};           ///< reading a word of memory
+    Cycles write_word{};          ///< writing a word of memory
+    bool in_blocks = false;       ///< one instruction moves all words of a block
+    Cycles interrupt{};           ///< time from an interrupt to the process that it wakes
+    std::int64_t most_polls = 32; ///< largest number of unsuccessful reads of a status register; then the program waits
+                                  ///< for an interrupt
 };
 
-/// A requester: it requests the bus for the processes of one executive, one after another.
+/// A requester. It requests the bus for the processes of one executive, one after another.
 class VmeMaster {
 public:
-    /// REQUIRES: the bus outlives it. Throws std::logic_error for a level or slot that does not exist (0 to 3, 1 to
-    /// 21), a slot that another master has, and a level other than 3 on a bus of a single level.
+    /// REQUIRES: the bus outlives the master. Throws std::logic_error for a level outside 0 to 3 and for a slot outside
+    /// 1 to 21. Throws it also if the slot belongs to another master, or if the level is not 3 on a bus with a single
+    /// level.
     VmeMaster(Kernel&, std::string name, VmeBus&, const VmePlace& = {}, const BusProgram& = {});
     VmeMaster(const VmeMaster&) = delete;
     VmeMaster& operator=(const VmeMaster&) = delete;
@@ -160,19 +165,19 @@ public:
     const VmePlace& place() const { return place_; }
     const BusProgram& program() const { return program_; }
 
-    /// Moves the given number of words for the running process, or accesses a register once. The process keeps its
-    /// executive, which stands still meanwhile. Throws BusError if no slave responds. REQUIRES: words > 0.
+    /// Move words for the running process, or access a register once. The process keeps its executive, which stands
+    /// still meanwhile. Throw BusError if no slave responds. REQUIRES: words > 0.
     void move_words(BusSlave&, std::uint64_t words);
     void access_byte(BusSlave&);
-    /// Holds the bus for this time in one cycle that cannot be interrupted, like a device that does not release it.
+    /// Holds the bus for a time in one cycle, which cannot be interrupted, like a device that does not release the bus.
     void hold(Time);
-    /// Holds the bus until a time. If the bus is granted later than that, it is given up at once.
+    /// Holds the bus until a time. If the bus is granted later than that, gives it up at once.
     void hold_until(Time);
 
     std::uint64_t words_moved() const { return words_moved_; }
     std::uint64_t bytes_accessed() const { return bytes_accessed_; }
     std::uint64_t bus_errors() const { return bus_errors_; }
-    /// Return how often the bus was granted, and the total and the longest wait for it.
+    /// Return how often the bus was granted, the total time and the longest time of waiting for it.
     std::uint64_t grants() const { return grants_; }
     Time time_waited() const { return waited_; }
     Time longest_wait() const { return longest_wait_; }
@@ -180,12 +185,12 @@ public:
 private:
     friend class VmeBus;
 
-    /// A block of words for which a process waits.
+    /// A block of words, for which a process waits.
     struct Block {
         Process& process;
         std::uint64_t words;
         Time each;
-        Time until{}; ///< end of the current single word, if its end is still to come
+        Time until{}; ///< end of the current single word, if it is not over
         bool done = false;
     };
     void move(std::uint64_t words, Time each, Time until = {});
@@ -198,7 +203,7 @@ private:
     VmeBus& bus_;
     VmePlace place_;
     BusProgram program_;
-    std::string waiting_track_; ///< of a trace
+    std::string waiting_track_; ///< name of the track in a trace
     std::deque<Block*> blocks_;
     bool asks_ = false;
     Time asked_at_{};

@@ -13,21 +13,21 @@ class Kernel;
 
 namespace placedpar::hardware {
 
-/// The processor of a host computer on a bus. It runs one process at a time until that process waits; ready processes
-/// of high priority run first. The cost of communication in its operating system was not measured. Channels, PAR, ALT
-/// and timers therefore take no time on it; computing does, and programmed input and output over the bus.
+/// The processor of a host computer on a bus. It runs one process until the process waits; then it takes the next ready
+/// process, high priority first. The cost of communication in its operating system was not measured. So channels, PAR,
+/// ALT and timers take no time on it. Computing takes time, and so does programmed input and output over the bus.
 class Workstation final : public Executive {
 public:
-    /// A Sun 3/280's 68020 (data sheet).
+    /// The clock frequency of a Sun 3/280's 68020 in Hz (data sheet).
     static constexpr std::int64_t sun_3_clock = 25'000'000;
-    /// Tick of its clocks at both priorities, as in a 50 Hz Unix.
+    /// The tick of the clocks at both priorities, as in a 50 Hz Unix.
     static constexpr Time clock_tick = std::chrono::milliseconds{20};
 
     /// Throws std::logic_error unless clock_hz > 0.
     Workstation(Kernel&, std::string name, std::int64_t clock_hz = sun_3_clock);
 
     std::int64_t clock_hz() const { return clock_hz_; }
-    /// Returns how long the workstation has computed so far, without waiting for the bus.
+    /// Returns how long the workstation has computed so far, without waits for the bus.
     Time time_busy() const;
 
     Time tick(Priority) const override { return clock_tick; }

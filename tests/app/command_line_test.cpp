@@ -71,21 +71,21 @@ Outcome outcome_of(std::function<void()> what) {
 
 } // namespace
 
-TEST_CASE("what a user can cause is reported with exit code 1") {
+TEST_CASE("an error that a user can cause has exit code 1") {
     CHECK(outcome_of([] { throw UserError("no such record"); }) == Outcome{1, "placedpar: no such record\n"});
     CHECK(outcome_of([] { throw RefusedInput("a.cfs:1:1: error\n"); }) == Outcome{1, "a.cfs:1:1: error\n"});
 }
 
-TEST_CASE("what the system refuses is no defect") {
+TEST_CASE("an error of the operating system is not reported as a defect") {
     CHECK(outcome_of([] { throw std::bad_alloc(); }) == Outcome{1, "placedpar: there is not enough memory\n"});
     Outcome refused = outcome_of([] { static_cast<void>(std::filesystem::file_size("/no/such/file")); });
     CHECK(refused.code == 1);
     CHECK(refused.said.find("No such file or directory") != std::string::npos);
 }
 
-TEST_CASE("any other exception is a defect, with an exit code of its own and the wish that it be reported") {
+TEST_CASE("any other exception is reported as a defect, with exit code 70 and a request to report it") {
     Outcome defect{70, "placedpar: defect of PlacedPar: a link in a knot\n"
-                       "please report it, with the command and the files that it was given\n"};
+                       "please report it, with the command and its input files\n"};
     CHECK(outcome_of([] { throw std::logic_error("a link in a knot"); }) == defect);
     CHECK(outcome_of([] { throw std::invalid_argument("a link in a knot"); }) == defect);
     CHECK(outcome_of([] { throw std::runtime_error("a link in a knot"); }) == defect);
@@ -104,27 +104,27 @@ Outcome outcome_of_program(std::string program, std::string command, const std::
 
 } // namespace
 
-TEST_CASE("a program with kinds of its own goes by its own name") {
+TEST_CASE("a program with its own kinds uses its own name in messages") {
     CHECK(outcome_of_program("some/where/farmer", "frobnicate", "own.barn") ==
           Outcome{1, "farmer: unknown command \"frobnicate\"; farmer --help lists the commands\n"});
     CHECK(outcome_of_program("farmer", "kinds", "own.farm") == Outcome{0, ""});
     CHECK(program_name() == "farmer");
 }
 
-TEST_CASE("a device of one's own has a name that a netlist can use") {
+TEST_CASE("a program's own device with a name that no netlist can use is refused") {
     char program[] = "farmer", command[] = "kinds";
     char* arguments[] = {program, command};
     Listener listener;
     CHECK(run_program(2, arguments, {}, {}, {},
                       {{.name = "ring", .noun = "a ring", .about = "", .models = {{"place"}}}}) == 1);
-    CHECK(listener.said() == "farmer: this program adds a device \"place\", which no netlist could declare: its name "
-                             "must be one word that is not reserved\n");
+    CHECK(listener.said() == "farmer: this program adds a device \"place\", but no netlist can use this name: choose "
+                             "one word that is not reserved\n");
 }
 
-TEST_CASE("a kind of one's own cannot take a name that is taken") {
+TEST_CASE("a program's own kind with an existing name is refused") {
     CHECK(outcome_of_program("farmer", "kinds", "csp.identity") ==
-          Outcome{1, "farmer: this program adds a process kind \"csp.identity\", but that name is taken: give the "
-                     "process kind another, such as \"own.identity\"\n"});
+          Outcome{1, "farmer: this program adds a process kind \"csp.identity\", but the name is taken: choose "
+                     "another name, such as \"own.identity\"\n"});
 }
 
 namespace {
@@ -138,12 +138,11 @@ struct OtherRastrigin {
 
 } // namespace
 
-TEST_CASE("nor a search problem") {
+TEST_CASE("a program's own search problem with an existing name is refused") {
     char program[] = "farmer", command[] = "kinds";
     char* arguments[] = {program, command};
     Listener listener;
     CHECK(run_program(2, arguments, {}, {minimised<OtherRastrigin>()}) == 1);
-    CHECK(listener.said() ==
-          "farmer: this program adds a search problem \"rastrigin\", but that name is taken: give the "
-          "search problem another, such as \"own.rastrigin\"\n");
+    CHECK(listener.said() == "farmer: this program adds a search problem \"rastrigin\", but the name is taken: choose "
+                             "another name, such as \"own.rastrigin\"\n");
 }

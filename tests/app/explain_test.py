@@ -251,7 +251,7 @@ class Explain(unittest.TestCase):
 
     def test_a_flag_is_shown_as_it_is_typed(self):
         run = subprocess.run([PROGRAM, "explain", "--help"], capture_output=True, text=True, check=True)
-        self.assertRegex(run.stdout, r"(?m)^  --no-what-if +does not try out")
+        self.assertRegex(run.stdout, r"(?m)^  --no-what-if +leaves out the runs")
 
     def test_waveforms_have_no_path(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -298,7 +298,7 @@ class Explain(unittest.TestCase):
         for netlist, options, ending in ((deadlock, (), "deadlock"),
                                          (FIGURE_E2, ("--until", "1ms"), "stopped at the time limit")):
             run, document = explained(netlist, *options)
-            why = f"runs are compared by when their work is done, and this one did not complete ({ending})"
+            why = f"a comparison needs the time at which the work is done, but this run did not complete ({ending})"
             self.assertIn(f"\nwhat if: no change was tried: {why}\n", run.stdout)
             self.assertEqual(document["not_tried"], why)
             run, document = explained(netlist, "--no-what-if", *options)

@@ -70,8 +70,8 @@ class Files(unittest.TestCase):
         for arguments, reason in ((["--json", netlist], "the output file is also the input"),
                                   (["--trace", self.folder / ".." / self.folder.name / "link.json"], "the output file is also the input"),
                                   (["--json", self.folder / "link.json"], "the output file is also the input"),
-                                  (["--json", both, "--trace", self.folder / "." / "both.json"], "written twice"),
-                                  (["--json", ""], "it takes a name"), (["--trace", ""], "it takes a name")):
+                                  (["--json", both, "--trace", self.folder / "." / "both.json"], "two outputs have the same file name"),
+                                  (["--json", ""], "the name is empty; expected a file name"), (["--trace", ""], "the name is empty; expected a file name")):
             run = placedpar("run", netlist, *arguments)
             self.assertEqual(run.returncode, 1, arguments)
             self.assertIn(reason, run.stderr)
@@ -114,7 +114,7 @@ class Files(unittest.TestCase):
             run = placedpar(*arguments, "")
             self.assertEqual(run.returncode, 1, arguments)
             what = arguments[-1] if arguments[-1].startswith("-") else "FILE"
-            self.assertIn(f"{what}: it takes a name", run.stderr)
+            self.assertIn(f"{what}: the name is empty; expected a file name", run.stderr)
 
     def test_a_symbolic_link_stays_one_and_leads_to_what_was_written(self):
         (self.folder / "there").mkdir()
@@ -177,7 +177,7 @@ class Files(unittest.TestCase):
             run = subprocess.run([PROGRAM, "run", str(COMMSTIME), "--json", str(path)], stdout=out,
                                  stderr=subprocess.PIPE, text=True, timeout=60, check=False)
         self.assertEqual(run.returncode, 1)
-        self.assertIn("standard output goes there", run.stderr)
+        self.assertIn("standard output is written to the same file", run.stderr)
 
     def test_a_run_beyond_the_end_of_virtual_time_says_so_and_writes_nothing(self):
         netlist = self.folder / "long.cfs"

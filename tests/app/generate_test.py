@@ -51,7 +51,7 @@ class Generate(unittest.TestCase):
         for host in ("node", "workstation"):
             run = placedpar("generate", "ring", "--size", "2048", "--host", host)
             self.assertEqual(run.returncode, 1)
-            self.assertIn("ring of size 2048: its channels pass through so many processors", run.stderr)
+            self.assertIn("ring of size 2048: its channels pass through too many processors", run.stderr)
 
     def test_a_refusal_ends_with_1_and_writes_nothing(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -158,7 +158,7 @@ class Movements(unittest.TestCase):
                        ["--on", EXAMPLES / "thesis/table-e1" / "cluster.cfs"]):
             run = placedpar("identify", STEP, *option)
             self.assertEqual(run.returncode, 1)
-            self.assertIn("needs --way thesis", run.stderr)
+            self.assertIn("works only with --way thesis", run.stderr)
 
     def test_an_offset_is_told_and_can_be_taken_off(self):
         for taken_off, left in ((0, -0.01), (-0.01, 0)):
@@ -187,7 +187,7 @@ class Movements(unittest.TestCase):
         nothing = subprocess.run([PROGRAM, "identify", "-"], stdin=subprocess.DEVNULL, capture_output=True, text=True,
                                  timeout=SECONDS)
         self.assertEqual(nothing.returncode, 1)
-        self.assertIn("<standard input>: error: there is nothing on standard input", nothing.stderr)
+        self.assertIn("<standard input>: error: standard input is empty or closed", nothing.stderr)
 
     def test_a_pipe_that_gives_nothing_more_can_be_interrupted(self):
         with subprocess.Popen(f"cat {STEP}; exec sleep 60", shell=True, stdout=subprocess.PIPE) as logger:

@@ -82,7 +82,7 @@ class Identification(unittest.TestCase):
 
     def test_a_leak_that_passes_for_an_offset_is_flagged(self):
         leak = self.record("excavator", "--set", "fault.leak=0.0028", "--set", "fault.leak_start=0.192")
-        self.assertRegex(self.boom(leak)["flags"][0]["text"], r"^an offset of \+0\.004\d in was found: a leak looks the same")
+        self.assertRegex(self.boom(leak)["flags"][0]["text"], r"^the calibration found an offset of \+0\.004\d in, but a leak looks the same")
         self.assertNotIn("leak", self.identify(leak, "--offset", 0.0045))
 
     def test_angles_that_are_radians_are_uncertain(self):
@@ -193,17 +193,17 @@ class Identification(unittest.TestCase):
             result = self.result(STEP, "--on", CLUSTER, *way)
             self.assertEqual(result["by_processes"], result["estimates"][-1]["compliance"], way)
         printed = self.identify(STEP, "--on", CLUSTER, "--set", "slaves=1")
-        self.assertRegex(printed, r"(?m)^C_BOi: 0\.00(\d+) in\^3/psi natively, 0\.00\1 by the processes: the same$")
+        self.assertRegex(printed, r"(?m)^C_BOi: 0\.00(\d+) in\^3/psi by the direct search, 0\.00\1 by the netlist's processes: equal$")
 
     def test_a_netlist_that_fixes_a_setting_otherwise_is_refused_with_its_place(self):
         text = CLUSTER.read_text(encoding="utf-8").replace('"../', f'"{EXAMPLES}/thesis/')
         fixed = self.file("fixed.cfs", text.replace("elite = elite,", "elite = elite, trials = 4,"))
         said = self.refused(STEP, "--on", fixed).splitlines()
-        self.assertRegex(said[0], r'fixed\.cfs:\d+:\d+: error: trials = 4 for "master", but identify searches with 5$')
+        self.assertRegex(said[0], r'fixed\.cfs:\d+:\d+: error: trials = 4 in the netlist for "master", but identify searches with 5$')
         self.assertEqual(said[2].strip(), "^")
         self.assertTrue(said[1][len(said[2]) - 1:].startswith("trials = 4"), said)
-        self.assertIn("the same\n", self.identify(STEP, "--on", fixed, "--trials", 4))
-        self.assertIn('population = 60 for "master", but identify searches with 120',
+        self.assertIn("equal\n", self.identify(STEP, "--on", fixed, "--trials", 4))
+        self.assertIn('population = 60 in the netlist for "master", but identify searches with 120',
                       self.refused(STEP, "--on", CLUSTER, "--set", "population=60"))
         self.assertIn("samples = 15", self.refused(STEP, "--on", CLUSTER, "--set", "samples=15"))
         self.assertIn("processes search, expected one", self.refused(STEP, "--on", FIGURE_E2))
@@ -218,11 +218,11 @@ class Identification(unittest.TestCase):
             place host on sun; place master on t;""")
         run = by_thesis(STEP, "--population", 20, "--on", other)
         self.assertEqual(run.returncode, 3, run.stderr)
-        self.assertTrue(run.stdout.endswith("by the processes: not the same\n"))
+        self.assertTrue(run.stdout.endswith("by the netlist's processes: different\n"))
 
     def test_processes_that_cannot_search_as_natively_are_refused(self):
         gap = self.rows(lambda row: None if 0.39 < float(row[0]) < 0.45 else row)
-        self.assertIn("processes know no gaps. --samples", self.refused(gap, "--on", CLUSTER))
+        self.assertIn("which the netlist's processes cannot handle; --samples", self.refused(gap, "--on", CLUSTER))
 
     # Refusals
 
@@ -274,7 +274,7 @@ class Identification(unittest.TestCase):
     def test_help_names_every_choice(self):
         said = placedpar("identify", "--help").stdout
         for words in ("service|thesis|whole=service", "auto|none|INCHES", "areas|spool|servo", "6..52", "refuse|skip=refuse",
-                      "search over the first transient, as chapter 3"):
+                      "search over the first transient, as in chapter 3"):
             self.assertIn(words, said)
         self.assertNotRegex(said, re.compile(r"TEXT|UINT|FLOAT"))
 

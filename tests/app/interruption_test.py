@@ -80,8 +80,8 @@ class Interruption(unittest.TestCase):
                 self.assertEqual(os.listdir(folder), [])
 
     def test_an_interrupted_study_says_what_is_kept_of_it(self):
-        for kept, said in (([], "hint: with --resume FILE the runs that ended are kept\n"),
-                           (["--resume", "kept"], "the runs that ended are in kept: the same command goes on from them\n")):
+        for kept, said in (([], "hint: --resume FILE keeps the finished runs\n"),
+                           (["--resume", "kept"], "kept keeps the finished runs: type the same command again to continue\n")):
             with tempfile.TemporaryDirectory() as folder:
                 with subprocess.Popen([PROGRAM, "replay", "pga-4", "--seeds", "100000", "--yes", *kept], cwd=folder,
                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:

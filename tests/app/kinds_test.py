@@ -140,7 +140,8 @@ class Kinds(unittest.TestCase):
 
     def test_what_problems_are_about_stands_in_one_column(self):
         lines = said("problems").splitlines()[1:]
-        alone = ["  plant(a1 = 0.5, from = 200, lasts = 200, noise = 0, c1 = 0, c2 = 0, generations = 601, per_sample = 3, simulated = 0)",
+        alone = ["  coefficients(form = 2, bias = 10, samples = 30, noise = 0, record = 1)",
+                 "  plant(a1 = 0.5, from = 200, lasts = 200, noise = 0, c1 = 0, c2 = 0, generations = 601, per_sample = 3, simulated = 0)",
                  "  quartic(dimensions = 30, bits = 8, noise = 1, seed = 1)"]
         self.assertEqual([line.rstrip() for line in lines if line.rstrip() in alone], alone)
         for line in lines:
@@ -248,7 +249,7 @@ class OtherNames(unittest.TestCase):
 
     def test_a_shell_that_is_not_known(self):
         said = refusal("completion", "fish")
-        self.assertIn('there is nothing for the shell "fish": it is one of bash, zsh', said)
+        self.assertIn('no completion for the shell "fish"; expected bash or zsh', said)
         self.assertNotIn("words", said)
 
     def test_what_is_near_to_nothing_is_told_where_to_look(self):

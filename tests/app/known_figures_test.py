@@ -42,7 +42,7 @@ class KnownFigures(unittest.TestCase):
     def test_another_setting_is_one_of_all_cells(self):
         self.assertIn("a cell of the first table misses its tolerance",
                       self.sweep("0.095", "a.clock=10M", "--results", "slower.sqlite", code=3))
-        self.assertIn('a.clock has several values, and the study\'s table "as it was measured" takes one',
+        self.assertIn('a.clock was given several values, but the study\'s table "as it was measured" takes one value',
                       self.sweep("0.095", "a.clock=10M,20M", code=1))
 
 

@@ -33,7 +33,7 @@ TEST_CASE("a curve by hand") {
                                     });
 }
 
-TEST_CASE("a curve before the first generation, and one that is level") {
+TEST_CASE("the curve is drawn before the first generation, and if it is level") {
     GenerationLog log({"east"});
     CHECK(state_of(log).empty());
     CHECK(live_curve(log, 40, 3) == std::vector<std::string>(6));
@@ -58,7 +58,7 @@ TEST_CASE("a curve of many generations fits its columns and shows the last") {
     CHECK(state_of(log) == "generation 1000: best 1000, mean 0, diversity 0.5000, between 0.2500");
 }
 
-TEST_CASE("a curve leaves out objectives that are no finite number") {
+TEST_CASE("a curve leaves out objectives that are not finite") {
     GenerationLog log({"east"});
     test::tell(log, "east", 1, {worst_fitness, worst_fitness}, std::nullopt, Goal::maximise);
     test::tell(log, "east", 2, {worst_fitness, 2}, std::nullopt, Goal::maximise);

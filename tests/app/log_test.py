@@ -123,13 +123,13 @@ class Log(unittest.TestCase):
                                      (["--convergence", path], "no process of .* searches"),
                                      (["--watch"], "no process of .* searches"),
                                      (["--seeds", "0"], "at least 1"), (["--seeds", "-1"], "not a whole number"),
-                                     (["--seeds", "2", "--trace", f"{path}.json"], "a timeline is of one run"),
+                                     (["--seeds", "2", "--trace", f"{path}.json"], "a timeline shows one run"),
                                      (["--log", self.folder / "nowhere" / "log.csv"], "nowhere")):
             run = placedpar("run", COMMSTIME, *arguments)
             self.assertEqual((run.returncode, run.stdout), (1, ""), arguments)
             self.assertRegex(run.stderr, complaint)
         self.assertEqual(os.listdir(self.folder), [])
-        self.assertIn("written twice", placedpar("run", CLUSTER, "--log", path, "--json", path).stderr)
+        self.assertIn("two outputs have the same file name", placedpar("run", CLUSTER, "--log", path, "--json", path).stderr)
 
     def test_a_run_that_is_stopped_logs_what_was(self):
         _, rows = self.logged(FIGURE_E2, "--until", "300ms")

@@ -17,7 +17,7 @@ class ManySeeds(unittest.TestCase):
                     refused = placedpar(*words, "--seeds", seeds, folder=folder)
                     self.assertEqual((refused.returncode, refused.stdout), (1, ""), words)
                     self.assertRegex(refused.stderr, said, words)
-                    self.assertIn("--yes begins with them", refused.stderr, words)
+                    self.assertIn("add --yes to start them", refused.stderr, words)
 
     def test_a_few_are_not(self):
         self.assertEqual(placedpar("run", NETLIST, "--seeds", "3").returncode, 0)

@@ -270,7 +270,7 @@ class TheSame(Optimise):
             time.sleep(0.5)
             process.send_signal(signal.SIGINT)
             said = process.communicate(timeout=60)[1]
-        self.assertIn("the same command goes on from them", said)
+        self.assertIn("type the same command again to continue", said)
         self.assertEqual(process.returncode, 130)
 
     def test_interrupted_when_the_best_is_known_it_says_what_it_is(self):
@@ -291,7 +291,7 @@ class TheSame(Optimise):
                     told += chunk
         os.close(outer)
         self.assertEqual(process.returncode, 130)
-        self.assertIn(b"the same command goes on from them", told)
+        self.assertIn(b"type the same command again to continue", told)
         self.assertNotIn("on the critical path", said)
         self.assertIn("a=1", best_line(said))
         self.assertTrue((self.folder / "long.csv").exists())
@@ -313,12 +313,12 @@ class TheSame(Optimise):
 
 class Refused(Optimise):
     def test_what_is_no_search(self):
-        self.refuses('netlist = "small.cfs"\n[set]\nwires = "1..2"\n', "it has no table [search]")
+        self.refuses('netlist = "small.cfs"\n[set]\nwires = "1..2"\n', "the study has no table [search]")
         self.assertIn("a table [search]", self.optimise("small.cfs", code=1))
         self.refuses('netlist = "small.cfs"\n[search]\nminimise = []\n', "minimises one measure or two", "refused.toml:2:1")
         self.refuses('netlist = "small.cfs"\n[search]\nminimise = ["time", "links", "processors"]\n',
                      "minimises one measure or two")
-        self.refuses('netlist = "small.cfs"\n[search]\nminimize = "time"\n', 'a search has no "minimize"',
+        self.refuses('netlist = "small.cfs"\n[search]\nminimize = "time"\n', 'a search has no key "minimize"',
                      'did you mean "minimise"?')
         self.refuses(STUDY.format(minimise='"time"') + "[search]\n", "search")
         self.refuses(STUDY.format(minimise='"time"').replace("[search]", "[[search]]"), "a study has one search")
@@ -349,7 +349,7 @@ class Refused(Optimise):
         self.assertIn("wires=4", best_line(self.optimise(self.small('"still.time"'))))
 
     def test_a_measure_that_is_to_be_minimised_twice(self):
-        self.refuses(STUDY.format(minimise='["time", "time"]'), "refused.toml:4:12", '"time" is to be minimised twice')
+        self.refuses(STUDY.format(minimise='["time", "time"]'), "refused.toml:4:12", '"time" is named twice in minimise')
 
     def test_a_name_that_the_netlist_does_not_have(self):
         self.refuses(STUDY.format(minimise='"time"').replace("wires", "wirs"), "wirs", "wires")
@@ -358,12 +358,12 @@ class Refused(Optimise):
         self.refuses(STUDY.format(minimise='"time"').replace("[search]", 'where = "wires > 9"\n[search]'),
                      "no combination satisfies the study's condition")
         self.refuses(STUDY.format(minimise='"time"').replace("1..8", "3").replace("[100000, 200000, 300000]", "100000"),
-                     "no setting of the study has several values")
+                     "the search has nothing to choose")
         self.refuses(STUDY.format(minimise='"time"') + "[[also]]\nset = {wires = 2}\n", "[[also]]")
 
     def test_more_machines_than_can_be_counted_before_any_is_run(self):
         self.refuses(STUDY.format(minimise='"time"') + 'a.clock = "1..100000000000000"\nb.clock = "1..100000000000000"\n',
-                     "more runs than can be counted")
+                     "too many runs to count")
         self.assertFalse((self.folder / "refused.sqlite").exists())
 
     def test_nothing_is_written_over_what_is_read_or_kept(self):
@@ -388,7 +388,7 @@ class Refused(Optimise):
 
     def test_very_many_runs_are_begun_only_if_they_are_meant(self):
         text = STUDY.format(minimise='"time"').replace("[100000, 200000, 300000]", '"1..100000"')
-        self.refuses(text, "up to 800,000 runs of about ", " on 2 cores; --yes begins with them",
+        self.refuses(text, "up to 800,000 runs of about ", " on 2 cores; add --yes to start them",
                      arguments=["--exhaustive", "--jobs", 2])
         self.refuses(text.replace("population = 12", "population = 2000"), "up to 13,000 runs")
         self.refuses("seeds = 1000\n" + text, "up to 78,000 runs", name="seeds.toml")

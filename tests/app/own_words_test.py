@@ -39,7 +39,7 @@ class OwnWords(unittest.TestCase):
             for name, value in options_with_one_value(command):
                 run = placedpar(command, name, value, name, value, folder=self.folder)
                 self.assertEqual(run.returncode, 1, (command, name, run.stdout))
-                self.assertIn(f"{name} is given 2 times ({value}, {value}), and takes one value", run.stderr,
+                self.assertIn(f"{name} takes one value, but was given 2 times ({value}, {value})", run.stderr,
                               (command, name))
                 tried += 1
         self.assertGreater(tried, 60)

@@ -200,16 +200,16 @@ class Pages(unittest.TestCase):
     def test_a_part_after_the_run_is_empty_and_says_so(self):
         for begin, empty in (("1s", True), ("9.54ms", True), ("9.53ms", False), ("0s", False)):
             run, _ = self.page(COMMSTIME, "--trace-from", begin)
-            said = f"{self.folder / 'run.html'}: the page's timelines are empty: the run was over at 9.540000 ms, and the part that is wanted begins at "
+            said = f"{self.folder / 'run.html'}: the timelines of the page are empty: the run ended at 9.540000 ms, before the begin of the trace at "
             self.assertEqual(run.stderr.startswith(said), empty)
             self.assertTrue(empty or not run.stderr)
 
     def test_what_is_refused(self):
         for options, message in [(("--page", self.folder / "nowhere" / "run.html"), "nowhere"),
-                                 (("--page", self.folder / "run.html", "--seeds", "2"), "a page is of one run"),
+                                 (("--page", self.folder / "run.html", "--seeds", "2"), "a page shows one run"),
                                  (("--page", COMMSTIME), str(COMMSTIME)),
                                  (("--page", self.folder / "run.html", "--trace-from", "2ms", "--trace-until", "1ms"),
-                                  "give it a later end"),
+                                  "choose a later end"),
                                  (("--trace-from", "1ms"), "--trace or --page")]:
             run = placedpar("run", COMMSTIME, *options)
             self.assertEqual(run.returncode, 1)

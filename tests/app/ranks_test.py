@@ -104,7 +104,7 @@ class Ranks(InFolder):
                 time.sleep(0.01)
             os.kill(ranks_of(mpirun)[1], signal.SIGTERM)
             errors = self.finish(mpirun, code=130)
-        self.assertIn("the same command goes on from them", errors)
+        self.assertIn("type the same command again to continue", errors)
         self.assertTrue(100 < self.kept("left") < 120, self.kept("left")) # the other ranks continued
         self.finish(self.start(2, *STUDY, "--seeds", 30, "--results", "left"))
         self.assertEqual(len(rows(self.folder / "left")), 120)
@@ -120,7 +120,7 @@ class Ranks(InFolder):
                                                '[set]\nslaves = "0..3"\n', encoding="utf-8")
         for command, what in (("optimise", "best.toml"), ("explain", FIGURE_E2)):
             errors = self.finish(self.start(2, command, what), code=1)
-            self.assertEqual(errors.count(f"{command} works on one machine, on all its cores"), 1, errors)
+            self.assertEqual(errors.count(f"{command} already uses all cores of one machine"), 1, errors)
             self.assertEqual(errors.count("placedpar:"), 1, errors)
         self.assertFalse((self.folder / "best.sqlite").exists())
 
@@ -135,7 +135,7 @@ class Ranks(InFolder):
         command = [MPIRUN, "--oversubscribe", "-n", "2", "sh", "-c", script, "sh", PROGRAM, "sweep", "e2.cfs", "slaves=0..3"]
         run = subprocess.run(command, cwd=self.folder, env=ENVIRONMENT, capture_output=True, text=True, check=False)
         self.assertEqual(run.returncode, 1)
-        self.assertIn("rank 1: its netlist, its options or its PlacedPar are not those of rank 0", run.stderr)
+        self.assertIn("rank 1: its netlist, its options or its version of PlacedPar differ from those of rank 0", run.stderr)
 
 
 class WithoutMpi(InFolder):

@@ -124,7 +124,7 @@ class Set(unittest.TestCase):
 
     def test_the_seed_is_an_option_of_its_own(self):
         for name in ("seed", "master.seed"):
-            self.assertIn("hint: the seed of a run is an option of its own: --seed N\n", self.refused(f"{name}=3"))
+            self.assertIn("hint: set the seed of a run with the option --seed N\n", self.refused(f"{name}=3"))
 
     def test_what_exists_is_said_where_something_does_not(self):
         said = self.refused("linkspede=10M")

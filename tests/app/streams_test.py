@@ -51,7 +51,7 @@ class Streams(unittest.TestCase):
         self.assertTrue(self.fed("time,depth\n1,2\n", "identify", "-").stderr.startswith("<standard input>:1:"))
 
     def test_nothing_on_standard_input_is_no_empty_netlist(self):
-        said = "<standard input>: error: there is nothing on standard input, or it is closed\n"
+        said = "<standard input>: error: standard input is empty or closed\n"
         for command in ("run", "check", "show"):
             run = self.fed("", command, "-")
             self.assertEqual((run.returncode, run.stdout, run.stderr), (1, "", said), command)
@@ -81,13 +81,13 @@ class Streams(unittest.TestCase):
         netlist = self.fed(CLUSTER.read_text(encoding="utf-8"), "identify", RECORD, "--way", "thesis", "--on", "-", "--set", "slaves=1",
                            folder=CLUSTER.parent)
         self.assertEqual(netlist.returncode, 0, netlist.stderr)
-        self.assertIn("by the processes: the same", netlist.stdout)
+        self.assertIn("by the netlist's processes: equal", netlist.stdout)
 
     def test_standard_input_is_one_file(self):
         for arguments in (["identify", "-", "--way", "thesis", "--on", "-"], ["identify", "-", "--machine", "-"]):
             run = self.fed("", *arguments)
             self.assertEqual((run.returncode, run.stderr), (1,
-                "placedpar: standard input is one file: only one of RECORD, --machine and --on can be \"-\"\n"))
+                "placedpar: standard input can be read only once: at most one of RECORD, --machine and --on can be \"-\"\n"))
 
     def test_what_is_written_to_standard_output_stands_there_alone(self):
         plain = placedpar("run", COMMSTIME, "--set", "count=5")
@@ -121,12 +121,12 @@ class Streams(unittest.TestCase):
     def test_standard_output_takes_one_file_and_no_folder(self):
         run = placedpar("run", COMMSTIME, "--json", "-", "--trace", "-")
         self.assertEqual(run.returncode, 1)
-        self.assertEqual(run.stderr, "placedpar: <standard output>: cannot be written: it would be written twice; choose two "
-                                     "names\n")
+        self.assertEqual(run.stderr, "placedpar: <standard output>: cannot be written: two outputs have the same file name; "
+                                     "choose two names\n")
         run = subprocess.run([PROGRAM, "replay", "figure-2-3", "--plots", "-"], stdout=subprocess.PIPE, cwd=self.folder,
                              stderr=subprocess.PIPE, text=True, timeout=60, check=False)
         self.assertEqual((run.returncode, os.listdir(self.folder)), (1, []))
-        self.assertIn("plots are files in a folder", run.stderr)
+        self.assertIn("plots are written as files into a folder", run.stderr)
 
     def test_a_full_disk_behind_standard_output_is_no_success(self):
         with open("/dev/full", "w", encoding="utf-8") as full:

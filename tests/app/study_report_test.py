@@ -80,7 +80,7 @@ class Report(InFolder):
     def test_what_no_run_has_is_refused(self):
         for arguments, message in (
                 (["--measure", "master.T_ex"], 'unknown measure "master.T_ex"; did you mean "master.T_exe"?'),
-                (["--over", "slaves"], "--over says what the plot is drawn over: say also where it is to go")):
+                (["--over", "slaves"], "--over names the horizontal axis of a plot, but no plot was asked for")):
             with self.subTest(arguments=arguments):
                 done = placedpar("report", "figure-e2.sqlite", *arguments, folder=self.folder)
                 self.assertEqual((done.returncode, done.stdout), (1, ""))

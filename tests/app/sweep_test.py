@@ -121,7 +121,7 @@ class Sweep(InFolder):
             process.send_signal(signal.SIGINT)
             output, errors = process.communicate(timeout=20)
         self.assertEqual((process.returncode, output), (130, ""))
-        self.assertIn("the runs that ended are in figure-e2.sqlite: the same command goes on from them", errors)
+        self.assertIn("figure-e2.sqlite keeps the finished runs: type the same command again to continue", errors)
         self.assertGreater(len(rows(self.folder / "figure-e2.sqlite")), 0)
         self.assertEqual(os.listdir(self.folder), ["figure-e2.sqlite"])
 
@@ -156,7 +156,7 @@ class Sweep(InFolder):
         self.assertEqual([line.split()[-1] for line in lines[3:8]], ["processors", "1", "2", "3", "4"])
         report = placedpar("report", "study.toml", "--relative-to", "slaves=1", folder=self.folder).stdout.splitlines()
         self.assertEqual([line.split()[-1] for line in report[5:9]], ["0.5", "1", "1.5", "-"])  # with trials 10 as well
-        self.assertEqual(report[2], "without figures, since no run with these settings is otherwise the same and ended in the same way: 1 run")
+        self.assertEqual(report[2], "no relative figures for lack of a matching run with these settings that ended in the same way: 1 run")
 
     def test_a_run_that_was_stopped_is_not_compared_with_one_that_ended(self):
         self.sweep(COMMSTIME, "count=10,20,1000000000", "--until", "1ms")
@@ -186,7 +186,7 @@ class BadInput(InFolder):
         for measure, about in (("host.accurate_after", "time after which the fittest estimate stays accurate; absent if the last "
                                                        "estimate is not accurate"),
                                ("max(master[0].T_exe)", "one generation: mean over the generations with a full window; absent if there were none")):
-            told = f'placedpar: no run has measured "{measure}": {about}'
+            told = f'placedpar: no run measured "{measure}": {about}'
             self.assertTrue(self.sweep(*too_short, "--measure", measure, code=1).startswith(told))
             reported = placedpar("report", "kept", "--measure", measure, folder=self.folder)
             self.assertEqual((reported.returncode, reported.stdout), (1, ""))
@@ -202,16 +202,16 @@ class BadInput(InFolder):
                 (["slaves=1,2", "--measure", "max(master"], '"max(master" is not a measure'),
                 (["slaves=7..0"], "slaves=7..0: the range is empty"),
                 (["slaves=0..x"], 'slaves=0..x: "x" is not a number; a range is FROM..TO'),
-                (["slaves=0..7..0"], "slaves=0..7..0: the step of a range is more than 0"),
+                (["slaves=0..7..0"], "slaves=0..7..0: the step of a range must be more than 0"),
                 (["slaves=1,,2"], "slaves=1,,2: a value is missing"),
-                (["slaves"], "slaves: a study takes NAME=VALUES"),
-                (["slaves=1", "slaves=2"], "slaves is given values twice"),
-                (["slaves=1", "--results", "."], ".: results are kept in a file"),
-                (["slaves=1", "--results", "no/where"], "no/where: cannot be made: No such file or directory")):
+                (["slaves"], "slaves: expected NAME=VALUES"),
+                (["slaves=1", "slaves=2"], "slaves is set twice"),
+                (["slaves=1", "--results", "."], ".: this is a folder; name a file"),
+                (["slaves=1", "--results", "no/where"], "no/where: the file cannot be created: No such file or directory")):
             with self.subTest(arguments):
                 self.assertIn(message, self.sweep(FIGURE_E2, *arguments, code=1))
         self.assertFalse((self.folder / "figure-e2.sqlite").exists())  # nothing was run
-        self.assertIn("nowhere.sqlite: there is no such file", placedpar("report", "nowhere.cfs").stderr)
+        self.assertIn("nowhere.sqlite: this file does not exist", placedpar("report", "nowhere.cfs").stderr)
 
     def test_equal_values_are_one_however_they_are_spelled(self):
         head = f'netlist = "{FIGURE_E2}"\nmeasure = "processors"\n'
@@ -232,14 +232,14 @@ class BadInput(InFolder):
         self.assertEqual(self.report("study.toml").splitlines()[0], f"{FIGURE_E2}: 6 runs of 6 combinations")
 
     def test_nothing_is_relative_to_what_no_run_has(self):
-        message = "no combination has slaves = 9, so figures cannot be relative to it; they set "
+        message = "no combination has slaves = 9, so figures cannot be relative to it; the runs set "
         self.study(f'netlist = "{FIGURE_E2}"\nrelative_to = {{slaves = 9}}\n[set]\nslaves = "0..2"\n')
         self.assertIn(message, self.sweep("study.toml", code=1))
         self.assertFalse((self.folder / "study.sqlite").exists())  # nothing was run
         self.sweep(FIGURE_E2, "slaves=0,1", "master.trials=5")
         for setting, said in (("slaves=9", message + "slaves, master.trials"),
                               ("slavs=0", "no combination has slavs = 0, "),
-                              ("slaves", "--relative-to slaves: it takes NAME=VALUE, such as --relative-to slaves=3")):
+                              ("slaves", "--relative-to slaves: expected NAME=VALUE, such as --relative-to slaves=3")):
             done = placedpar("report", "figure-e2.cfs", "--relative-to", setting, folder=self.folder)
             self.assertEqual((done.returncode, done.stdout), (1, ""))
             self.assertIn(said, done.stderr)
@@ -248,15 +248,15 @@ class BadInput(InFolder):
 
     def test_a_file_that_is_wrong_is_shown_where(self):
         for text, message in (
-                ('netlist = "a.cfs"\nsed = 3\n', 'study.toml:2:1: error: a study has no "sed"'),
-                ('netlist = "a.cfs"\nseeds = 0\n', "study.toml:2:9: error: it takes a whole number of at least 1"),
+                ('netlist = "a.cfs"\nsed = 3\n', 'study.toml:2:1: error: a study has no key "sed"'),
+                ('netlist = "a.cfs"\nseeds = 0\n', "study.toml:2:9: error: expected a whole number of at least 1"),
                 ('netlist = "a.cfs"\n[set]\nslaves = "3..1"\n', "study.toml:3:10: error: slaves=3..1: the range is empty"),
-                ('netlist = "a.cfs"\nwhere = "slaves <"\n', "study.toml:2:9: error: it cannot be understood: where:1:9: error: "),
-                ("netlist = \n", "study.toml:1:"), ("seeds = 3\n", "it names no netlist"),
+                ('netlist = "a.cfs"\nwhere = "slaves <"\n', "study.toml:2:9: error: the text cannot be read: where:1:9: error: "),
+                ("netlist = \n", "study.toml:1:"), ("seeds = 3\n", "the study names no netlist"),
                 ('netlist = "a.cfs"\nrelative_to = {slaves = 1}\n[search]\nminimise = "time"\n',
-                 "study.toml:2:15: error: a search compares figures as they are"),
+                 "study.toml:2:15: error: a search cannot use relative figures"),
                 ('netlist = "a.cfs"\n[set]\nslaves = "0..2"\nrelative_to = {slaves = 1}\n',
-                 'study.toml:4:15: error: "relative_to" belongs to the whole study, not to this part of it\n    relative_to = {slaves = 1}\n'
+                 'study.toml:4:15: error: "relative_to" belongs to the whole study, not to this table\n    relative_to = {slaves = 1}\n'
                  '                  ^\nhint: move it above [set] and [[also]]\n'),
                 ('netlist = "a.cfs"\n[set]\nslaves = "0..2"\n[set.relative_to]\nslaves = 1\n',
                  'study.toml:4:1: error: "relative_to" belongs to the whole study'),
@@ -265,10 +265,10 @@ class BadInput(InFolder):
                 ('netlist = "a.cfs"\n[[also]]\nset = {slaves = 1, relative_to = {slaves = 1}}\n',
                  'study.toml:3:34: error: "relative_to" belongs to the whole study'),
                 ('netlist = "a.cfs"\n[[also]]\nseeds = 3\n', 'study.toml:3:9: error: "seeds" belongs to the whole study'),
-                ('netlist = "a.cfs"\n[[also]]\nwere = 3\n', 'study.toml:3:1: error: a study has no "were"'),
-                ('netlist = "a.cfs"\nrelative_to = 3\n', "study.toml:2:15: error: it takes a table"),
+                ('netlist = "a.cfs"\n[[also]]\nwere = 3\n', 'study.toml:3:1: error: a study has no key "were"'),
+                ('netlist = "a.cfs"\nrelative_to = 3\n', "study.toml:2:15: error: expected a table"),
                 ('netlist = "a.cfs"\nrelative_to = {slaves = "1..2"}\n',
-                 'study.toml:2:15: error: "slaves" has several values'),
+                 'study.toml:2:15: error: "slaves" has several values here'),
                 ('netlist = "a.cfs"\n[set]\nslaves = []\n', 'study.toml:3:10: error: "slaves" has no values'),
                 ('netlist = "a.cfs"\n[set]\n"a.b" = 1\n[set.a]\nb = 2\n', 'study.toml:5:5: error: "a.b" is set twice')):
             with self.subTest(text):
@@ -280,7 +280,7 @@ class BadInput(InFolder):
 
     def test_a_billion_runs_are_not_begun_unasked(self):
         many = [FIGURE_E2, "slaves=0..3", "--seeds", "250000000"]
-        self.assertRegex(self.sweep(*many, code=1), r"1,000,000,000 runs of about \S+ s, \d+ \w+ on \d+ cores?; --yes begins")
+        self.assertRegex(self.sweep(*many, code=1), r"1,000,000,000 runs of about \S+ s, \d+ \w+ on \d+ cores?; add --yes")
 
     def test_nothing_large_is_run_before_the_question(self):
         # The last combination has 4,000 transputers. One combination in a hundred is refused, as are more than a
@@ -291,9 +291,9 @@ class BadInput(InFolder):
     def test_more_runs_than_can_be_counted_are_refused(self):
         for arguments, message in (
                 (["slaves=0..65535", "linkspeed=1..65536", "population=1..65536", "master.trials=1..65536"],
-                 "the study has more runs than can be counted: all combinations of 4 settings with several values (65536 of slaves,"),
-                (["slaves=0..3", "--seeds", 2 ** 62], "(4 of slaves), each with 4611686018427387904 seeds, are more than"),
-                (["--seed", 2 ** 64 - 1, "--seeds", 2], "cannot take 2 seeds from 18446744073709551615 on")):
+                 "the study has too many runs to count: all combinations of 4 settings with several values (65536 of slaves,"),
+                (["slaves=0..3", "--seeds", 2 ** 62], "(4 of slaves), each run with 4611686018427387904 seeds, are more than"),
+                (["--seed", 2 ** 64 - 1, "--seeds", 2], "2 seeds from 18446744073709551615 on exceed the greatest seed")):
             with self.subTest(arguments):
                 self.assertIn(message, self.sweep(FIGURE_E2, *arguments, "--yes", code=1))
         self.assertEqual(os.listdir(self.folder), [])
@@ -311,23 +311,23 @@ class BadInput(InFolder):
     def test_results_of_another_study_or_version_are_left_alone(self):
         self.sweep(FIGURE_E2, "slaves=1", "--results", "kept")
         before = rows(self.folder / "kept")
-        self.assertIn("kept: its runs are those of", self.sweep(RING, "--results", "kept", code=1))
+        self.assertIn("kept: the file's runs were made from", self.sweep(RING, "--results", "kept", code=1))
         self.assertIn("with other options", self.sweep(FIGURE_E2, "--until", "1ms", "--results", "kept", code=1))
         with opened(self.folder / "kept") as database:
             database.execute("UPDATE study SET version = '0.0.1'")
             renew_checksums(database)
-        self.assertIn("kept: its runs were made by version 0.0.1", self.sweep(FIGURE_E2, "--results", "kept", code=1))
+        self.assertIn("kept: the file's runs were made by version 0.0.1", self.sweep(FIGURE_E2, "--results", "kept", code=1))
         self.assertEqual(rows(self.folder / "kept"), before)
         self.sweep(FIGURE_E2, "--results", "kept", "--any-version")
         self.assertEqual(len(rows(self.folder / "kept")), 2)
         with opened(self.folder / "kept") as database:
             database.execute("PRAGMA user_version = 99")
-        self.assertIn("of a later PlacedPar", self.sweep(FIGURE_E2, "--results", "kept", code=1))
+        self.assertIn("from a later version of PlacedPar", self.sweep(FIGURE_E2, "--results", "kept", code=1))
         with opened(self.folder / "other") as database:
             database.execute("CREATE TABLE t(x)")
         self.assertIn("a database of another program", self.sweep(FIGURE_E2, "--results", "other", code=1))
         self.study("text", "note")
-        self.assertIn("note: it is not a file of results", self.sweep(FIGURE_E2, "--results", "note", code=1))
+        self.assertIn("note: the file is not a results file", self.sweep(FIGURE_E2, "--results", "note", code=1))
         self.assertEqual((self.folder / "note").read_text(encoding="utf-8"), "text")
 
     def test_a_full_disk_loses_nothing(self):
@@ -337,7 +337,7 @@ class BadInput(InFolder):
         done = subprocess.run([PROGRAM, *LONG], cwd=self.folder, capture_output=True, text=True, check=False,
                               preexec_fn=little_room, restore_signals=False) # SIGXFSZ stays ignored, so the error is reported
         self.assertEqual(done.returncode, 1, done.stderr)
-        self.assertIn("the runs that it has are kept, and the same command goes on from them", done.stderr)
+        self.assertIn("its finished runs are kept: type the same command again to continue", done.stderr)
         kept = rows(self.folder / "figure-e2.sqlite")
         self.assertGreater(len(kept), 0)
         self.sweep(*LONG[1:])
@@ -348,7 +348,7 @@ class BadInput(InFolder):
         with subprocess.Popen([PROGRAM, "sweep", str(COMMSTIME), "count=1000000000"], cwd=self.folder,
                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as first:
             wait_until_it_listens(first, signal.SIGINT)
-            self.assertIn("commstime.sqlite: another placedpar sweep or optimise is using it", self.sweep(COMMSTIME, code=1))
+            self.assertIn("commstime.sqlite: another placedpar sweep or optimise is using the file", self.sweep(COMMSTIME, code=1))
             first.send_signal(signal.SIGINT)
 
 
@@ -385,8 +385,8 @@ class Question(InFolder):
 
     def ends_interrupted(self):
         told = self.end(code=130)
-        self.assertTrue(told.endswith(b"\r\ninterrupted; the runs that ended are in figure-e2.sqlite: "
-                                      b"the same command goes on from them\r\n"), told)
+        self.assertTrue(told.endswith(b"\r\ninterrupted; figure-e2.sqlite keeps the finished runs: "
+                                      b"type the same command again to continue\r\n"), told)
 
     def test_no_begins_nothing(self):
         os.write(self.terminal, b"n\n")

@@ -9,6 +9,7 @@ import subprocess
 import tempfile
 import time
 import unittest
+import xml.etree.ElementTree
 
 from program import CLUSTER, EXAMPLES, FIGURE_E2, PROGRAM, fingerprint, placedpar
 from trace_reader import JsonTrace, VcdTrace, measure
@@ -198,7 +199,7 @@ class Traces(unittest.TestCase):
             for option in ("--trace-from", "--trace-until"):
                 run = placedpar("run", COMMSTIME, "--trace", self.folder / "t.json", f"{option}={text}")
                 self.assertEqual(run.returncode, 1, text)
-                self.assertIn(f'"{text}" is not a time: it takes a number and a unit of s, ms, us, ns or ps', run.stderr)
+                self.assertIn(f'"{text}" is not a time: expected a number and one of the units s, ms, us, ns or ps', run.stderr)
         for text, why in (("0.5ps", "finer than a picosecond"), ("1.0000000000001s", "finer than a picosecond"),
                           ("9223373s", "lasts for 106 days"), ("99999999999999999999ps", "lasts for 106 days")):
             run = placedpar("run", COMMSTIME, "--trace", self.folder / "t.json", "--trace-from", text)
@@ -206,7 +207,7 @@ class Traces(unittest.TestCase):
             self.assertIn(why, run.stderr)
         run = placedpar("run", COMMSTIME, "--trace", self.folder / "t.json", "--trace-from", "3ms", "--trace-until", "2ms")
         self.assertEqual(run.returncode, 1)
-        self.assertIn("the trace would end at 2.000000 ms, and begin at 3.000000 ms", run.stderr)
+        self.assertIn("the trace would begin at 3.000000 ms but end at 2.000000 ms", run.stderr)
         run = placedpar("run", COMMSTIME, "--trace-from", "3ms")
         self.assertEqual(run.returncode, 1)
         self.assertIn("--trace", run.stderr)
@@ -214,7 +215,7 @@ class Traces(unittest.TestCase):
 
     def test_a_part_after_the_run_is_empty_and_says_so(self):
         run, report, trace = self.trace(COMMSTIME, "--set", "count=5", "--trace-from", "1s")
-        self.assertIn("the trace is empty: the run was over at ", run.stderr)
+        self.assertIn("the trace is empty: the run ended at ", run.stderr)
         self.assertEqual(sum(len(s) for s in trace.slices.values()), 0)
         self.assertEqual(report["outcome"], "completed")
 
@@ -224,7 +225,7 @@ class Traces(unittest.TestCase):
             run, report, path = self.run_traced(COMMSTIME, "--trace-limit", 1000)
             texts.append(path.read_text(encoding="utf-8"))
             trace = JsonTrace(path)
-            self.assertIn("the trace is full at ", run.stderr)
+            self.assertIn("the trace ends at ", run.stderr)
             self.assertIn("--trace-from and --trace-until", run.stderr)
             entries = sum(len(s) for s in trace.slices.values()) + len(trace.arrows)
             self.assertTrue(1000 <= entries < 1000 + 2 * len(trace.tracks), entries)
@@ -234,7 +235,7 @@ class Traces(unittest.TestCase):
 
     def test_a_long_run_is_limited_without_being_asked(self):
         run, _, path = self.run_traced(COMMSTIME, "--set", "count=150000")
-        self.assertIn("the trace is full at ", run.stderr)
+        self.assertIn("the trace ends at ", run.stderr)
         self.assertIn("2000000 entries", run.stderr)
         self.assertLess(path.stat().st_size, 500_000_000)
 
@@ -242,17 +243,28 @@ class Traces(unittest.TestCase):
         for name in ("trace", "trace.txt", "trace.json.gz", "vcd"):
             run = placedpar("run", COMMSTIME, "--set", "count=5", "--trace", self.folder / name)
             self.assertEqual(run.returncode, 1, name)
-            self.assertIn(".json for ui.perfetto.dev, .vcd for GTKWave", run.stderr)
+            self.assertIn(".json for ui.perfetto.dev, .vcd for GTKWave, or .svg for a drawing", run.stderr)
             self.assertEqual(os.listdir(self.folder), [])
         for name, read in (("a.JSON", JsonTrace), ("a.VCD", VcdTrace)):
             run = placedpar("run", COMMSTIME, "--set", "count=5", "--trace", self.folder / name)
             self.assertEqual(run.returncode, 0, run.stderr)
             read(self.folder / name)
 
+    def test_a_drawing_has_a_row_for_each_process_and_ends_before_it_is_unreadable(self):
+        run, _, path = self.run_traced(CLUSTER, "--trace-until", "40ms", ending="svg")
+        rows = [text.text for text in xml.etree.ElementTree.parse(path).iter("{http://www.w3.org/2000/svg}text")
+                if text.get("class") == "row"]
+        self.assertEqual([row for row in rows if row in ("host", "master", "slave[0]", "slave[1]", "slave[2]")],
+                         ["master", "slave[0]", "slave[1]", "slave[2]", "host"])
+        self.assertEqual(run.stderr, "")
+        run, _, path = self.run_traced(FIGURE_E2, ending="svg")
+        self.assertIn("with 20000 entries", run.stderr)
+        self.assertLess(path.stat().st_size, 2_000_000)
+
     def test_tracing_does_not_change_the_run(self):
         for netlist in (COMMSTIME, CLUSTER, FIGURE_E2, self.netlist(SHARED_LINK)):
             plain = placedpar("run", netlist)
-            for ending in ("json", "vcd"):
+            for ending in ("json", "vcd", "svg"):
                 for part in ([], ["--trace-from", "1ms", "--trace-until", "5ms"]):
                     run, _, _ = self.run_traced(netlist, *part, ending=ending)
                     self.assertEqual(run.stdout, plain.stdout)

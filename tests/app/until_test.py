@@ -29,7 +29,7 @@ class Until(unittest.TestCase):
     def test_it_stops_there_and_says_so(self):
         run, report, trace = self.run_with_files(COMMSTIME, "--until", "1.5ms")
         self.assertTrue(run.stdout.startswith(
-            f"{COMMSTIME}: stopped at the time limit at 1.500000 ms; what follows is of the time until then\n"))
+            f"{COMMSTIME}: stopped at the time limit at 1.500000 ms; the figures below cover the time until then\n"))
         self.assertEqual((report["outcome"], report["time_ps"]), ("stopped at the time limit", 3 * MILLISECOND // 2))
         self.assertEqual(report["manifest"]["until_ps"], 3 * MILLISECOND // 2)
         self.assertEqual((trace.end, trace.why), (report["time_ps"], report["outcome"]))
@@ -86,7 +86,7 @@ class Until(unittest.TestCase):
         for time in ("5", "", "-1ms", "1 fortnight", "1e3", ".ms", "e3us", "0 ms"):
             run = placedpar("run", COMMSTIME, "--until", time)
             self.assertEqual(run.returncode, 1)
-            self.assertIn("is not a time: it takes a number and a unit", run.stderr)
+            self.assertIn("is not a time: expected a number and one of the units", run.stderr)
 
 
 if __name__ == "__main__":

@@ -47,7 +47,7 @@ TEST_CASE("philosophers starve in a circle; with a butler all of them eat") {
     CHECK(starved.result.deadlock->cycle.size() == 10); // each philosopher waits for a fork, which waits for the next
 }
 
-TEST_CASE("so they do at a table of any size") {
+TEST_CASE("with a butler all philosophers eat at a table of any size") {
     for (const char* n : {"2", "3", "4", "6", "7", "12"}) {
         CAPTURE(n);
         CHECK(run_example("csp/philosophers/philosophers.cfs", {{"n", n}}).result.ending == Ending::completed);
@@ -66,7 +66,7 @@ TEST_CASE("the sieve finds the primes up to 100") {
     CHECK(report.measured("sieve[0]", "passed") == 49); // the odd numbers from 3 to 99
 }
 
-TEST_CASE("a sieve with more processes than primes ends too, and one with fewer lets numbers through") {
+TEST_CASE("a sieve with more processes than primes ends, and one with fewer passes numbers on") {
     RunReport more = run_example("csp/sieve/sieve.cfs", {{"last", "10"}, {"primes", "6"}});
     CHECK(more.result.ending == Ending::completed);
     CHECK(more.measured("sieve[3]", "prime") == 7);
@@ -86,7 +86,7 @@ TEST_CASE("the mesh multiplies vectors by its matrix") {
         }
 }
 
-TEST_CASE("a balancer that deals to idle workers is quicker than one that deals in turn, and both do every task") {
+TEST_CASE("dealing tasks to idle workers is faster than in turn, and both do every task") {
     for (int workers : {1, 2, 4}) {
         RunReport idle = run_farm("idle", workers), turn = run_farm("turn", workers);
         double tasks = 0;
@@ -101,7 +101,7 @@ TEST_CASE("a balancer that deals to idle workers is quicker than one that deals 
     CHECK(milliseconds(run_farm("idle", 4)) < milliseconds(run_farm("idle", 1)) / 3.5);
 }
 
-TEST_CASE("a bounded buffer never holds more than it may, and delivers everything in order") {
+TEST_CASE("a bounded buffer respects its capacity and delivers all packets in order") {
     for (int capacity : {1, 5, 10}) {
         RunReport report = run_buffer(capacity);
         CHECK(report.result.ending == Ending::completed);

@@ -217,7 +217,7 @@ void check_combination(std::uint64_t seed, Counts& counts) {
 
 } // namespace
 
-TEST_CASE("random combinations of all policies: the same generations without a machine and on any") {
+TEST_CASE("random combinations of all policies give the same generations without a machine and on any machine") {
     Counts counts;
     for (std::uint64_t seed : test::seeds(test::sanitized ? 4 : 30, 1))
         check_combination(seed, counts);

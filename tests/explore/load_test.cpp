@@ -53,7 +53,7 @@ const char* const header_of_machine = "name,value,unit,mark,source\n";
 
 } // namespace
 
-TEST_CASE("a machine is the excavator but for what its file says, in any unit of the quantity") {
+TEST_CASE("a machine's file replaces constants of the excavator, in any unit of the quantity") {
     const hydraulics::Parameters& excavator = hydraulics::Parameters::excavator();
     CHECK(load_machine("", no_warnings)["boom.inlet_area"] == excavator["boom.inlet_area"]);
     const WrittenFile file(std::string(header_of_machine) + "boom.inlet_area,206.4512,cm^2,measured,data sheet\n");
@@ -63,7 +63,7 @@ TEST_CASE("a machine is the excavator but for what its file says, in any unit of
     CHECK(machine["boom.outlet_area"] == excavator["boom.outlet_area"]);
 }
 
-TEST_CASE("a machine's file is refused with the place of each fault and what would be right") {
+TEST_CASE("a wrong machine's file is refused with the place and remedy of each fault") {
     const std::string said = refusal_from(std::string(header_of_machine) +
                                               "boom.inlet_aera,1,in^2,ours,\nboom.inlet_area,0,in^2,ours,guess\n",
                                           [](const auto& path) { load_machine(path, no_warnings); });
@@ -72,7 +72,7 @@ TEST_CASE("a machine's file is refused with the place of each fault and what wou
     CHECK(said.find(":3:17: error: boom.inlet_area cannot be 0\n") != said.npos);
 }
 
-TEST_CASE("of very many faults twenty are shown, and the others counted") {
+TEST_CASE("of many faults the first twenty are shown and the rest counted") {
     std::string text = header_of_machine;
     for (int i = 0; i < 25; ++i)
         text += "boom.inlet_aera,1,in^2,ours,\n";
@@ -81,10 +81,10 @@ TEST_CASE("of very many faults twenty are shown, and the others counted") {
     for (std::size_t at = 0; (at = said.find(": error: ", at)) != said.npos; ++at)
         ++shown;
     CHECK(shown == most_faults_shown);
-    CHECK(said.ends_with("... 5 further errors not shown\n"));
+    CHECK(said.ends_with("... 5 more errors not shown\n"));
 }
 
-TEST_CASE("a record that can be read is warned of, and its warnings go with it") {
+TEST_CASE("a readable record keeps the warnings about it") {
     std::string rows;
     for (int i = 0; i < 60; ++i)
         rows += fmt::format("{:.2f},{},7\n", 0.02 * i, i);
@@ -97,10 +97,11 @@ TEST_CASE("a record that can be read is warned of, and its warnings go with it")
     CHECK(told.find("boom.mood") != told.npos);
 }
 
-TEST_CASE("a file that is not there, and a netlist without anything in it, are refused") {
+TEST_CASE("a missing file and an empty netlist are refused") {
     CHECK_THROWS_WITH_AS(load_machine("/no/such/file", no_warnings), doctest::Contains("/no/such/file"), RefusedInput);
     const ProblemRegistry problems;
     CHECK(
         refusal_from("/* nothing yet */\n", [&](const auto& path) { load_network(path, {}, problems, no_warnings); }) ==
-        ": error: the netlist is empty\nhint: it declares processors and processes; placedpar generate writes one\n");
+        ": error: the netlist is empty\nhint: a netlist declares processors and processes; placedpar generate writes "
+        "an example\n");
 }

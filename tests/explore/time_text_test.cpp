@@ -39,7 +39,7 @@ TEST_CASE("fractions and powers of ten are exact, where a double would not be") 
         CHECK(picoseconds_of(fmt::format("{}.{:012}s", each, each)) == each * 1'000'000'000'000 + each);
 }
 
-TEST_CASE("what is not a time says what one looks like") {
+TEST_CASE("the message about a wrong time shows the right form") {
     for (const char* text :
          {"", "5", "ms", "-1ms", "1 ms", "1min", "1.ms", "1e", "1e9999s", "1ms2us", "0x5ms", "+1s"}) {
         CAPTURE(text);
@@ -47,7 +47,7 @@ TEST_CASE("what is not a time says what one looks like") {
     }
 }
 
-TEST_CASE("what is finer than a picosecond, or beyond the end of virtual time, is refused") {
+TEST_CASE("times finer than a picosecond or beyond the end of virtual time are refused") {
     CHECK_THROWS_WITH_AS(parse_time("1.5ps"), doctest::Contains("finer than a picosecond"), UserError);
     CHECK_THROWS_WITH_AS(parse_time("1e-13s"), doctest::Contains("finer than a picosecond"), UserError);
     CHECK_THROWS_WITH_AS(parse_time("1e8s"), doctest::Contains("beyond the end of virtual time"), UserError);

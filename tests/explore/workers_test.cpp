@@ -22,7 +22,7 @@ TEST_CASE("each worker is called once, with its number") {
     on_workers(0, [](std::size_t) { FAIL("nobody is there"); });
 }
 
-TEST_CASE("the caller looks after other things while workers work") {
+TEST_CASE("the caller's function runs while workers work") {
     std::atomic<bool> seen = false;
     on_workers(
         1,
@@ -34,7 +34,7 @@ TEST_CASE("the caller looks after other things while workers work") {
     CHECK(seen);
 }
 
-TEST_CASE("what the first worker throws is thrown again when all have ended") {
+TEST_CASE("the exception of the first worker is rethrown when all workers have ended") {
     std::atomic<int> ended = 0;
     auto work = [&](std::size_t worker) {
         std::this_thread::sleep_for(worker == 0 ? 0ms : 20ms);
@@ -56,7 +56,7 @@ TEST_CASE("every piece of work is done once, however many there are") {
     }
 }
 
-TEST_CASE("an interruption reaches the pieces under way, and no others are begun") {
+TEST_CASE("an interruption reaches running pieces and prevents further ones") {
     Interruption interruption;
     std::atomic<std::size_t> begun = 0;
     auto work = [&](std::size_t, Interruption& own) {
@@ -69,7 +69,7 @@ TEST_CASE("an interruption reaches the pieces under way, and no others are begun
     CHECK(begun <= count_cores());
 }
 
-TEST_CASE("what a piece of work throws is thrown when the others have ended") {
+TEST_CASE("the exception of a piece of work is rethrown when the others have ended") {
     std::atomic<int> done = 0;
     const Interruption none;
     auto work = [&](std::size_t piece, Interruption&) {

@@ -10,7 +10,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Makes the line whose slope is this many 256ths.
+/// Makes a line whose slope is `code` / 256.
 Individual line_of(std::uint64_t code) {
     Individual line{Genome(8), 0};
     line.genome.set_field(0, 8, code);
@@ -19,7 +19,7 @@ Individual line_of(std::uint64_t code) {
 
 } // namespace
 
-TEST_CASE("the errors of each island's best are those of the newest samples") {
+TEST_CASE("the errors of each island's best are computed over the newest samples") {
     auto problem = make_search_problem(LineProblem());
     std::vector<Sample> samples{{100, 0}, {1, 0.5}, {2, 0.5}};
     std::vector<Individual> bests{line_of(128), line_of(64)};
@@ -29,7 +29,7 @@ TEST_CASE("the errors of each island's best are those of the newest samples") {
     CHECK(found.errors == std::vector<std::vector<double>>{{0, -0.5}, {0.25, 0}});
 }
 
-TEST_CASE("errors that depend on where a window begins are found for each window anew") {
+TEST_CASE("errors that depend on the first sample of a window are computed separately for each window") {
     auto problem = make_search_problem(LineAlongWindow());
     std::vector<Sample> samples{{100, 0}, {1, 0.75}, {2, 0.5}, {4, 2}};
     std::vector<Individual> bests{line_of(128), line_of(64)};
@@ -39,11 +39,11 @@ TEST_CASE("errors that depend on where a window begins are found for each window
           std::vector<std::vector<std::vector<double>>>{{{.25, -.25, -.25}, {.5, .5, 1.5}}, {{-.5, -.5}, {0, 1}}});
     ErrorMatrix matrix(found, ErrorMatrix::Sum::squares);
     CHECK(matrix.error(0, 0) == 3 * .0625);
-    CHECK(matrix.error(1, 0) == .5); // more than in the longer window around it
+    CHECK(matrix.error(1, 0) == .5); // more than in the longer window that contains this one
     CHECK(matrix.error(1, 1) == 1);
 }
 
-TEST_CASE("the answer is the chosen island's best, held until the next analysis") {
+TEST_CASE("the answer is the chosen island's best until the next analysis") {
     auto problem = make_search_problem(LineProblem());
     ActiveErrorAnalysis analysis(*problem, {4, 2}, IslandChoice::named("row"), RandomStream(1, "answer"));
     std::vector<Individual> bests{line_of(128), line_of(64)};

@@ -23,7 +23,7 @@ SearchSettings settings_for(std::size_t population) {
     return settings;
 }
 
-/// Returns a hash of every population of the traditional algorithm in the library.
+/// Returns a hash of all populations of the traditional algorithm in the library.
 std::string populations_of_traditional(const SearchSettings& settings, std::uint64_t seed,
                                        Coding coding = Coding::natural) {
     auto problem = make_search_problem(LineProblem{}, coding);
@@ -48,7 +48,7 @@ std::string populations_of_traditional(std::size_t population, std::uint64_t see
 
 } // namespace
 
-TEST_CASE("algorithm A's generations are the traditional ones, for 0 to 29 slaves and every split") {
+TEST_CASE("algorithm A has the traditional generations with 0 to 29 slaves and every split") {
     std::string traditional = populations_of_traditional(30, 1);
     test::EveryNth sampled(7);
     for (const char* split : {"individuals", "demand", "evaluations"})
@@ -63,7 +63,7 @@ TEST_CASE("algorithm A's generations are the traditional ones, for 0 to 29 slave
         }
 }
 
-TEST_CASE("... and for every timing of the machine") {
+TEST_CASE("algorithm A has the traditional generations at every speed of processors and links") {
     std::string traditional = populations_of_traditional(30, 1);
     Cluster slow_neighbours{
         .slaves = 5, .split = "demand", .even_processor = "clock = 20M", .odd_processor = "clock = 5M"};
@@ -79,7 +79,7 @@ TEST_CASE("... and for every timing of the machine") {
         CHECK(run_on_line(cluster.netlist()).measured_text("master0", "populations") == traditional);
 }
 
-TEST_CASE("... and with an elite, Gray code and universal sampling, each by itself and all at once") {
+TEST_CASE("algorithm A has the traditional generations with an elite, Gray code and universal sampling") {
     std::set<std::string> different{populations_of_traditional(30, 1)};
     for (std::size_t elite : {0u, 3u})
         for (Coding coding : {Coding::natural, Coding::gray})
@@ -104,7 +104,7 @@ TEST_CASE("... and with an elite, Gray code and universal sampling, each by itse
     CHECK(different.size() == 8); // every option has an effect
 }
 
-TEST_CASE("... and with every policy of reproduction and crossover") {
+TEST_CASE("algorithm A has the traditional generations with every reproduction and crossover") {
     std::set<std::string> different;
     for (const char* reproduction : {"roulette", "universal", "scaled(1.5)", "ranking", "tournament(3)"})
         for (const char* crossover : {"one-point", "two-point", "uniform", "by-difference"}) {
@@ -122,30 +122,30 @@ TEST_CASE("... and with every policy of reproduction and crossover") {
     CHECK(different.size() == 20);
 }
 
-TEST_CASE("a policy that is none is refused by the netlist's checker, with what would be right") {
+TEST_CASE("the netlist's checker refuses a policy with a number out of range, and states the range") {
     Cluster cluster{.master_parameters = "rehearsals = 1, reproduction = \"tournament(0)\""};
     CHECK_THROWS_WITH_AS(run_on_line(cluster.netlist()), doctest::Contains("a whole number from 1 to 1000000"),
                          std::runtime_error);
 }
 
-TEST_CASE("an elite as large as the population is refused, naming what would be right") {
+TEST_CASE("an elite as large as the population is refused, and the message states the largest elite") {
     Cluster cluster{.master_parameters = "rehearsals = 1, elite = 30"};
     CHECK_THROWS_WITH_AS(run_on_line(cluster.netlist()), doctest::Contains("it is 28 at the most"), std::runtime_error);
 }
 
-TEST_CASE("a coding that is none is refused by the netlist's checker") {
+TEST_CASE("the netlist's checker refuses an unknown coding and suggests one") {
     Cluster cluster{.master_parameters = "rehearsals = 1, coding = \"grey\""};
     CHECK_THROWS_WITH_AS(run_on_line(cluster.netlist()), doctest::Contains("gray"), std::runtime_error);
 }
 
-TEST_CASE("... and another seed gives other generations") {
+TEST_CASE("algorithm A has other generations with another seed") {
     Cluster cluster{.slaves = 2};
     std::string second = run_on_line(cluster.netlist(), 2).measured_text("master0", "populations");
     CHECK(second == populations_of_traditional(30, 2));
     CHECK(second != populations_of_traditional(30, 1));
 }
 
-TEST_CASE("every slave works: a run with slaves is faster than one without") {
+TEST_CASE("a generation with three slaves is more than 2.5 times as fast as without slaves") {
     double alone = run_on_line(Cluster{}.netlist()).measured("master0", "T_exe");
     double with_three = run_on_line(Cluster{.slaves = 3}.netlist()).measured("master0", "T_exe");
     CHECK(with_three < alone / 2.5);
@@ -155,12 +155,12 @@ TEST_CASE("every slave works: a run with slaves is faster than one without") {
         CHECK(report.share(processor.busy) > 0.5);
 }
 
-TEST_CASE("more slaves than individuals are refused, with what would be right") {
+TEST_CASE("more slaves than individuals are refused, and the message states the largest number of slaves") {
     CHECK_THROWS_WITH_AS(run_on_line(Cluster{.slaves = 30}.netlist()), doctest::Contains("29 slaves at the most"),
                          std::runtime_error);
 }
 
-TEST_CASE("a window longer than the record is refused") {
+TEST_CASE("a window longer than the record is refused before the run") {
     Cluster cluster{.master_parameters = "rehearsals = 1, window = 13"};
     CHECK_THROWS_WITH_AS(run_on_line(cluster.netlist()), doctest::Contains("window"), std::runtime_error);
 }

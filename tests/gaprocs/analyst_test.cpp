@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t four = 4;
 
-/// Windows of 10, 7, 5 and 3 samples.
+/// Returns settings of four islands, with windows of 10, 7, 5 and 3 samples.
 IslandsSettings nested_windows() {
     IslandsSettings settings;
     settings.islands.resize(four);
@@ -39,7 +39,7 @@ struct Answer {
     bool operator==(const Answer&) const = default;
 };
 
-/// Returns the analyst's answers for islands of the library, after each exchange.
+/// Returns the analyst's answers after each exchange of the library's islands.
 std::vector<Answer> answers_of_library(const IslandsSettings& settings, const std::string& choice) {
     auto problem = make_search_problem(LineProblem{});
     std::vector<std::size_t> windows;
@@ -104,7 +104,7 @@ std::string refusal_of(const std::string& netlist) {
 
 } // namespace
 
-TEST_CASE("an analyst gives the answers of the library, by every choice and in every placement") {
+TEST_CASE("an analyst gives the library's answers with every choice and in every placement") {
     for (const char* choice : {"printed", "plain", "means", "row", "fixed(2)", "random"})
         for (const char* schedule : {"broadcast(1)", "broadcast(2)", "sequential(1)"})
             for (auto on : {IslandNetlist::On::one_transputer, IslandNetlist::On::four_transputers}) {
@@ -118,7 +118,7 @@ TEST_CASE("an analyst gives the answers of the library, by every choice and in e
             }
 }
 
-TEST_CASE("an analyst changes nothing on the islands") {
+TEST_CASE("an analyst does not change the islands' generations") {
     IslandNetlist netlist{nested_windows()};
     netlist.settings.schedule = Schedule::named("broadcast(1)");
     RunReport with = run_on_line(with_analyst(netlist, "")), without = run_on_line(netlist.text());
@@ -129,7 +129,7 @@ TEST_CASE("an analyst changes nothing on the islands") {
     CHECK(with.measured("analyst", "slope") > 0);
 }
 
-TEST_CASE("answers are logged behind their generation, from whom they come") {
+TEST_CASE("the log has an answer behind its generation, with the analyst and the chosen island") {
     IslandNetlist netlist{nested_windows()};
     netlist.settings.schedule = Schedule::named("broadcast(1)");
     GenerationLog log = logged(with_analyst(netlist, "choice = \"fixed(2)\""));
@@ -140,7 +140,7 @@ TEST_CASE("answers are logged behind their generation, from whom they come") {
     CHECK(rows.back().time > rows[rows.size() - 2].time);
 }
 
-TEST_CASE("an analysis costs the errors of every best over the longest window, or over each where that matters") {
+TEST_CASE("an analysis costs the error evaluations of the longest window, or of every window if errors depend on it") {
     IslandNetlist netlist{nested_windows()};
     netlist.settings.schedule = Schedule::named("broadcast(1)");
     auto busy = [&](const char* problem, int cycles) {
@@ -154,14 +154,14 @@ TEST_CASE("an analysis costs the errors of every best over the longest window, o
                 return in_milliseconds(processor.busy);
         return 0.0;
     };
-    // There are 6 answers with 4 islands, and 1000 cycles of 50 ns for each error.
+    // There are 6 answers from 4 islands. Each error takes 1000 cycles of 50 ns.
     constexpr double of_a_sample = 6 * 4 * 1000 * 50e-6;
     CHECK(busy("\"line\"", 1000) - busy("\"line\"", 0) == doctest::Approx(of_a_sample * 10).epsilon(0.001));
     CHECK(busy("\"along\"", 1000) - busy("\"along\"", 0) ==
           doctest::Approx(of_a_sample * (10 + 7 + 5 + 3)).epsilon(0.001));
 }
 
-TEST_CASE("what an analyst cannot compare is refused at its place") {
+TEST_CASE("an analyst is refused at its place if it cannot compare its islands") {
     IslandNetlist netlist{nested_windows()};
     auto says = [](const std::string& text, const std::string& part, const std::string& marked) {
         std::string refusal = refusal_of(text);
@@ -170,7 +170,7 @@ TEST_CASE("what an analyst cannot compare is refused at its place") {
         CHECK_MESSAGE(refusal.find(marked) != std::string::npos, marked);
     };
     says(with_analyst(netlist, "choice = \"fixed(4)\""),
-         "the answer shall be that of island 4, but there are 4: 0 to 3", "choice = \"fixed(4)\"");
+         "the answer would be that of island 4, but there are 4: 0 to 3", "choice = \"fixed(4)\"");
     says(with_analyst(netlist, "choice = \"best\""), "\"best\"", "choice = \"best\"");
     netlist.settings.schedule = AsynchronousSchedule{1};
     says(with_analyst(netlist, ""), "islands of an asynchronous schedule do not keep step", "process analyst");
@@ -196,8 +196,8 @@ TEST_CASE("an analyst that would never answer is a warning at its place") {
         auto text = replaced(with_analyst(netlist, ""), "host (problem = \"line\")", host);
         return render(read_netlist_text(text, catalogue, {}, "analyst.cfs").diagnostics);
     };
-    // There are 12 samples, with two generations each from the fifth on: 16. The 11th generation is the first with
-    // ten samples, which the longest window needs.
+    // There are 12 samples. From the fifth on, each has two generations, so there are 16. The 11th generation is the
+    // first with ten samples, which the longest window needs.
     CHECK(said(16) == "");
     CHECK(said(11) == "");
     std::string never = said(17), early = said(9, "host (problem = \"line\", samples = 9)");

@@ -20,7 +20,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A problem whose bounds are swapped, and whose numbers have no bits.
+/// A problem whose bounds are reversed, and whose numbers may have 0 bits.
 struct Reversed {
     std::size_t bits = 4;
     double low = 5, high = -5;
@@ -28,7 +28,7 @@ struct Reversed {
     double objective(std::span<const double> x) const { return x[0]; }
 };
 
-/// Returns the refusal of a search of the sphere with these settings.
+/// Returns the refusal of a search of the sphere with the changed settings.
 std::string refusal_of_settings(void (*change)(SearchSettings&)) {
     auto sphere = minimise(PlainSphere{});
     SearchSettings settings = usual_settings(*sphere);
@@ -62,7 +62,7 @@ bool mentions(const std::string& text, const std::string& part) {
 
 } // namespace
 
-TEST_CASE("bounds reversed and zero bits are refused when the problem is made") {
+TEST_CASE("reversed bounds and zero bits are refused when the problem is made") {
     CHECK_THROWS_WITH_AS(minimise(Reversed{}),
                          "parameter 0: the range is 5 to -5, expected a lower and a higher number",
                          std::invalid_argument);
@@ -95,7 +95,7 @@ TEST_CASE("probabilities outside 0 to 1 are refused") {
     mentions(refusal_of_master("crossover = -0.5"), "the parameter \"crossover\" is out of range: -0.5");
 }
 
-TEST_CASE("a window longer than the record is refused, in the library and before a netlist runs") {
+TEST_CASE("a window longer than the record is refused by the library and before a netlist runs") {
     SearchSettings settings;
     settings.window.length = 13;
     CHECK_THROWS_WITH_AS(
@@ -104,7 +104,7 @@ TEST_CASE("a window longer than the record is refused, in the library and before
     mentions(refusal_of_master("window = 13"), "error: the window holds 13 samples, the record of \"line\" only 12");
 }
 
-TEST_CASE("numbers that a policy does not have are refused, also where it was made as a struct") {
+TEST_CASE("a policy's number out of range is refused, also in a policy that was made as a struct") {
     CHECK(refusal_of_settings([](SearchSettings& s) { s.reproduction = RankingReproduction{.best = 5}; }) ==
           "best = 5 is out of range: best is a number from 1 to 2");
     CHECK(refusal_of_settings([](SearchSettings& s) { s.reproduction = RankingReproduction{.best = std::nan("")}; }) ==
@@ -120,7 +120,7 @@ TEST_CASE("numbers that a policy does not have are refused, also where it was ma
                          "count = 0 is out of range: count is a whole number from 1 to 1000000", UserError);
 }
 
-TEST_CASE("a sample of another size than the problem's is refused before it is read") {
+TEST_CASE("a sample with too few numbers is refused before the search begins") {
     auto line = make_search_problem(LineProblem{});
     auto record = line_record(12);
     record[7].pop_back();
@@ -132,7 +132,7 @@ TEST_CASE("a sample of another size than the problem's is refused before it is r
                          "sample 7 has 1 number, expected 2", std::invalid_argument);
 }
 
-TEST_CASE("what is not a number in a record, or of a user's error, is as bad as can be and ends nothing") {
+TEST_CASE("a sample that is infinite or not a number gives the worst fitness, and the search continues") {
     auto line = make_search_problem(LineProblem{});
     auto record = line_record(12);
     for (double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
@@ -143,7 +143,7 @@ TEST_CASE("what is not a number in a record, or of a user's error, is as bad as 
     }
 }
 
-TEST_CASE("bounds reversed and zero bits of a program's own problem are the netlist's error, with its name") {
+TEST_CASE("reversed bounds and zero bits of a user-defined problem are a UserError with the problem's name") {
     ProblemRegistry problems;
     auto make = [](const std::vector<double>& numbers) {
         return minimise(Reversed{.bits = static_cast<std::size_t>(numbers[0])});
@@ -157,7 +157,7 @@ TEST_CASE("bounds reversed and zero bits of a program's own problem are the netl
                          "search problem 'own(bits = 0)': parameter 0: 0 bits, expected 1 to 52", UserError);
 }
 
-TEST_CASE("an odd population is as good as any, of whatever strings") {
+TEST_CASE("an odd population works with every kind of string") {
     for (const auto& problem : {minimise(PlainSphere{}), minimise(PlainSphere{})->coded(Coding::real),
                                 minimise(Seats{}), minimise(Plane{}), make_search_problem(LineProblem{})}) {
         SearchSettings settings = usual_settings(*problem);
@@ -182,7 +182,7 @@ TEST_CASE("a genome of 4096 bits is searched") {
     CHECK(result.best().best.fitness > 2400);
 }
 
-TEST_CASE("a search where no individual is allowed goes on, and has found none") {
+TEST_CASE("a search in which no individual is allowed continues and finds no solution") {
     auto nowhere = minimise(Nowhere{});
     for (const char* reproduction : {"ranking", "scaled", "tournament"}) {
         SearchSettings settings = usual_settings(*nowhere);

@@ -15,14 +15,15 @@
 
 namespace placedpar {
 
-/// Clusters of a master and a chain of slaves that solve the line problem, as a netlist.
+/// Clusters of a master and a chain of slaves, which solve the line problem; returned as a netlist.
 struct Cluster {
     int slaves = 0;
     int islands = 1; ///< several islands form a ring
     int population = 30;
     std::string split = "individuals";
     std::string measurements = "sample";
-    std::string even_processor = "clock = 20M"; ///< attributes of the processors at even places; the master has place 0
+    std::string even_processor = "clock = 20M"; ///< attributes of processors with even numbers; the master's has number
+                                                ///< 0
     std::string odd_processor = "clock = 20M";
     std::string workstation = "linkspeed = 20M";
     std::string master_parameters = "rehearsals = 2";

@@ -12,7 +12,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A problem with two numbers of 8 bits, whose optimum is 200 and 77.
+/// A problem with two numbers of 8 bits. Its optimum is at 200 and 77.
 struct TwoNumbers {
     std::size_t bits() const { return 16; }
     std::size_t channels() const { return 1; }
@@ -41,7 +41,8 @@ CoarseFineSettings pair_settings() {
 
 } // namespace
 
-TEST_CASE("the coarse search finds the cell, the fine one the number, and a seed gives the same again") {
+TEST_CASE(
+    "the coarse search finds the cell of the optimum and the fine search its number, the same for the same seed") {
     auto problem = make_search_problem(TwoNumbers());
     CoarseFine pair(*problem, pair_settings(), 3), again(*problem, pair_settings(), 3);
     for (CoarseFine* each : {&pair, &again}) {
@@ -59,7 +60,7 @@ TEST_CASE("the coarse search finds the cell, the fine one the number, and a seed
     CHECK(again.fine_best() == pair.fine_best());
 }
 
-TEST_CASE("a pair of different windows is refused, and a fine search finer than its problem") {
+TEST_CASE("a pair with different windows is refused, and so is a fine search with more bits than its problem") {
     auto problem = make_search_problem(TwoNumbers());
     CoarseFineSettings settings = pair_settings();
     settings.fine.window.bias = 1;
@@ -69,7 +70,7 @@ TEST_CASE("a pair of different windows is refused, and a fine search finer than 
     CHECK_THROWS_AS(CoarseFine(*problem, settings, 1), std::invalid_argument);
 }
 
-TEST_CASE("a spread population has every code of a field as often, in any coding") {
+TEST_CASE("in a spread population the codes of a field are equally frequent, in every coding") {
     for (const char* coding : {"natural", "natural(1)", "gray", "gray(1)"}) {
         Recoding reading{.problem_bits = {3, 2}, .bits = {3, 2}, .coding = Coding::named(coding)};
         RandomStream random(5, "spread");

@@ -14,7 +14,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Computes mean distances pair by pair. If the representation uses mean squares, it takes the root.
+/// Computes mean distances pair by pair. If `of_squares`, computes the root of the mean square distance.
 struct Pairs {
     const Representation& representation;
     double greatest; ///< greatest distance
@@ -44,7 +44,7 @@ double within(const std::vector<Genome>& population) {
 
 Spread four_bits(std::initializer_list<const char*> texts) { return spread_of(test::strings(texts), BitString(4)); }
 
-/// Checks the closed form against all pairs, for several sizes of population; one population is almost uniform.
+/// Checks the closed form against all pairs, for several sizes of population. One population is almost uniform.
 void check_pairs(const Representation& representation, double greatest, bool of_squares = false) {
     RandomStream random(1, "diversity");
     Pairs pairs{representation, greatest, of_squares};
@@ -64,7 +64,7 @@ void check_pairs(const Representation& representation, double greatest, bool of_
 
 } // namespace
 
-TEST_CASE("diversity within a population, by hand") {
+TEST_CASE("diversity within a population has the values computed by hand") {
     CHECK(within(test::strings({"0000", "0000", "0000"})) == 0);
     CHECK(within(test::strings({"0000", "1111"})) == 1);
     CHECK(within(test::strings({"0001", "0011", "0111"})) == (1.0 + 2 + 1) / 3 / 4);
@@ -72,7 +72,7 @@ TEST_CASE("diversity within a population, by hand") {
     CHECK(within({}) == 0);
 }
 
-TEST_CASE("diversity between populations, by hand") {
+TEST_CASE("diversity between populations has the values computed by hand") {
     Spread populations[] = {four_bits({"0000", "0000"}), four_bits({"1100", "1110"}), four_bits({"1111"})};
     CHECK(diversity_between(std::span(populations).first(2)) == 2.5 / 4);
     CHECK(diversity_between(populations) == doctest::Approx((2.5 + 4 + 1.5) / 3 / 4));
@@ -81,12 +81,12 @@ TEST_CASE("diversity between populations, by hand") {
     CHECK(fixation(0, 0.3) == 1);
 }
 
-TEST_CASE("diversity of strings is that of all pairs") {
+TEST_CASE("the diversity of binary strings equals the mean distance of all pairs") {
     for (std::size_t bits : {1u, 7u, 63u, 64u, 65u, 200u})
         check_pairs(BitString(bits), static_cast<double>(bits));
 }
 
-TEST_CASE("diversity of tours is that of all pairs; there is one tour of three places") {
+TEST_CASE("the diversity of tours equals the mean distance of all pairs, and is 0 for tours of three places") {
     for (std::size_t places : {4u, 5u, 30u})
         check_pairs(Permutation(places), static_cast<double>(places));
     RandomStream random(3, "few places");
@@ -96,7 +96,8 @@ TEST_CASE("diversity of tours is that of all pairs; there is one tour of three p
     }
 }
 
-TEST_CASE("diversity of real vectors is the root of the mean square over all pairs, in their ranges") {
+TEST_CASE(
+    "the diversity of real vectors is the root of the mean square distance of all pairs, in widths of the ranges") {
     check_pairs(RealVector({{-1, 1}, {0, 1e6}, {3, 3.5}}), std::sqrt(3), true);
     check_pairs(RealVector(1, {0, 8}), 1, true);
     RealVector line(1, {0, 8});
@@ -108,7 +109,7 @@ TEST_CASE("diversity of real vectors is the root of the mean square over all pai
     CHECK(diversity_within(spread_of(ends, line)) == test::nearly(1e-12, 1e-3));
 }
 
-TEST_CASE("individuals drawn at random are as diverse as is said") {
+TEST_CASE("random individuals have the expected diversity") {
     RandomStream random(2, "half");
     auto check = [&](const Representation& representation, double expected) {
         Spread populations[] = {spread_of(representation.random_population(200, random), representation),

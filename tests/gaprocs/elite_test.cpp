@@ -23,7 +23,7 @@ SearchSettings with_elite(std::size_t elite, std::size_t population) {
     return settings;
 }
 
-/// Returns how often the best fitness falls between two generations with the same window.
+/// Returns how often the best fitness falls from one generation to the next, in the same window.
 int falls(const SearchSettings& settings, std::uint64_t seed) {
     auto problem = make_search_problem(LineProblem{});
     auto window = line_record(10);
@@ -38,7 +38,7 @@ int falls(const SearchSettings& settings, std::uint64_t seed) {
 
 } // namespace
 
-TEST_CASE("the best in order, the first among equals") {
+TEST_CASE("best_indices returns the best first, and among equals the lowest index first") {
     using Indices = std::vector<std::size_t>;
     const std::array<double, 6> fitness{3, 7, -1, 7, 9, 3};
     CHECK(best_indices(fitness, 0).empty());
@@ -47,7 +47,7 @@ TEST_CASE("the best in order, the first among equals") {
     CHECK(best_indices(fitness, 6) == Indices{4, 1, 3, 0, 5, 2});
 }
 
-TEST_CASE("the elite stands first in the next population, unchanged, the best at its head") {
+TEST_CASE("the elite is first in the next population, unchanged and in descending order") {
     SearchSettings settings = with_elite(2, 6);
     settings.mutation_probability = 1; // no individual outside the elite stays unchanged
     settings.crossover_probability = 0;
@@ -64,7 +64,7 @@ TEST_CASE("the elite stands first in the next population, unchanged, the best at
     }
 }
 
-TEST_CASE("the elite stays when nobody has positive fitness and the others are drawn anew") {
+TEST_CASE("the elite stays when no individual has positive fitness and the others are drawn anew") {
     std::vector<Genome> population(5, Genome(64));
     population[3].flip(7);
     Search search(population, with_elite(1, 5), RandomStream(1, "anew"));
@@ -75,7 +75,7 @@ TEST_CASE("the elite stays when nobody has positive fitness and the others are d
         CHECK(search.population()[i] != Genome(64));
 }
 
-TEST_CASE("in a window that stands the best is never lost with an elite; without one it is") {
+TEST_CASE("while the window stays the same, the best is never lost with an elite, but is lost without one") {
     int lost = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         lost += falls(with_elite(0, 8), seed);
@@ -88,8 +88,8 @@ TEST_CASE("in a window that stands the best is never lost with an elite; without
     CHECK(lost > 20);
 }
 
-TEST_CASE("when the window moves the elite is evaluated again") {
-    // The line changes its slope after ten samples: the former best must not keep its old fitness.
+TEST_CASE("when the window moves, the elite is evaluated again") {
+    // The line changes its slope after ten samples, so the former best must not keep its old fitness.
     auto record = line_record(30);
     for (std::size_t k = 10; k < 30; ++k)
         record[k][1] = 40.0 / 256 * record[k][0];

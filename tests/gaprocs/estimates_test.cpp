@@ -1,4 +1,4 @@
-// Tests what islands send to their host after the generations of each sample.
+// Tests the estimates that islands send to their host after the generations of each sample.
 
 #include "tests/gaprocs/island_netlist.hpp"
 
@@ -32,7 +32,7 @@ std::string returning(const IslandNetlist& netlist, std::size_t first = 0) {
     return text;
 }
 
-/// Returns how many samples an island searches: all from the one that fills the window.
+/// Returns the number of samples that an island searches: all samples, from the one that fills the window on.
 std::size_t samples_searched() { return line_samples - SearchSettings{}.window.length + 1; }
 
 double generations_ms(const RunReport& report, std::size_t island, double trials) {
@@ -50,7 +50,7 @@ void check_best_is_of_its_island(const RunReport& report) {
 
 } // namespace
 
-TEST_CASE("estimates return for every sample that was searched, and change no generation") {
+TEST_CASE("estimates return for every sample that was searched, and do not change the generations") {
     IslandNetlist netlist = four_islands();
     RunReport silent = run_on_line(netlist.text()), report = run_on_line(returning(netlist));
     REQUIRE(report.result.ending == Ending::completed);
@@ -62,7 +62,7 @@ TEST_CASE("estimates return for every sample that was searched, and change no ge
     check_best_is_of_its_island(report);
 }
 
-TEST_CASE("an estimate takes as long as the generations of its sample, give and take the links' time") {
+TEST_CASE("the response time of an estimate is the time of its sample's generations, apart from the links' time") {
     RunReport report = run_on_line(returning(four_islands()));
     double generations = generations_ms(report, 0, 5), response = report.measured("host", "response");
     CHECK(response == doctest::Approx(generations).epsilon(0.005));
@@ -75,7 +75,7 @@ TEST_CASE("an estimate takes as long as the generations of its sample, give and 
     CHECK(longer.measured("host", "response") > 1.9 * response);
 }
 
-TEST_CASE("some islands' estimates may return, the others' not") {
+TEST_CASE("some islands may return estimates while others do not") {
     RunReport report = run_on_line(returning(four_islands(), 2));
     REQUIRE(report.result.ending == Ending::completed);
     CHECK(report.measured("host", "estimates") == 2 * samples_searched());
@@ -84,7 +84,7 @@ TEST_CASE("some islands' estimates may return, the others' not") {
     CHECK(of_those);
 }
 
-TEST_CASE("islands beside their host, on workstations that take no time, answer at once") {
+TEST_CASE("islands on workstations, which take no time, answer at once") {
     IslandNetlist netlist = four_islands();
     netlist.on = IslandNetlist::On::workstations;
     netlist.wire = "linkspeed = 20M";
@@ -94,14 +94,14 @@ TEST_CASE("islands beside their host, on workstations that take no time, answer 
     CHECK(report.measured("host", "response") < 1);
 }
 
-TEST_CASE("islands of a host whose samples they are not sent may not return estimates to it") {
+TEST_CASE("an island may not return estimates to a host that does not send its samples") {
     std::string text = four_islands().text() +
                        "process other; use \"ga.host\" for other; place other on sun; other (problem = \"line\");\n"
                        "process master; use \"ga.master\" for master; place master on t0; master (problem = "
                        "\"line\");\nconnect other.to_masters to master.from_host;\n"
                        "connect island[1].to_host to other.from_masters[0];\n";
     CHECK_THROWS_WITH(run_on_line(text), doctest::Contains("error: \"other.from_masters[0]\" brings estimates of a "
-                                                           "process that is not sent its samples from here"));
+                                                           "process that does not get its samples from this host"));
     CHECK_THROWS_WITH(run_on_line(text),
                       doctest::Contains("hint: connect other.to_masters[...] to the same process's from_host"));
 }

@@ -1,4 +1,5 @@
-// Tests chains, stars, trees and mixtures: each gives the traditional algorithm's generations, and none deadlocks.
+// Tests chains, stars, trees and mixtures of them. Each gives the traditional algorithm's generations, and none
+// deadlocks.
 
 #include "gaprocs/traditional.hpp"
 #include "runtime/random.hpp"
@@ -33,7 +34,7 @@ std::string populations_of(const FarmOfForm& farm) {
     return report.measured_text("master", "populations");
 }
 
-/// Returns the populations of the same search without slaves, in which one process evaluates whole generations.
+/// Returns the populations of the same search without slaves. One process evaluates whole generations.
 std::string populations_without_slaves(const FarmOfForm& farm) {
     auto text = fmt::format(
         "workstation sun; T800 t; process host, master; use \"ga.host\" for host; use \"ga.traditional\" for master;\n"
@@ -45,7 +46,7 @@ std::string populations_without_slaves(const FarmOfForm& farm) {
     return run_on_line(text).measured_text("master", "populations");
 }
 
-/// Returns every combination of splitting work, sending it, and returning results.
+/// Returns every combination of the ways to split work, to send it, and to return results.
 std::vector<std::string> ways() {
     std::vector<std::string> all;
     for (const char* sending : {"in turn", "at once"}) {
@@ -64,7 +65,7 @@ const char* const few_samples = "problem = \"line\", samples = 5";
 
 } // namespace
 
-TEST_CASE("every form, way and number of slaves gives the generations of the traditional algorithm") {
+TEST_CASE("every form, number of slaves and way of dealing gives the traditional generations") {
     std::string traditional = populations_without_slaves({.form = {}, .host_parameters = few_samples});
     test::EveryNth sampled(5);
     for (std::size_t slaves : {1u, 2u, 3u, 4u, 7u, 11u}) {
@@ -88,7 +89,7 @@ TEST_CASE("every form, way and number of slaves gives the generations of the tra
     }
 }
 
-TEST_CASE("no tree of slaves gets stuck, however it is shaped, placed and timed") {
+TEST_CASE("no random tree of slaves gets stuck, in any placement and timing") {
     std::string traditional = populations_without_slaves({.form = {}, .host_parameters = few_samples});
     const std::array<std::string, 4> processors{"clock = 20M", "clock = 3M", "clock = 25M", "channelcall = 300"};
     for (std::uint64_t seed : test::seeds(60, 1)) {
@@ -99,7 +100,7 @@ TEST_CASE("no tree of slaves gets stuck, however it is shaped, placed and timed"
         FarmOfForm farm{.form = {}, .on_links = draw(2) == 0, .host_parameters = few_samples};
         std::vector<std::size_t> behind(most_slaves + 1, 0);
         for (std::size_t slaves = 1 + draw(most_slaves); farm.form.size() < slaves;) {
-            std::size_t before = draw(farm.form.size() + 1); // the master, or a slave
+            std::size_t before = draw(farm.form.size() + 1); // the master or an earlier slave
             if (farm.on_links && behind[before] == 3)
                 continue;
             ++behind[before];
@@ -115,7 +116,7 @@ TEST_CASE("no tree of slaves gets stuck, however it is shaped, placed and timed"
     }
 }
 
-TEST_CASE("a chain with a subscript is the chain without one, to the picosecond") {
+TEST_CASE("a chain with subscripts takes the same time as a chain without, to the picosecond") {
     auto netlist = Cluster{.slaves = 3}.netlist();
     auto subscripted = netlist;
     for (std::string port : {".to_slaves to", ".from_slaves;"})
@@ -128,7 +129,7 @@ TEST_CASE("a chain with a subscript is the chain without one, to the picosecond"
     CHECK(run_on_line(subscripted).result.fingerprint == run_on_line(netlist).result.fingerprint);
 }
 
-TEST_CASE("the farthest slave of a chain waits less with the next task at hand") {
+TEST_CASE("the farthest slave of a chain waits less if it has its next task already") {
     auto run = [](int under_way) {
         FarmOfForm farm{.form = chain_of(3),
                         .master_parameters = fmt::format("rehearsals = 0, population = 120, split = \"demand\", "
@@ -144,7 +145,7 @@ TEST_CASE("the farthest slave of a chain waits less with the next task at hand")
     CHECK(two.measured_text("master", "populations") == one.measured_text("master", "populations"));
 }
 
-TEST_CASE("a link for each slave communicates faster than a chain, and faster still with all links at once") {
+TEST_CASE("a star has less communication time than a chain, and even less with all links at once") {
     auto c_time2 = [](const SlaveForm& form, const char* sending) {
         FarmOfForm farm{.form = form,
                         .master_parameters =

@@ -19,7 +19,7 @@ bool has(const RunReport& report, std::string_view measure) {
 
 } // namespace
 
-TEST_CASE("a master of high priority that deals on demand measures its evaluations by the clock they ran by") {
+TEST_CASE("a high-priority master that deals on demand measures its evaluations with the low-priority clock") {
     auto netlist = [](const char* priority) {
         std::string text = Cluster{.slaves = 2, .split = "demand"}.netlist();
         std::string process = "process (interface (input from_host";
@@ -29,13 +29,14 @@ TEST_CASE("a master of high priority that deals on demand measures its evaluatio
     };
     double low = run_on_line(netlist("LOW")).measured("master0", "P_time2");
     double high = run_on_line(netlist("HIGH")).measured("master0", "P_time2");
-    // Nine to eleven of 30 individuals, at 10 samples of 1440 cycles of 50 ns, take 6.5 to 7.9 ms.
+    // The master evaluates nine to eleven of 30 individuals, at 10 samples of 1440 cycles of 50 ns. This takes 6.5 to
+    // 7.9 ms.
     CHECK(low > 6);
     CHECK(low < 9);
     CHECK(high == doctest::Approx(low).epsilon(0.1));
 }
 
-TEST_CASE("times are those of a full window: without one there are none") {
+TEST_CASE("times are measured only with a full window") {
     Cluster never_full{.slaves = 2};
     RunReport report = run_on_line(never_full.netlist() + "host (samples = 7);\n");
     CHECK(report.measured("master0", "generations") == 15); // 3 samples from the fifth on, with 5 trials each
@@ -55,7 +56,7 @@ TEST_CASE("a run that takes no time has no rate") {
     CHECK_FALSE(has(report, "generations_per_second"));
 }
 
-TEST_CASE("rehearsals disturb none of the work's figures") {
+TEST_CASE("rehearsals do not change the figures of the work") {
     auto run = [](int islands, int rehearsals) {
         return run_on_line(
             Cluster{.slaves = 2, .islands = islands, .master_parameters = fmt::format("rehearsals = {}", rehearsals)}
@@ -78,7 +79,7 @@ TEST_CASE("rehearsals disturb none of the work's figures") {
     }
 }
 
-TEST_CASE("results in the order of the chain take longer than those that are passed on when they are ready") {
+TEST_CASE("results in the order of the chain take longer than results that are passed on when they are ready") {
     // With this many rehearsals the clock's tick of 64 us does not matter.
     Cluster in_order{.slaves = 3, .master_parameters = "rehearsals = 50"};
     Cluster ready{.slaves = 3, .master_parameters = "rehearsals = 50, results = \"ready\""};
@@ -87,26 +88,26 @@ TEST_CASE("results in the order of the chain take longer than those that are pas
     CHECK(any.measured_text("master0", "populations") == chain.measured_text("master0", "populations"));
 }
 
-TEST_CASE("the communication of a generation that is dealt on demand is that of a message an individual") {
+TEST_CASE("dealing on demand sends one message for each individual, which costs more communication") {
     auto netlist = [](const char* split) {
         return Cluster{.slaves = 1, .split = split, .master_parameters = "rehearsals = 100"}.netlist();
     };
     double round = run_on_line(netlist("individuals")).measured("master0", "C_time2");
     double demand = run_on_line(netlist("demand")).measured("master0", "C_time2");
-    // There are 15 messages and 15 answers instead of one each. The measurements of 148 bytes go in one message either
-    // way.
+    // There are 15 messages and 15 answers instead of one of each. The measurements of 148 bytes go in one message in
+    // both cases.
     CHECK(demand > 2 * round);
     CHECK(demand < 15 * round);
 }
 
-TEST_CASE("no share of any window is about more individuals than stated") {
+TEST_CASE("no share has more individuals than most_individuals() states, whatever the window") {
     for (Split split : {Split::individuals, Split::evaluations})
         for (std::size_t population : {2u, 7u, 30u, 31u})
             for (std::size_t slaves = 1; slaves < population; ++slaves)
                 for (std::size_t window = 1; window <= 12; ++window)
                     for (double own_share : {0.0, .3, 1.0}) {
                         auto shares = deal(population, window, slaves, split, own_share);
-                        shares.pop_back(); // the master's share, which is in no message
+                        shares.pop_back(); // the master's share is not in a message
                         for (const Share& share : shares)
                             CHECK(share.individuals() <= most_individuals(population, slaves, split, own_share));
                     }
@@ -115,7 +116,7 @@ TEST_CASE("no share of any window is about more individuals than stated") {
     CHECK(most_individuals(30, 3, Split::demand) == 1);
 }
 
-TEST_CASE("a master's own share is as much of a slave's as stated, and everything is dealt out once") {
+TEST_CASE("a master's own share is the stated fraction of a slave's, and all work is dealt out once") {
     for (double own_share : {0.0, .25, .5, 1.0})
         for (std::size_t slaves : {0u, 1u, 3u, 7u}) {
             auto shares = deal(30, 10, slaves, Split::evaluations, own_share);

@@ -21,7 +21,7 @@ void shuffle(std::vector<double>& terms, RandomStream& random) {
         std::swap(terms[i - 1], terms[random.below(static_cast<std::uint32_t>(i))]);
 }
 
-/// Cuts the terms at random into runs, adds each run, and adds the sums in random order.
+/// Divides the terms at random into runs, adds up each run, and adds the sums in random order.
 double partitioned_sum(const std::vector<double>& terms, RandomStream& random) {
     std::vector<double> partial(1, 0);
     for (double term : terms) {
@@ -38,9 +38,9 @@ double partitioned_sum(const std::vector<double>& terms, RandomStream& random) {
 
 double any_error(RandomStream& random) {
     switch (random.below(8)) {
-    case 0: return 1e300; // clamped
+    case 0: return 1e300; // beyond the limit
     case 1: return std::numeric_limits<double>::quiet_NaN();
-    case 2: return 2896 * random.uniform(); // up to the clamp
+    case 2: return 2896 * random.uniform(); // around the limit
     case 3: return 1e-6 * random.uniform();
     default: return 40 * random.uniform();
     }
@@ -48,7 +48,7 @@ double any_error(RandomStream& random) {
 
 } // namespace
 
-TEST_CASE("a term is B - E^2 to half a quantum") {
+TEST_CASE("a term is B - E^2, rounded to the nearest quantum") {
     CHECK(fitness_term(400, 0) == 400);
     CHECK(fitness_term(400, 20) == 0);
     CHECK(fitness_term(400, -30) == -500);
@@ -66,7 +66,7 @@ TEST_CASE("ties round to even") {
     CHECK(fitness_term(2.5 * fitness_quantum, 0) == 2 * fitness_quantum);
 }
 
-TEST_CASE("what is not a number, or too large, is clamped") {
+TEST_CASE("a term that is too large or not a number is limited") {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     CHECK(fitness_term(400, std::numeric_limits<double>::quiet_NaN()) == -fitness_term_limit);
     CHECK(fitness_term(400, infinity) == -fitness_term_limit);
@@ -89,7 +89,7 @@ TEST_CASE("any partition and order of a window of 1024 samples give the same bit
     }
 }
 
-TEST_CASE("1024 terms at the limit still take one quantum") {
+TEST_CASE("a sum of 1024 terms at the limit still changes by one quantum") {
     double sum = 0;
     for (std::size_t w = 1; w < exact_fitness_terms; ++w)
         sum += -fitness_term_limit;

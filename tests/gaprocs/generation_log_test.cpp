@@ -1,4 +1,4 @@
-// Tests the content of a log: by hand, from the library and from the machine.
+// Tests the content of a log against values by hand, the library's log and the machine's log.
 
 #include "gaprocs/generation_log.hpp"
 
@@ -22,7 +22,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Returns rows as text: "2 east best 7", or for immigrants "2 east turned_away 3 from west".
+/// Returns rows as text, such as "2 east best 7"; for an immigrant "2 east turned_away 3 from west".
 std::vector<std::string> texts_of(const GenerationLog& log) {
     std::vector<std::string> texts;
     for (const LogRow& row : log.rows())
@@ -59,7 +59,7 @@ std::vector<std::string> masters(int islands) {
     return names;
 }
 
-/// Returns the rows with each search renamed to `name` and its number. REQUIRES: at most 10 searches.
+/// Returns the rows. Each search is renamed to `name` followed by its number. REQUIRES: at most 10 searches.
 std::vector<std::string> texts_named(const GenerationLog& log, std::string_view name) {
     auto texts = texts_of(log);
     for (std::string& text : texts)
@@ -103,7 +103,7 @@ void check_islands(const IslandsSettings& settings) {
     check_logs(machine, library);
 }
 
-/// Returns the log of one search of this problem.
+/// Returns the log of one search of the problem.
 GenerationLog searched(const SearchProblem& problem, std::size_t generations) {
     GenerationLog log({"traditional"});
     SearchSettings settings = usual_settings(problem);
@@ -116,7 +116,7 @@ constexpr double beyond_all = std::numeric_limits<double>::infinity();
 
 } // namespace
 
-TEST_CASE("a log by hand: two islands of two strings") {
+TEST_CASE("the log of two islands of two strings has the rows computed by hand") {
     GenerationLog log({"east", "west"});
     tell(log, "west", 1, test::strings({"0000", "0001"}), {2, 4});
     CHECK(log.of_all().empty());
@@ -157,7 +157,7 @@ TEST_CASE("a log by hand: two islands of two strings") {
                                                     "2 all fixation 0"});
 }
 
-TEST_CASE("a log of one search, or of searches for different things, has no rows of all") {
+TEST_CASE("a log of one search, or of searches for different problems, has no rows for all together") {
     GenerationLog one({"alone"}), different({"east", "west"}, false);
     tell(one, "alone", 1, test::strings({"00", "01"}), {2, 4});
     tell(different, "east", 1, test::strings({"00", "01"}), {2, 4});
@@ -169,7 +169,7 @@ TEST_CASE("a log of one search, or of searches for different things, has no rows
     CHECK_THROWS_AS(tell(one, "another", 1, test::strings({"00"}), {1}), std::invalid_argument);
 }
 
-TEST_CASE("what is minimised is logged in its own sign, the least is the best") {
+TEST_CASE("a minimised objective is logged in its own sign, and the least value is the best") {
     GenerationLog log({"east", "west"});
     auto say = [&](const char* search, std::uint64_t number, const std::vector<double>& fitness) {
         auto population = test::strings({"00", "01"});
@@ -192,13 +192,14 @@ TEST_CASE("what is minimised is logged in its own sign, the least is the best") 
     CHECK(std::ranges::count(texts, "2 west best 0") == 1);
 }
 
-TEST_CASE("the log of islands on the machine is that of the library but for the times") {
+TEST_CASE("the log of islands on the machine equals the library's log apart from the times") {
     check_ring_of_masters({.islands = 2, .population = 10});
     check_ring_of_masters({.islands = 4, .population = 30});
     check_ring_of_masters({.slaves = 2, .islands = 3, .population = 9, .split = "evaluations"});
 }
 
-TEST_CASE("the log of islands of any topology and policies is that of the library but for the times") {
+TEST_CASE(
+    "with any topology and policies, the log of islands on the machine equals the library's log apart from the times") {
     test::EveryNth sampled(5);
     for (const char* topology : {"ring(2)", "star", "complete", "none"})
         for (const char* schedule : {"broadcast(2)", "sequential(1)"})
@@ -219,7 +220,7 @@ TEST_CASE("the log of islands of any topology and policies is that of the librar
                 }
 }
 
-TEST_CASE("a log of asynchronous islands: an immigrant comes in a generation of the island that he comes to") {
+TEST_CASE("in a log of asynchronous islands, an immigrant belongs to a generation of the island that it comes to") {
     IslandsSettings settings = five_islands();
     settings.schedule = AsynchronousSchedule{2};
     settings.islands[1].window.length = 3; // this island starts before the others
@@ -244,7 +245,7 @@ TEST_CASE("a log of asynchronous islands: an immigrant comes in a generation of 
     CHECK(from_another > 10); // island 1 is 10 generations ahead of the islands to which it sends
 }
 
-TEST_CASE("every process that searches is observed, whatever its kind") {
+TEST_CASE("every kind of search process is observed") {
     std::string netlist =
         "workstation sun; T800 t[2]; process host; process master; process slave; process alone;\n"
         "process island[2]; use \"ga.host\" for host; use \"ga.master\" for master;\n"
@@ -269,7 +270,7 @@ TEST_CASE("every process that searches is observed, whatever its kind") {
     CHECK(log.of_all().size() == 40);
 }
 
-TEST_CASE("a log of an objective problem: the best objective, over generations without a record") {
+TEST_CASE("a log of an objective problem has the best objective of each generation") {
     GenerationLog sphere = searched(*minimise(PlainSphere{}), 50);
     REQUIRE(sphere.of(0).size() == 50);
     CHECK(sphere.minimises(0));
@@ -283,7 +284,7 @@ TEST_CASE("a log of an objective problem: the best objective, over generations w
     CHECK(machine.of(0).back().best_so_far == report.measured("master0", "best_objective"));
 }
 
-TEST_CASE("an objective that is no finite number is infinitely bad, and not in the mean") {
+TEST_CASE("an objective that is not a finite number is logged as infinite and left out of the mean") {
     GenerationLog log({"east", "west"});
     auto say = [&](const char* search, const std::vector<double>& fitness) {
         auto population = test::strings({"00", "01", "11"});
@@ -305,7 +306,7 @@ TEST_CASE("an objective that is no finite number is infinitely bad, and not in t
     CHECK(nowhere.of(0).back().best_so_far == beyond_all);
 }
 
-TEST_CASE("the diversity of a log is that of the representation") {
+TEST_CASE("the diversity in a log is that of the representation") {
     auto problem = minimise(Seats{});
     SearchSettings settings = usual_settings(*problem);
     settings.population = 10;
@@ -318,7 +319,7 @@ TEST_CASE("the diversity of a log is that of the representation") {
     CHECK(log.of(0).front().diversity > 0.5);
 }
 
-TEST_CASE("the log of a master with slaves is that of the traditional algorithm but for the times") {
+TEST_CASE("the log of a master with slaves equals that of the traditional algorithm apart from the times") {
     Cluster cluster{.slaves = 2, .population = 20};
     GenerationLog machine({"master0"}), library({"traditional"});
     run_on_line(cluster.netlist(), 1, &machine);
@@ -330,7 +331,7 @@ TEST_CASE("the log of a master with slaves is that of the traditional algorithm 
     CHECK(std::ranges::is_sorted(machine.of(0), {}, [](const LoggedGeneration& each) { return each.time; }));
 }
 
-TEST_CASE("migrations of a log are those of the islands") {
+TEST_CASE("the migrations in a log are those of the islands") {
     auto problem = make_search_problem(LineProblem{});
     IslandsSettings settings = islands_of({.islands = 4, .population = 6});
     settings.topology = Topology::named("complete");
@@ -353,7 +354,7 @@ TEST_CASE("migrations of a log are those of the islands") {
     CHECK(turned_away < run.migrations.size());
 }
 
-TEST_CASE("an observer changes nothing") {
+TEST_CASE("an observer does not change the run") {
     Cluster cluster{.slaves = 1, .islands = 3, .population = 12};
     GenerationLog log(masters(3));
     RunReport observed = run_on_line(cluster.netlist(), 1, &log), alone = run_on_line(cluster.netlist());

@@ -45,7 +45,7 @@ std::string refusal_of_file(const std::string& text) {
 
 } // namespace
 
-TEST_CASE("a file has a string in each line, but for comments and empty lines") {
+TEST_CASE("a file of strings has one string in each line; comments and empty lines are ignored") {
     PopulationFile file("# to begin with\n0101\n\n  1111\r\n0000");
     auto population = load_population(file.path(), BitString(4));
     REQUIRE(population.size() == 3);
@@ -64,7 +64,7 @@ TEST_CASE("a line that is not a string is refused at its place") {
     CHECK_THROWS_AS(load_population("there/is/none", BitString(4)), RefusedInput);
 }
 
-TEST_CASE("a search begins with what it is given, the rest drawn at random") {
+TEST_CASE("a search begins with the given individuals and draws the others") {
     auto seats = minimise(Seats{});
     Representation orders = seats->representation();
     SearchSettings settings = usual_settings(*seats);
@@ -86,7 +86,8 @@ TEST_CASE("a search begins with what it is given, the rest drawn at random") {
                          "an initial individual has 3 bits, expected 576", UserError);
 }
 
-TEST_CASE("what is wrong with a netlist's file is shown once, at its place there; then whose file it is") {
+TEST_CASE(
+    "an error in a netlist's file of strings is shown once, at its place in the file, with the process that reads it") {
     PopulationFile file("0 1 2 3 4 5 6 7 8\n0 1 2\n");
     Cluster cluster{.slaves = 0,
                     .master_parameters = fmt::format("initial = \"{}\"", file.path().string()),
@@ -104,7 +105,7 @@ TEST_CASE("what is wrong with a netlist's file is shown once, at its place there
     CHECK(refused.find("0 1 2\" has") == refused.rfind("0 1 2\" has"));
 }
 
-TEST_CASE("a netlist names the file") {
+TEST_CASE("a master begins with the strings of the file that its netlist names") {
     PopulationFile file("0 1 2 3 4 5 6 7 8\n");
     Cluster cluster{.slaves = 0,
                     .master_parameters = fmt::format("initial = \"{}\"", file.path().string()),
@@ -113,7 +114,7 @@ TEST_CASE("a netlist names the file") {
     CHECK(run_on_line(cluster.netlist()).measured("master0", "best_objective") == 0);
 }
 
-TEST_CASE("what is not stated, \"random\" and an empty text all draw every string") {
+TEST_CASE("without the parameter `initial`, and with \"random\" or \"\", every string is drawn") {
     Cluster cluster{.slaves = 0, .problem = "sphere", .host_parameters = "generations = 1"};
     auto populations = [&](const std::string& more) {
         cluster.master_parameters = "rehearsals = 0" + more;
@@ -124,14 +125,14 @@ TEST_CASE("what is not stated, \"random\" and an empty text all draw every strin
     CHECK(populations(", initial = \"spread\"") != populations(""));
 }
 
-TEST_CASE("a beginning that is neither a policy nor a file is refused before the run, at its place") {
+TEST_CASE("an `initial` that is neither a policy nor a file is refused before the run, at its place") {
     Cluster cluster{.slaves = 0, .master_parameters = "initial = \"spraed\"", .problem = "sphere"};
     CHECK_THROWS_WITH(run_on_line(cluster.netlist()),
                       doctest::Contains("there is no file of this name; else it is one of random, spread; did you "
                                         "mean \"spread\"?"));
 }
 
-TEST_CASE("a netlist asks for a spread population: the library's, drawn from a stream beside the search's") {
+TEST_CASE("a netlist's spread population is that of the library, drawn from a separate random stream") {
     Cluster cluster{.slaves = 0, .master_parameters = "", .problem = "sphere", .host_parameters = "generations = 1"};
     for (const std::string coding : {"natural", "gray", "gray(1)"}) {
         CAPTURE(coding);
@@ -147,7 +148,7 @@ TEST_CASE("a netlist asks for a spread population: the library's, drawn from a s
     }
 }
 
-TEST_CASE("what has no fields of bits cannot be spread") {
+TEST_CASE("strings without fields of bits cannot be spread") {
     for (auto each : {std::pair{"seats", ""}, {"plane", ""}, {"line", ""}, {"sphere", ", coding = \"real\""}}) {
         const char *problem = each.first, *more = each.second;
         CAPTURE(problem);

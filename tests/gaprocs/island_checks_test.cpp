@@ -1,4 +1,4 @@
-// Tests what ga.island refuses in a netlist before a run, and the place that the message gives.
+// Tests which islands of a netlist are refused before a run, and the place in the message.
 
 #include "gaprocs/processes/kinds.hpp"
 #include "netlist/read.hpp"
@@ -14,12 +14,13 @@ using namespace placedpar;
 
 namespace {
 
-/// A channel from an island to another.
+/// A channel from one island to another.
 struct Way {
     int from, from_end, to, to_end;
 };
 
-/// Makes islands of 12 on one processor. The parameters are in line 4; the channels start at line 5, one a line.
+/// Returns islands with populations of 12 on one processor. The parameters are in line 4. The channels begin in line 5,
+/// one in each line.
 std::string islands_netlist(int islands, const std::string& parameters, const std::vector<Way>& ways) {
     std::string text =
         fmt::format("val n {}; T800 t; workstation sun; connect sun.link[0] to t.link[0]; process host;\n"
@@ -61,7 +62,7 @@ std::vector<Way> ring(int islands) {
     return ways;
 }
 
-/// Returns the connections of island 0 with all others.
+/// Returns the connections of island 0 with all other islands, in both directions.
 std::vector<Way> star(int islands) {
     std::vector<Way> ways;
     for (int i = 1; i < islands; ++i) {
@@ -71,20 +72,20 @@ std::vector<Way> star(int islands) {
     return ways;
 }
 
-/// Returns statements for three islands, the last with parameters of its own.
+/// Returns statements for three islands. The last island has its own parameters.
 std::string and_of_the_last(const std::string& first, const std::string& last) {
     return fmt::format("rep i = 0 for 2 island[i] (problem = \"line\", {0}); island[2] ({1});", first, last);
 }
 
 } // namespace
 
-TEST_CASE("the names that older netlists know an island's ports by are told the new ones") {
+TEST_CASE("the old names of an island's ports are refused with a hint to the new names") {
     auto text = said_of(islands_netlist(2, all(""), {}) + "connect island[0].ring_out to island[1].ring_in;\n");
     check_says(text, "hint: it is called \"to_neighbours\" now");
     check_says(text, "hint: it is called \"from_neighbours\" now");
 }
 
-TEST_CASE("rings and islands that shall be alone are good") {
+TEST_CASE("rings and islands that are meant to be alone are accepted") {
     CHECK(said_of(3, all(""), ring(3)).empty());
     CHECK(said_of(3, all(", topology = \"ring\""), ring(3)).empty());
     CHECK(said_of(3, all(", topology = \"none\""), {}).empty());
@@ -104,13 +105,13 @@ TEST_CASE("populations of 0 and 1 are out of range") {
     check_says(said(1), "islands.cfs:4:27: error: the parameter \"population\" is out of range: 1 individual\n");
 }
 
-TEST_CASE("an island without neighbours among others that have some") {
+TEST_CASE("an island without neighbours is refused if other islands have neighbours") {
     auto text = said_of(3, all(""), {{0, 0, 1, 0}, {1, 0, 0, 0}});
     check_says(text, "islands.cfs:2:9: error: the island \"island[2]\" has no neighbours, while others have");
     check_says(text, "a search that exchanges nothing is a ga.master");
 }
 
-TEST_CASE("a topology that is not connected is a warning, once") {
+TEST_CASE("a topology in several parts is a warning, once") {
     auto text = said_of(4, all(""), {{0, 0, 1, 0}, {1, 0, 0, 0}, {2, 0, 3, 0}, {3, 0, 2, 0}});
     CHECK(text == "islands.cfs:2:9: warning: the islands are in 2 parts that exchange nothing with each other: "
                   "island[0], island[1]; island[2], island[3]\n"
@@ -118,7 +119,7 @@ TEST_CASE("a topology that is not connected is a warning, once") {
                   "            ^\n");
 }
 
-TEST_CASE("a chain of one way is a warning, once: the last island's individuals never come to the first") {
+TEST_CASE("a one-way chain is a warning, once: the last island's individuals never reach the first island") {
     check_says(said_of(3, all(""), {{0, 0, 1, 0}, {0, 1, 2, 0}}), // a star in one direction
                "warning: nothing of \"island[1]\" ever comes to \"island[0]\"");
     auto text = said_of(3, all(""), {{0, 0, 1, 0}, {1, 0, 2, 0}});
@@ -128,7 +129,7 @@ TEST_CASE("a chain of one way is a warning, once: the last island's individuals 
                   "hint: a ring leads back to the first island\n");
 }
 
-TEST_CASE("islands of which none is connected are a warning, once, unless they say that it is meant") {
+TEST_CASE("islands without connections are a warning, once, unless they have topology = \"none\"") {
     auto said = "islands.cfs:2:9: warning: none of 3 islands is connected to another: they exchange nothing\n"
                 "    process island[n];\n"
                 "            ^\n"
@@ -138,8 +139,8 @@ TEST_CASE("islands of which none is connected are a warning, once, unless they s
     CHECK(said_of(1, all(""), {}).empty());
 }
 
-TEST_CASE("islands that never exchange, since the run ends before, are a warning, once") {
-    // With 12 samples, the first generation uses 5, and each sample has 5 generations: 40.
+TEST_CASE("islands that never exchange because the run ends before are a warning, once") {
+    // There are 12 samples. The first generation needs 5 of them, and each sample has 5 generations: 40 in all.
     CHECK(said_of(3, all(", exchange_every = 40"), ring(3)).empty());
     CHECK(said_of(3, all(", exchange_every = 41"), ring(3)) ==
           "islands.cfs:4:44: warning: \"island[0]\" never exchanges: it would do so every 41 generations, and the run "
@@ -148,7 +149,7 @@ TEST_CASE("islands that never exchange, since the run ends before, are a warning
           "                                               ^\n");
     check_says(said_of(3, all(", schedule = \"sequential(41)\""), ring(3)), "islands.cfs:4:44: warning: \"island[0]\"");
     CHECK(said_of(3, all(", exchange_every = 41, topology = \"none\""), {}).empty());
-    // In step, all islands wait for the one that needs the most samples; otherwise each runs at its own pace.
+    // Islands in step wait for the island that needs the most samples. Otherwise each island has its own pace.
     auto last = [](const std::string& every, const std::string& other) {
         return said_of(3, and_of_the_last(every, "problem = \"line\", first_window = 10, " + other), ring(3));
     };
@@ -159,14 +160,14 @@ TEST_CASE("islands that never exchange, since the run ends before, are a warning
     CHECK(by_mail.find("\"island[0]\"") == std::string::npos);
 }
 
-TEST_CASE("connections that no topology has are refused where they are made") {
+TEST_CASE("connections that no topology can have are refused at their place") {
     check_says(said_of(2, all(""), {{0, 0, 1, 0}, {1, 0, 1, 1}}),
                "islands.cfs:6:1: error: \"island[1]\" is its own neighbour, expected another island");
     check_says(said_of(2, all(""), {{0, 0, 1, 0}, {0, 1, 1, 1}}),
                "error: \"island[0]\" is connected to \"island[1]\" twice, expected once");
 }
 
-TEST_CASE("another topology than the parameter says") {
+TEST_CASE("connections of another topology than the parameter says are refused") {
     check_says(said_of(12, all(", topology = \"hypercube\""), ring(12)),
                "islands.cfs:4:44: error: a hypercube of 12 islands, expected a power of two such as 8 or 16");
     check_says(said_of(4, all(", topology = \"hypercube\""), ring(4)),
@@ -177,7 +178,7 @@ TEST_CASE("another topology than the parameter says") {
     check_says(said_of(10, all(", topology = \"torus(3)\""), ring(10)), "expected rows that divide 10: 1, 2, 5, 10");
 }
 
-TEST_CASE("more migrants than individuals, more than a message holds, and more than there is room for") {
+TEST_CASE("more emigrants than individuals, than a message holds or than can be accepted are refused") {
     check_says(said_of(2, all(", emigration = \"best(13)\""), ring(2)),
                "islands.cfs:4:44: error: 13 emigrants from a population of 12, expected at most 12");
     check_says(said_of(2,
@@ -189,20 +190,20 @@ TEST_CASE("more migrants than individuals, more than a message holds, and more t
     check_says(text, "islands.cfs:4:27: error: 13 immigrants come at once to an island of 12 individuals, 1 of them "
                      "elite, expected at most 11");
     CHECK(said_of(12, all(", elite = 1"), star(12)).empty());
-    auto no_pair = said_of(3, all(", elite = 11"), ring(3)); // no message about consequences of this fault
+    auto no_pair = said_of(3, all(", elite = 11"), ring(3)); // no message about consequences of this error
     check_says(no_pair, "an elite of 11 leaves no pair");
     CHECK(no_pair.find("at once") == std::string::npos);
     check_says(said_of(12, all(", elite = 1, schedule = \"sequential\", emigration = \"random(2)\""), star(12)),
                "22 immigrants come at once");
 }
 
-TEST_CASE("an exchange's times are said once") {
+TEST_CASE("an interval that is given both in the schedule and in exchange_every is refused") {
     check_says(said_of(2, all(", schedule = \"sequential(5)\", exchange_every = 5"), ring(2)),
-               "error: exchange_every = 5, but the schedule \"sequential(5)\" says how often, too");
+               "error: exchange_every = 5, but the schedule \"sequential(5)\" states an interval, too");
     check_says(said_of(2, all(", schedule = \"sequential(0)\""), ring(2)), "every is a whole number from 1");
 }
 
-TEST_CASE("islands that could wait for each other for ever, or not understand each other") {
+TEST_CASE("islands that could wait for each other for ever, or have different problems, are refused") {
     auto last = [](const std::string& first, const std::string& other) {
         return said_of(3, and_of_the_last(first, other), ring(3));
     };
@@ -220,7 +221,7 @@ TEST_CASE("islands that could wait for each other for ever, or not understand ea
               .empty());
 }
 
-TEST_CASE("islands in step are sent as many samples") {
+TEST_CASE("islands in step that are sent different numbers of samples are refused") {
     std::string text = "T800 a; workstation sun; connect sun.link[0] to a.link[0]; process host, hosts, i, j;\n"
                        "use \"ga.host\" for host; use \"ga.host\" for hosts; use \"ga.island\" for i; "
                        "use \"ga.island\" for j; place host on sun; place hosts on sun; place i on a; place j on a;\n"
@@ -229,7 +230,7 @@ TEST_CASE("islands in step are sent as many samples") {
                        "connect host.to_masters[0] to i.from_host; connect hosts.to_masters[0] to j.from_host;\n"
                        "connect i.to_neighbours[0] to j.from_neighbours[0]; "
                        "connect j.to_neighbours[0] to i.from_neighbours[0];\n";
-    check_says(said_of(text), "error: \"j\" and \"i\" are not sent as many samples: 11 and 12");
+    check_says(said_of(text), "error: \"j\" and \"i\" are sent different numbers of samples: 11 and 12");
     text.replace(text.find("samples = 11"), 12, "samples = 12");
     CHECK(said_of(text).empty());
 }

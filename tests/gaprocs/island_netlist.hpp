@@ -14,20 +14,21 @@
 
 namespace placedpar::test {
 
-/// Islands of the line problem, or another problem, as a netlist: island[0], island[1], ... They run on as many
-/// workstations, wired like their islands; on four transputers, each wired to every other; or all on one.
+/// Returns islands of the line problem, or of another problem, as a netlist: island[0], island[1], ... They run on one
+/// workstation for each island, wired as the islands are; or on four transputers, each wired to every other; or all on
+/// one transputer.
 struct IslandNetlist {
     IslandsSettings settings;
     enum class On { one_transputer, four_transputers, workstations } on = On::one_transputer;
-    std::string transputer = "clock = 20M";       ///< attributes of the first and third
-    std::string other_transputer = "clock = 20M"; ///< attributes of the second and fourth
+    std::string transputer = "clock = 20M";       ///< attributes of the first and third transputer
+    std::string other_transputer = "clock = 20M"; ///< attributes of the second and fourth transputer
     std::string wire = "linkspeed = 20M";
-    std::string topology = "given"; ///< value of the parameter
+    std::string topology = "given"; ///< the parameter `topology`
     std::string more = "";          ///< further parameters of each island
     std::string problem = "line";
     bool recorded = true;  ///< the problem's window slides over samples
     std::string host = ""; ///< parameters of the host
-    int slaves = 0;        ///< for each island, in a chain; on workstations only
+    int slaves = 0;        ///< number of slaves of each island, in a chain; only on workstations
 
     std::string text() const {
         std::size_t n = settings.islands.size();
@@ -90,7 +91,8 @@ private:
                            std::min(window.first, window.length), window.trials, window.bias);
     }
 
-    /// The first slave is wired to its island through a link that no neighbour uses.
+    /// Returns the declaration of a slave. The first slave is wired to its island through a link that no neighbour
+    /// uses.
     std::string slave(std::size_t i, int s) const {
         std::string before = s == 0 ? fmt::format("island[{}]", i) : fmt::format("slave{}_{}", i, s - 1);
         std::string link = s == 0 ? fmt::format("w[{}].link[99]", i) : fmt::format("s{}_{}.link[3]", i, s - 1);
@@ -101,7 +103,8 @@ private:
                            i, s, before, link, s % 2 ? other_transputer : transputer, problem, wire);
     }
 
-    /// The ports for immigrants are numbered from the highest island on, since their order must not matter.
+    /// Connects the islands. The ports for immigrants are numbered in the reverse order of islands, because this order
+    /// must not matter.
     std::string channels() const {
         std::string text;
         std::vector<int> ends(count());
@@ -114,14 +117,14 @@ private:
     }
 };
 
-/// Runs the same islands in the library: for each island a hash of every population, as the processes measure it.
+/// Runs the same islands in the library. Holds for each island a hash of all populations, as its process measures it.
 struct LibraryRun {
     std::vector<std::string> populations;
 
     LibraryRun(const IslandsSettings& settings, std::vector<RandomStream> streams)
         : LibraryRun(*make_search_problem(LineProblem{}), line_record(line_samples), settings, std::move(streams)) {}
 
-    /// Throws what Islands() throws.
+    /// Throws as Islands().
     LibraryRun(const SearchProblem& problem, std::span<const Sample> record, const IslandsSettings& settings,
                std::vector<RandomStream> streams) {
         Islands islands(problem, settings, std::move(streams));

@@ -17,7 +17,7 @@ using test::LibraryRun;
 
 namespace {
 
-// Rings of masters with slaves
+// The first tests have rings of masters with slaves.
 
 std::vector<RandomStream> streams_of_masters(std::size_t islands) {
     std::vector<RandomStream> streams;
@@ -39,7 +39,7 @@ void check_ring(const Cluster& cluster) {
               expected.populations[static_cast<std::size_t>(i)]);
 }
 
-// Any topology
+// The next tests have other topologies.
 
 constexpr std::size_t eight = 8;
 
@@ -53,7 +53,7 @@ IslandsSettings alike_islands() {
     return settings;
 }
 
-/// Islands with different populations (some of them odd), windows and biases: a distributed fitness function.
+/// Returns islands with different populations (some odd), windows and biases: a distributed fitness function.
 IslandsSettings different_islands() {
     IslandsSettings settings = alike_islands();
     const std::vector<std::size_t> populations{17, 16, 19, 20, 16, 18, 21, 16}, windows{10, 7, 10, 3, 10, 5, 7, 9};
@@ -94,24 +94,24 @@ double execution_ms(const IslandsSettings& settings) {
 
 } // namespace
 
-TEST_CASE("islands in a ring exchange their bests every third generation") {
+TEST_CASE("islands in a ring exchange their bests every third generation, as in the library") {
     check_ring({.islands = 2, .population = 10});
     check_ring({.islands = 4, .population = 30});
 }
 
-TEST_CASE("islands that are masters do the same") {
+TEST_CASE("islands with slaves exchange their bests every third generation, as in the library") {
     check_ring({.slaves = 3, .islands = 4, .population = 30});
     check_ring({.slaves = 2, .islands = 3, .population = 9, .split = "evaluations"});
 }
 
-TEST_CASE("without exchange the islands are other searches") {
+TEST_CASE("islands with exchange have other populations than islands without") {
     Cluster exchanging{.islands = 2, .population = 10};
     Cluster rarely{.islands = 2, .population = 10, .master_parameters = "rehearsals = 1, exchange_every = 1000"};
     CHECK(run_on_line(exchanging.netlist()).measured_text("master0", "populations") !=
           run_on_line(rarely.netlist()).measured_text("master0", "populations"));
 }
 
-TEST_CASE("every topology, schedule, emigration and acceptance: processes as the library") {
+TEST_CASE("island processes have the library's generations with every topology, schedule, emigration and acceptance") {
     test::EveryNth sampled(11);
     for (bool different : {false, true})
         for (const Topology& topology : topologies())
@@ -130,7 +130,7 @@ TEST_CASE("every topology, schedule, emigration and acceptance: processes as the
                     }
 }
 
-TEST_CASE("no placement and no speed of a link or processor changes a generation") {
+TEST_CASE("no placement and no speed of links or processors changes a generation") {
     using On = IslandNetlist::On;
     test::EveryNth sampled(5);
     for (const Topology& topology : topologies())
@@ -155,14 +155,14 @@ TEST_CASE("no placement and no speed of a link or processor changes a generation
         }
 }
 
-TEST_CASE("a named topology puts the neighbours in its order, however they are connected") {
+TEST_CASE("a named topology determines the order of neighbours, however they are connected") {
     Neighbours cube = Topology(HypercubeTopology{}).neighbours(eight), shuffled = cube;
     for (std::size_t i = 0; i < eight; ++i)
         std::rotate(shuffled[i].begin(), shuffled[i].begin() + static_cast<std::ptrdiff_t>(i % 3), shuffled[i].end());
     IslandNetlist netlist{alike_islands()};
     netlist.settings.topology = GivenTopology{shuffled};
     netlist.settings.schedule = SequentialSchedule{1};
-    check_same_as_library(netlist); // as the channels are connected
+    check_same_as_library(netlist); // in the order of the connections
     auto populations = [](const IslandNetlist& each) {
         return run_on_line(each.text()).measured_text("island[1]", "populations");
     };
@@ -174,7 +174,8 @@ TEST_CASE("a named topology puts the neighbours in its order, however they are c
     CHECK(populations(netlist) != as_connected);
 }
 
-TEST_CASE("who comes from another window is evaluated anew, which takes the time of it; among the offspring not") {
+TEST_CASE(
+    "an immigrant from another window is evaluated again, which takes time; an immigrant among the offspring is not") {
     IslandsSettings same = alike_islands(), different = same;
     same.islands.resize(4);
     different.islands.resize(4);
@@ -188,9 +189,9 @@ TEST_CASE("who comes from another window is evaluated anew, which takes the time
     CHECK(std::abs(execution_ms(different) - execution_ms(same)) < 0.1);
 }
 
-// Asynchronous
+// The last tests have asynchronous exchange.
 
-TEST_CASE("asynchronous exchange ends on every topology and placement, the same in each run of one machine") {
+TEST_CASE("asynchronous exchange ends on every topology and placement, and repeats exactly on the same machine") {
     using On = IslandNetlist::On;
     std::set<std::string> runs;
     IslandNetlist without{different_islands()};
@@ -207,7 +208,7 @@ TEST_CASE("asynchronous exchange ends on every topology and placement, the same 
             CHECK(report.result.ending == Ending::completed);
             CHECK(report.result.fingerprint == again.result.fingerprint);
             CHECK(report.measured("island[0]", "generations") == 16); // two for each sample from the fifth on
-            CHECK(report.measured("island[3]", "generations") == 20); // this island waits for no other
+            CHECK(report.measured("island[3]", "generations") == 20); // this island does not wait for any other
             CHECK(report.measured_text("island[0]", "populations") == again.measured_text("island[0]", "populations"));
             CHECK((report.measured_text("island[0]", "populations") != alone) == topology.exchanges());
             runs.insert(report.measured_text("island[0]", "populations"));
@@ -215,7 +216,7 @@ TEST_CASE("asynchronous exchange ends on every topology and placement, the same 
     CHECK(runs.size() > 8); // the result depends on the machine
 }
 
-TEST_CASE("asynchronous islands may be masters") {
+TEST_CASE("asynchronous islands may have slaves") {
     for (const char* more : {"rehearsals = 2, schedule = \"asynchronous(2)\"",
                              "rehearsals = 2, schedule = \"asynchronous\", exchange_every = 1, acceptance = "
                              "\"offspring\""}) {

@@ -1,4 +1,4 @@
-// Tests what the kinds refuse in a netlist before a run, and the place that the message gives.
+// Tests which netlists the kinds refuse before a run, and the place in the message.
 
 #include "gaprocs/processes/kinds.hpp"
 #include "gaprocs/processes/messages.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t samples = 12;
 
-/// Returns a master, two slaves and the host, one statement a line.
+/// Returns a netlist's statements for a master, two slaves and the host, by name.
 std::map<std::string, std::string> statements() {
     return {{"host", "host (problem = \"line\");"},
             {"master", "master (problem = \"line\", slaves = 2);"},
@@ -33,7 +33,7 @@ std::map<std::string, std::string> statements() {
             {"from next", "connect slave[1].to_master to slave[0].from_slaves;"}};
 }
 
-/// Lines 1 to 8 are the statements above, ordered by name. The rest is common to all netlists.
+/// Returns the netlist. Lines 1 to 8 are the statements above, ordered by name. The rest is common to all netlists.
 std::string netlist(const std::map<std::string, std::string>& lines) {
     std::string text = "T800 t; workstation sun; connect sun.link[0] to t.link[0]; process host; process master; "
                        "process slave[2]; use \"ga.host\" for host; use \"ga.master\" for master; "
@@ -59,7 +59,7 @@ struct Kinds {
     }
 };
 
-/// Returns all complaints about the netlist with one of its statements replaced.
+/// Returns all complaints about the netlist after the replacement of one statement.
 std::string refusal(const std::string& name, const std::string& statement) {
     Kinds kinds;
     auto lines = statements();
@@ -100,7 +100,7 @@ TEST_CASE("a message shorter than the string that it carries is a warning") {
     CHECK(said.starts_with("farm.cfs:5:62: warning: string_bytes = 1, but a string of \"line\" takes 2"));
 }
 
-TEST_CASE("settings that run, but not as the record is meant, are warnings, once") {
+TEST_CASE("settings that do not suit the record are warnings, once") {
     auto lines = statements();
     for (auto& [name, statement] : lines)
         if (auto at = statement.find("line"); at != std::string::npos)
@@ -110,25 +110,25 @@ TEST_CASE("settings that run, but not as the record is meant, are warnings, once
         return refusal_of(lines);
     };
     CHECK(said_with(", trials = 3, bias = 10").empty());
-    CHECK(said_with(", trials = 3, bias = 400").empty()); // an explicit setting is accepted without a warning
+    CHECK(said_with(", trials = 3, bias = 400").empty()); // there is no warning of an explicit setting
     CHECK(said_with(", trials = 2, bias = 10") ==
-          "farm.cfs:5:40: warning: trials = 2, but the record of \"timed\" has a sample for every 3 generations: what "
-          "changes in it changes at another generation than it says\n"
+          "farm.cfs:5:40: warning: trials = 2, but the record of \"timed\" has one sample for every 3 generations, so "
+          "its changes happen at other generations than documented\n"
           "    master (problem = \"timed\", slaves = 2, trials = 2, bias = 10);\n"
           "                                           ^\n"
           "hint: trials = 3\n");
     std::string said = said_with("");
     CHECK(said.find("warning: trials = 5, but") != std::string::npos);
-    CHECK(said.find("warning: bias = 400 is the boom's") != std::string::npos);
+    CHECK(said.find("warning: bias = 400 was chosen for \"boom\"") != std::string::npos);
     CHECK(said.find("hint: bias = 10\n") != std::string::npos);
 }
 
-TEST_CASE("the netlist that the refused ones differ from is good") {
+TEST_CASE("the netlist from which the refused netlists differ is accepted") {
     Kinds kinds;
     CHECK(render(read_netlist_text(netlist(statements()), kinds.catalogue).diagnostics).empty());
 }
 
-TEST_CASE("half-connected pairs are refused where the connected half is") {
+TEST_CASE("a port that is connected without its counterpart is refused at the connected port") {
     auto lines = statements();
     lines.at("from slaves") = "connect slave[0].to_master to slave[0].from_slaves;";
     lines.at("from next") = "connect slave[1].to_master to slave[1].from_slaves;";
@@ -141,7 +141,7 @@ TEST_CASE("half-connected pairs are refused where the connected half is") {
          "farm.cfs:2:1: error: the channel \"slave[1].from_slaves\" is connected, but \"slave[1].to_slaves\" is not");
 }
 
-TEST_CASE("results that do not come back the way of the tasks are refused") {
+TEST_CASE("results that do not return on the way of the tasks are refused") {
     auto lines = statements();
     lines.at("from slaves") = "connect slave[1].to_master to master.from_slaves;";
     lines.at("from next") = "connect slave[0].to_master to slave[0].from_slaves;";
@@ -152,7 +152,7 @@ TEST_CASE("results that do not come back the way of the tasks are refused") {
     says(text, "hint: connect slave[0].to_master to master.from_slaves;");
 }
 
-TEST_CASE("the names that older netlists know the ports by are told the new ones") {
+TEST_CASE("the old names of ports are refused with a hint to the new names") {
     auto text = refusal("to next", "connect slave[0].to_next to slave[1].from_master;");
     says(text, "error: the kind \"ga.slave\" of \"slave[0]\" has no channel \"to_next\"");
     says(text, "hint: it is called \"to_slaves\" now");
@@ -163,7 +163,7 @@ TEST_CASE("the names that older netlists know the ports by are told the new ones
     says(refusal("host", interface), "hint: it is called \"to_slaves\" now");
 }
 
-TEST_CASE("as many slaves as the chain has, and no more than there is work for") {
+TEST_CASE("a number of slaves that differs from the chain's, or exceeds the work, is refused") {
     for (int slaves : {1, 3})
         says(refusal("master", fmt::format("master (problem = \"line\",\nslaves = {});", slaves)),
              fmt::format("farm.cfs:6:1: error: slaves = {}, but \"master.to_slaves\" leads to 2", slaves));
@@ -184,7 +184,7 @@ TEST_CASE("a host that sends too few samples for the first generation is refused
     CHECK(host(0).empty()); // 0 means all samples
 }
 
-TEST_CASE("a host need not send more samples than a window that is shorter than the first one holds") {
+TEST_CASE("a host need not send more samples than the window holds") {
     auto host = [](int sent) {
         auto lines = statements();
         lines.at("host") = fmt::format("host (problem = \"line\", samples = {});", sent);
@@ -195,7 +195,7 @@ TEST_CASE("a host need not send more samples than a window that is shorter than 
     CHECK(host(3).empty());
 }
 
-TEST_CASE("errors that depend on those before them are not dealt out one by one") {
+TEST_CASE("a problem whose errors depend on earlier samples refuses the split into single evaluations") {
     auto text = refusal("master", "master (problem = \"along\", slaves = 2,\nsplit = \"evaluations\");");
     says(text,
          "farm.cfs:6:1: error: single evaluations of \"along\" cannot be dealt out: its error at a sample depends "
@@ -206,7 +206,7 @@ TEST_CASE("errors that depend on those before them are not dealt out one by one"
                   .find("dealt out") == std::string::npos);
 }
 
-TEST_CASE("a slave is reached once") {
+TEST_CASE("a slave that is reached twice is refused") {
     auto lines = statements();
     lines.at("to slaves") = "connect master.to_slaves[0] to slave[0].from_master[0];\n"
                             "connect master.to_slaves[1] to slave[0].from_master[1];";
@@ -230,7 +230,7 @@ TEST_CASE("slaves in a circle, which no master reaches, are refused once") {
     CHECK(text.find("circle", text.find("circle") + 1) == std::string::npos);
 }
 
-TEST_CASE("a tree has no loose ends") {
+TEST_CASE("crossed, missing or unnumbered connections in a tree are refused") {
     auto lines = star_statements();
     CHECK(refusal_of(lines).empty());
 
@@ -256,20 +256,20 @@ TEST_CASE("a tree has no loose ends") {
     says(said, "hint: the channels to_slaves[...] of a process are numbered 0, 1, 2 ...");
 }
 
-TEST_CASE("as many slaves as a tree has") {
+TEST_CASE("a number of slaves that differs from the tree's is refused") {
     auto lines = star_statements();
     lines.at("master") = "master (problem = \"line\", slaves = 3);";
     says(refusal_of(lines), "farm.cfs:5:27: error: slaves = 3, but \"master.to_slaves\" leads to 2");
 }
 
-TEST_CASE("several tasks under way are of the split demand") {
+TEST_CASE("several tasks under way are refused with a split other than demand") {
     says(refusal("master", "master (problem = \"line\", slaves = 2, tasks_under_way = 2);"),
          "farm.cfs:5:39: error: tasks_under_way = 2, but with the split \"individuals\" each slave is sent one task");
     CHECK(
         refusal("master", "master (problem = \"line\", slaves = 2, tasks_under_way = 2, split = \"demand\");").empty());
 }
 
-TEST_CASE("a channel that is not an array of its kind is refused with its process, not called a defect") {
+TEST_CASE("an array at a port that is a single channel is refused at its process") {
     Kinds kinds;
     std::string text = netlist(statements()), end = "to master.from_host;";
     text.replace(text.find(end), end.size(), "to master.from_host[0];");
@@ -281,7 +281,7 @@ TEST_CASE("a channel that is not an array of its kind is refused with its proces
         UserError);
 }
 
-TEST_CASE("settings that do not fit together are refused at the parameter") {
+TEST_CASE("settings that contradict each other are refused at the parameter") {
     auto master = [](const char* settings) {
         return refusal("master", fmt::format("master (problem = \"line\", slaves = 2, {});", settings));
     };
@@ -289,15 +289,15 @@ TEST_CASE("settings that do not fit together are refused at the parameter") {
     says(master("first_window = 4, window = 3"),
          "farm.cfs:5:39: error: the first generation waits for 4 samples, but the window holds 3");
     says(master("first_window = 11"), "the first generation waits for 11 samples, but the window holds 10");
-    CHECK(master("window = 3").empty()); // first_window has a default, which is reduced
+    CHECK(master("window = 3").empty()); // first_window has a default, which is reduced to the window
     says(master("population = 10, elite = 9"), "farm.cfs:5:56: error: an elite of 9 leaves no pair to be bred");
-    says(master("bias = 8388609.0"), "it goes from 1e-300 to 8388608");
+    says(master("bias = 8388609.0"), "expected from 1e-300 to 8388608");
     CHECK(master("bias = 8388608.0").empty());
     says(refusal("host", "host (samples = 13, problem = \"line\");"),
          "farm.cfs:4:7: error: samples = 13, but the record of \"line\" has 12");
 }
 
-TEST_CASE("problems are known, and all work on the same") {
+TEST_CASE("unknown problems, and different problems of a master and its slaves, are refused") {
     says(refusal("slave 0", "slave[0] (problem = \"curve\");"),
          "farm.cfs:6:11: error: unknown search problem 'curve'; known: along, line, other line, sphere");
     says(refusal("slave 1", "slave[1] (problem = \"other line\");"),
@@ -305,7 +305,7 @@ TEST_CASE("problems are known, and all work on the same") {
     says(refusal("host", "host (problem = \"other line\");"), "\"host\" works on the problem \"other line\"");
 }
 
-TEST_CASE("a problem that does not exist is refused once, by the first that asks for it") {
+TEST_CASE("a problem that does not exist is refused once, at the first process that names it") {
     auto lines = statements();
     for (auto& [name, statement] : lines)
         for (auto at = statement.find("\"line\""); at != std::string::npos; at = std::string::npos)
@@ -318,7 +318,7 @@ TEST_CASE("a problem that does not exist is refused once, by the first that asks
 
 namespace {
 
-/// Returns all complaints about the netlist if all its processes work on the sphere.
+/// Returns all complaints about the netlist in which all processes have the problem "sphere".
 std::string refusal_of_sphere(const std::string& host, const std::string& master) {
     auto lines = statements();
     lines.at("host") = fmt::format("host (problem = \"sphere\"{});", host);
@@ -331,7 +331,7 @@ std::string refusal_of_sphere(const std::string& host, const std::string& master
 
 } // namespace
 
-TEST_CASE("what is of identification only is refused where there is no record") {
+TEST_CASE("parameters that need a record are refused for a problem without one") {
     CHECK(refusal_of_sphere("", "").empty());
     CHECK(refusal_of_sphere(", generations = 7", "").empty());
     for (const char* parameter :
@@ -339,23 +339,25 @@ TEST_CASE("what is of identification only is refused where there is no record") 
           "cycles_per_measurement_word = 0", "measurements = \"sample\""}) {
         std::string name(parameter, std::string(parameter).find(' '));
         says(refusal_of_sphere("", fmt::format(", {}", parameter)),
-             fmt::format("farm.cfs:5:41: error: {} is of identification only: \"sphere\" gives a number for each "
-                         "individual as it is, and has no record of measurements",
+             fmt::format("farm.cfs:5:41: error: {} applies only to problems with a record: \"sphere\" is an objective "
+                         "without measurements",
                          name));
     }
-    says(refusal_of_sphere(", samples = 3", ""), "farm.cfs:4:27: error: samples is of identification only");
-    says(refusal_of_sphere(", sample_bytes = 3", ""), "hint: \"generations\" says how long it is searched");
+    says(refusal_of_sphere(", samples = 3", ""),
+         "farm.cfs:4:27: error: samples applies only to problems with a record");
+    says(refusal_of_sphere(", sample_bytes = 3", ""), "hint: \"generations\" sets how long it is searched");
     says(refusal("host", "host (problem = \"line\", generations = 3);"),
-         "farm.cfs:4:25: error: generations is of problems without a record: \"line\" has one of 12 samples");
+         "farm.cfs:4:25: error: generations applies only to problems without a record: \"line\" has a record of 12 "
+         "samples");
 }
 
-TEST_CASE("reproduction that an objective does not allow is refused where it is given") {
+TEST_CASE("a reproduction that an objective does not allow is refused at its parameter") {
     says(refusal_of_sphere("", ", reproduction = \"roulette\""),
          "farm.cfs:5:41: error: reproduction by roulette discards individuals of fitness <= 0");
     CHECK(refusal_of_sphere("", ", reproduction = \"tournament\"").empty());
 }
 
-TEST_CASE("operators and codings that do not fit the strings are refused where they are given, with those that fit") {
+TEST_CASE("operators and codings that do not fit the strings are refused at their parameter, with those that fit") {
     says(refusal_of_sphere("", ", crossover_operator = \"order\""),
          "farm.cfs:5:41: error: the crossover \"order\" does not fit binary strings: expected one-point, two-point, "
          "uniform, by-difference");
@@ -375,7 +377,7 @@ TEST_CASE("operators and codings that do not fit the strings are refused where t
     CHECK(line("coding = \"gray(dont_care = 2)\"").empty());
 }
 
-TEST_CASE("a string weighs what the netlist says, or else its bits in whole bytes") {
+TEST_CASE("the length of a string in a message is the netlist's, or else the string's bits in whole bytes") {
     auto problem = make_search_problem(LineProblem{});
     CHECK(string_bytes(0, *problem) == (problem->bits() + 7) / 8);
     CHECK(string_bytes(2, *problem) == 2);
@@ -391,15 +393,15 @@ TEST_CASE("a string weighs what the netlist says, or else its bits in whole byte
     CHECK(time_with("") < time_with(", string_bytes = 512"));
 }
 
-TEST_CASE("messages beyond what a count of 31 bits can tell are refused") {
-    // 98304 individuals are sent in three shares of 32768: with 65536 bytes each, that is 2^31.
+TEST_CASE("messages longer than a count of 31 bits can state are refused") {
+    // 98304 individuals are sent in three shares of 32768. With 65536 bytes each, a share has 2^31 bytes.
     auto strings = [](int population, int bytes) {
         return refusal("master", fmt::format("master (problem = \"line\", slaves = 2, measurement_bytes = 1, "
                                              "population = {}, string_bytes = {});",
                                              population, bytes));
     };
     says(strings(98304, 65536), "farm.cfs:5:82: error: a message for 32768 individuals would have 2147483649 bytes");
-    says(strings(196608, 65536), "would have 4294967297 bytes"); // 1 in 32 bits
+    says(strings(196608, 65536), "would have 4294967297 bytes"); // as 32 bits, this would be 1
     CHECK(strings(98301, 65536).empty());
     auto lines = statements();
     lines.at("master") = "master (problem = \"line\", slaves = 2, population = 98304);";
@@ -411,11 +413,11 @@ TEST_CASE("messages beyond what a count of 31 bits can tell are refused") {
     CHECK_THROWS_AS(message_bytes(32767, 65536, 65536), UserError);
 }
 
-TEST_CASE("what is refused only when it runs names the process, its kind and its line") {
+TEST_CASE("an error that is found only during the run names the process, its kind and its line") {
     Kinds kinds;
     auto read = read_netlist_text(netlist(statements()), kinds.catalogue, {}, "farm.cfs");
     REQUIRE(read.network);
-    ProblemRegistry shorter; // the record differs from the one that was checked
+    ProblemRegistry shorter; // its record differs from the one that was checked
     shorter.add("line", make_search_problem(LineProblem{}), line_record(9));
     Catalogue others;
     add_genetic_algorithm_kinds(others, shorter);
@@ -425,7 +427,7 @@ TEST_CASE("what is refused only when it runs names the process, its kind and its
         doctest::Contains("process master (ga.master): the window holds 10 samples, the record only 9"), UserError);
 }
 
-TEST_CASE("netlists that run differently differ in their hash: a policy that is left out is the usual one") {
+TEST_CASE("netlists that run differently have different hashes; a policy that is left out is the usual one") {
     auto hash = [](const std::string& parameters) {
         Kinds kinds;
         auto lines = statements();
@@ -442,8 +444,7 @@ TEST_CASE("netlists that run differently differ in their hash: a policy that is 
           hash(", reproduction = \"usual\", crossover_operator = \"usual\", mutation_operator = \"usual\""));
 }
 
-TEST_CASE(
-    "real numbers on a transputer without a unit for them: a warning, once, unless the netlist says their cycles") {
+TEST_CASE("real numbers without a floating-point unit are a warning, once, unless the netlist states their cycles") {
     auto said_on = [](const std::string& type, const std::string& cycles) {
         Kinds kinds;
         auto lines = statements();
@@ -458,8 +459,8 @@ TEST_CASE(
     for (const char* without : {"T414", "T425", "T400", "T212", "B404_T425"}) {
         CHECK(said_on(without, ", cycles_per_error = 9000").empty());
         std::string said = said_on(without, "");
-        CHECK(says(said, "warning: \"master\" computes with real numbers, and \"t\", a T"));
-        CHECK(says(said, "has no floating-point unit: cycles_per_error = 1440 is a T800's"));
+        CHECK(says(said, "warning: \"master\" computes with real numbers, but \"t\", a T"));
+        CHECK(says(said, "has no floating-point unit: cycles_per_error = 1440 is the workload on a T800"));
         CHECK(said.find("warning", said.find("warning") + 1) == std::string::npos);
     }
 }

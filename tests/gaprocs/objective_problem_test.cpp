@@ -1,4 +1,4 @@
-// Tests problems that give a number for each individual, in the library.
+// Tests problems without a record, which give a number for each individual, in the library.
 
 #include "gaprocs/islands.hpp"
 #include "gaprocs/problem_registry.hpp"
@@ -26,7 +26,7 @@ double fitness_of_string(const SearchProblem& problem, const char* string) {
 
 } // namespace
 
-TEST_CASE("fitness is the objective, negated to be minimised") {
+TEST_CASE("fitness is the objective, negated if it is minimised") {
     Objective least{.goal = Goal::minimise}, greatest{.goal = Goal::maximise};
     CHECK(greatest.fitness(-2.5) == -2.5);
     CHECK(least.fitness(-2.5) == 2.5);
@@ -37,7 +37,7 @@ TEST_CASE("fitness is the objective, negated to be minimised") {
     CHECK_FALSE(std::signbit(*least.value(least.fitness(0))));
 }
 
-TEST_CASE("an objective that is no finite number is worse than every other") {
+TEST_CASE("an objective that is not a finite number is worse than every other") {
     for (Goal goal : {Goal::minimise, Goal::maximise}) {
         Objective objective{.goal = goal};
         for (double value : {not_a_number, infinite, -infinite}) {
@@ -53,7 +53,7 @@ TEST_CASE("an objective that is no finite number is worse than every other") {
         CHECK(fitness_of_string(*cliff, string) == worst_fitness);
 }
 
-TEST_CASE("a search where most individuals are not allowed goes on, and finds the one that is") {
+TEST_CASE("a search in which most individuals are not allowed continues and finds the allowed one") {
     for (const char* reproduction : {"ranking", "scaled", "tournament"}) {
         auto cliff = minimise(Cliff{});
         SearchSettings settings = usual_settings(*cliff);
@@ -81,7 +81,7 @@ TEST_CASE("a plain struct of two functions is a problem") {
     CHECK_FALSE(make_search_problem(LineProblem{})->objective());
 }
 
-TEST_CASE("what a struct states besides is what the problem says") {
+TEST_CASE("optional functions of a struct give the problem's names, units and optimum") {
     auto valley = minimise(Valley{});
     CHECK(valley->parameter_names() == std::vector<std::string>{"across", "along"});
     CHECK(valley->parameter_units() == std::vector<std::string>{"m", "km"});
@@ -89,7 +89,7 @@ TEST_CASE("what a struct states besides is what the problem says") {
     CHECK(valley->objective()->optimum == 0);
 }
 
-TEST_CASE("Gray code is read by any problem of fields") {
+TEST_CASE("any problem with fields can be read in Gray code") {
     auto gray = minimise(PlainSphere{})->coded(Coding::gray);
     CHECK(gray->coding() == Coding::gray);
     CHECK(gray->decode(Genome::from_string("110000001100000011000000")) == std::vector<double>{0, 0, 0});
@@ -98,7 +98,7 @@ TEST_CASE("Gray code is read by any problem of fields") {
           std::vector<double>{0, 0, 0});
 }
 
-TEST_CASE("the traditional algorithm finds the least sphere, and says it in its own sign") {
+TEST_CASE("the traditional algorithm finds the sphere's minimum and reports it with its own sign") {
     auto sphere = minimise(PlainSphere{})->coded(Coding::gray);
     SearchSettings settings = usual_settings(*sphere);
     settings.elite = 1;
@@ -111,7 +111,7 @@ TEST_CASE("the traditional algorithm finds the least sphere, and says it in its 
     CHECK(result.best().parameters == std::vector<double>{0, 0, 0});
 }
 
-TEST_CASE("window, bias and trials are of identification: an objective does not depend on them") {
+TEST_CASE("an objective does not depend on window, bias and trials") {
     auto sphere = minimise(PlainSphere{});
     SearchSettings usual = usual_settings(*sphere), other = usual;
     other.window = {.length = 7, .first = 3, .trials = 4, .bias = 1};
@@ -126,7 +126,7 @@ TEST_CASE("window, bias and trials are of identification: an objective does not 
     CHECK(result.islands[1].population == run_islands(*sphere, 20, others, island_streams(1, 3)).islands[1].population);
 }
 
-TEST_CASE("roulette has no parents where fitness is the negated objective, and says so") {
+TEST_CASE("roulette with a minimised objective is refused with the reason") {
     auto sphere = minimise(PlainSphere{});
     for (const char* reproduction : {"roulette", "universal"}) {
         SearchSettings settings;
@@ -142,7 +142,7 @@ TEST_CASE("roulette has no parents where fitness is the negated objective, and s
     CHECK(usual_settings(*make_search_problem(LineProblem{})).reproduction.text() == "roulette");
 }
 
-TEST_CASE("no generation at all is refused") {
+TEST_CASE("zero generations are refused") {
     CHECK_THROWS_WITH_AS(run_traditional(*maximise(PlainSphere{}), 0, {}, RandomStream(1, "sphere")),
                          "0 generations, expected at least 1", UserError);
     CHECK_THROWS_AS(SearchResult{}.best(), std::logic_error);
@@ -162,7 +162,7 @@ TEST_CASE("a problem of a family is found by name and numbers, and made once") {
     CHECK(&registry.find("valley(2)") == &registry.find(" valley ( dimensions = 2, low = -1 )"));
 }
 
-TEST_CASE("a problem with a name and no numbers is a family of one") {
+TEST_CASE("a problem with a name and no numbers is a family of one problem") {
     ProblemRegistry registry;
     registry.add(minimised<Bowl>());
     CHECK(registry.families().at(0).text() == "bowl");
@@ -170,7 +170,7 @@ TEST_CASE("a problem with a name and no numbers is a family of one") {
     CHECK_THROWS_AS(registry.find("bowl(1)"), UserError);
 }
 
-TEST_CASE("a problem that does not exist, or not with these numbers, is refused by what there is") {
+TEST_CASE("a problem that does not exist, or not with these numbers, is refused with a list of what exists") {
     ProblemRegistry registry;
     registry.add("sphere", minimise(PlainSphere{}));
     registry.add(minimised<Valley>());
@@ -192,7 +192,7 @@ TEST_CASE("a problem that does not exist, or not with these numbers, is refused 
                                   "\"sphere\"?");
 }
 
-TEST_CASE("an objective problem has no record, and no name that another has") {
+TEST_CASE("a record for an objective problem, and a repeated name, are refused") {
     ProblemRegistry registry;
     CHECK_THROWS_WITH_AS(registry.add("sphere", minimise(PlainSphere{}), {{}}),
                          "search problem 'sphere': an objective problem has no record", std::invalid_argument);

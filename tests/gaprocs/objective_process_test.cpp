@@ -1,4 +1,4 @@
-// Tests objective problems on the simulated machine: the generations equal the library's, on any evaluators.
+// Tests objective problems on the simulated machine. The generations equal the library's, with any evaluators.
 
 #include "gaprocs/islands.hpp"
 #include "gaprocs/traditional.hpp"
@@ -41,7 +41,7 @@ void mix(Fingerprint& populations, const std::vector<Genome>& population) {
             populations.mix(word);
 }
 
-/// Returns a hash of every population of each island, as processes measure it.
+/// Returns for each island a hash of all populations, as its process measures it.
 std::vector<std::string> populations_of_library(std::size_t islands, std::vector<RandomStream> streams) {
     auto sphere = the_sphere();
     IslandsSettings settings;
@@ -64,7 +64,7 @@ std::vector<std::string> populations_of_library(std::size_t islands, std::vector
 
 } // namespace
 
-TEST_CASE("a farm gives an objective problem the library's generations, for every split") {
+TEST_CASE("a farm gives an objective problem the library's generations with every split") {
     std::string expected = populations_of_library(1, {RandomStream(1, "one stream")}).front();
     auto result = run_traditional(*the_sphere(), generations, sphere_settings(30), RandomStream(1, "one stream"));
     for (const char* split : {"individuals", "demand", "evaluations"})
@@ -82,7 +82,7 @@ TEST_CASE("a farm gives an objective problem the library's generations, for ever
 
 namespace {
 
-/// Checks that a master with slaves and the library make the same generations.
+/// Checks that a master with slaves makes the same generations as the library.
 void check_farm(const std::string& name, std::shared_ptr<const SearchProblem> problem, SearchSettings settings,
                 const std::string& parameters) {
     CAPTURE(name);
@@ -103,7 +103,7 @@ void check_farm(const std::string& name, std::shared_ptr<const SearchProblem> pr
     }
 }
 
-/// Returns the usual settings with another crossover and mutation.
+/// Returns the usual settings with the given crossover and mutation.
 SearchSettings settings_with(const SearchProblem& problem, const char* crossover, const char* mutation) {
     SearchSettings settings = usual_settings(problem);
     settings.crossover = Crossover::named(crossover);
@@ -113,7 +113,7 @@ SearchSettings settings_with(const SearchProblem& problem, const char* crossover
 
 } // namespace
 
-TEST_CASE("... for every representation and coding, with the usual operators") {
+TEST_CASE("a farm gives the library's generations for every representation and coding") {
     for (const char* coding : {"gray", "real", "natural(dont_care = 1)", "gray(3)"}) {
         auto sphere = the_sphere()->coded(Coding::named(coding));
         check_farm("sphere", sphere, usual_settings(*sphere), fmt::format(", coding = \"{}\"", coding));
@@ -123,7 +123,7 @@ TEST_CASE("... for every representation and coding, with the usual operators") {
         check_farm(name, problem, usual_settings(*problem), "");
 }
 
-TEST_CASE("... and with every operator that fits") {
+TEST_CASE("a farm gives the library's generations with every operator that fits") {
     for (const char* crossover : {"one-point", "two-point", "uniform", "blend(alpha = 0.2)"})
         for (const char* mutation : {"gaussian(0.3)", "breeder", "uniform"})
             check_farm("plane", minimise(Plane{}), settings_with(*minimise(Plane{}), crossover, mutation),
@@ -133,7 +133,7 @@ TEST_CASE("... and with every operator that fits") {
                    fmt::format(", mutation_operator = \"{}\"", mutation));
 }
 
-TEST_CASE("a string that stands for no numbers is reported as it is") {
+TEST_CASE("a best string that does not code numbers is reported as a text") {
     Cluster cluster = sphere_cluster(0, "individuals");
     cluster.problem = "seats";
     cluster.host_parameters = "generations = 200";
@@ -155,18 +155,19 @@ TEST_CASE("islands of an objective problem exchange as in the library") {
         CHECK(report.measured_text(fmt::format("master{}", i), "populations") == expected[static_cast<std::size_t>(i)]);
 }
 
-TEST_CASE("nothing is measured, so no measurements are sent") {
+TEST_CASE("a farm with an objective sends no measurements") {
     Cluster cluster = sphere_cluster(1, "individuals");
     RunReport cheap = run_on_line(cluster.netlist());
     Cluster line{.slaves = 1, .master_parameters = "window = 1, trials = 1, rehearsals = 2"};
     RunReport dear = run_on_line(line.netlist());
-    // 148 bytes of 11 bits at 20 Mbit/s, and their preparation.
+    // 148 bytes of 11 bits at 20 Mbit/s, and the cost of preparing them.
     double difference = dear.measured("master0", "C_time2") - cheap.measured("master0", "C_time2");
     CHECK(difference > 0.08);
     CHECK(difference < 0.2);
 }
 
-TEST_CASE("a goal that is known is measured beside what was found; a result that is none is said in words") {
+TEST_CASE(
+    "a known optimum is measured beside the best objective, and a result that is not a number is reported in words") {
     Cluster valley = sphere_cluster(0, "individuals");
     valley.problem = "valley(low = -0.5)";
     RunReport report = run_on_line(valley.netlist());

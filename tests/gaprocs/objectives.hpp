@@ -23,7 +23,7 @@ struct Bowl {
     double objective(std::span<const double> x) const { return (x[0] - 1) * (x[0] - 1); }
 };
 
-/// A problem with everything that one may state, including named parameters.
+/// A problem with all optional functions, such as the names of its parameters.
 struct Valley {
     static constexpr std::string_view name = "valley", about = "a straight valley";
     std::size_t dimensions = 2;
@@ -41,7 +41,7 @@ struct Valley {
     double optimum() const { return 0; }
 };
 
-/// The objective is x where defined; elsewhere it is not a number, or infinite.
+/// Its objective is x if x is allowed. Otherwise it is infinite or not a number.
 struct Cliff {
     placedpar::ParameterCoding representation() const { return placedpar::ParameterCoding(1, {0, 4, 2}); }
     double objective(std::span<const double> x) const {
@@ -53,13 +53,13 @@ struct Cliff {
     }
 };
 
-/// The objective is nowhere a number.
+/// Its objective is never a number.
 struct Nowhere {
     placedpar::ParameterCoding representation() const { return placedpar::ParameterCoding(1, {0, 4, 2}); }
     double objective(std::span<const double>) const { return std::numeric_limits<double>::quiet_NaN(); }
 };
 
-/// Counts how far each guest sits from the seat of the same number.
+/// Its objective is the sum of the guests' distances from the seat with their own number.
 struct Seats {
     placedpar::Permutation representation() const { return placedpar::Permutation(9); }
     double objective(std::span<const std::size_t> order) const {
@@ -71,7 +71,7 @@ struct Seats {
     double optimum() const { return 0; }
 };
 
-/// The optimum is a long string with ones at every other place.
+/// Its optimum is a long string with ones at every other place.
 struct Comb {
     placedpar::BitString representation() const { return placedpar::BitString(4096); }
     double objective(const placedpar::Genome& genome) const {

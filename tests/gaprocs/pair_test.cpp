@@ -1,4 +1,4 @@
-// Tests the coarse and the fine search on the simulated machine against the library's pair.
+// Tests a coarse and a fine search on the simulated machine against the library's pair.
 
 #include "gaprocs/coarse_fine.hpp"
 #include "gaprocs/generation_log.hpp"
@@ -28,8 +28,8 @@ constexpr const char* on_two_transputers =
 constexpr const char* fine_on_workstation =
     "T800 t; connect sun.link[0] to t.link[0]; place coarse on t; place fine on sun;";
 
-/// A netlist of a pair for the line problem. Line 4 has the coarse search's parameters, line 5 those of the fine
-/// search.
+/// A netlist of a pair for the line problem. Line 4 has the coarse search's parameters; line 5 has the fine search's
+/// parameters.
 struct PairNetlist {
     std::string placement = on_two_transputers;
     std::string bits_of_coarse = "4", bits_of_fine = "5";
@@ -49,7 +49,7 @@ struct PairNetlist {
     }
 };
 
-/// Returns the same settings as in the netlist.
+/// Returns the settings of the netlist for the library.
 CoarseFineSettings pair_on_line(Coding coding) {
     SearchSettings coarse;
     coarse.population = 20;
@@ -60,7 +60,7 @@ CoarseFineSettings pair_on_line(Coding coding) {
     return {coarse, fine, {.problem_bits = {8}, .bits = {4}, .coding = coding}, {5}};
 }
 
-/// The results of a pair: a hash of every population of both searches, and both bests of each generation.
+/// The results of a pair: a hash of all populations of both searches, and both bests of each generation.
 struct PairHistory {
     std::string coarse_populations, fine_populations;
     std::vector<double> coarse_bests, fine_bests;
@@ -128,7 +128,7 @@ void check_pair_refused(const PairNetlist& netlist, const std::string& place, co
 
 } // namespace
 
-TEST_CASE("the pair makes the generations of the library's, in every placement and coding") {
+TEST_CASE("a pair of processes makes the library's generations in every placement and coding") {
     for (const char* coding : {"natural", "gray", "natural(1)"})
         for (const char* placement : {on_one_transputer, on_two_transputers, fine_on_workstation}) {
             CAPTURE(coding);
@@ -142,7 +142,7 @@ TEST_CASE("the pair makes the generations of the library's, in every placement a
         }
 }
 
-TEST_CASE("a coarse search may be alone, and stays on its grid") {
+TEST_CASE("a coarse search without a fine one stays on its grid") {
     PairNetlist netlist;
     std::string text = netlist.text();
     text.erase(text.find("connect coarse.to_fine"), std::string("connect coarse.to_fine to fine.from_coarse;").size());
@@ -153,7 +153,7 @@ TEST_CASE("a coarse search may be alone, and stays on its grid") {
     CHECK(steps == std::floor(steps));
 }
 
-TEST_CASE("the answer of a pair is the best ever where a problem has an objective, wherever the point is then") {
+TEST_CASE("with an objective, the answer of a pair is the best of all generations, although the bias point has moved") {
     PairNetlist netlist;
     netlist.both = "problem = \"valley\", fields = \"4 4\"";
     netlist.bits_of_coarse = "2 2";
@@ -164,7 +164,7 @@ TEST_CASE("the answer of a pair is the best ever where a problem has an objectiv
     CHECK(report.measured("fine", "across") == 0);
 }
 
-TEST_CASE("a pair whose objective is nowhere a number comes to its end, and says so") {
+TEST_CASE("a pair whose objective is never a number ends and reports no objective") {
     PairNetlist netlist;
     netlist.both = "problem = \"nowhere\", fields = \"2\"";
     netlist.bits_of_coarse = "1";
@@ -176,7 +176,7 @@ TEST_CASE("a pair whose objective is nowhere a number comes to its end, and says
     CHECK(report.measured_text("fine", "best_objective") == "not a finite number");
 }
 
-TEST_CASE("what cannot be bred is refused at its place") {
+TEST_CASE("bits and fields that cannot be bred are refused at their place") {
     PairNetlist wrong;
     wrong.bits_of_coarse = "9";
     check_pair_refused(wrong, ":4:", "field 1 is bred with 9 bits, expected 1 to 8, which it has in the problem");
@@ -201,7 +201,7 @@ TEST_CASE("what cannot be bred is refused at its place") {
     check_pair_refused(wrong, "error", "host");
 }
 
-TEST_CASE("one who does not fit the other is refused at its place") {
+TEST_CASE("settings in which the fine search differs from the coarse one are refused at their place") {
     PairNetlist wrong;
     wrong.both.replace(wrong.both.find(", trials = 3"), 12, "");
     wrong.fine += ", trials = 2";

@@ -1,6 +1,6 @@
-// Tests masters that share their slaves (thesis, Figure 4.5). The generations must be those of masters with slaves of
-// their own, for any number of masters, split and form. The slaves must work while a master breeds, which is the
-// purpose of the pipeline.
+// Tests masters that share their slaves (thesis, Figure 4.5). Each master must have the same generations as with its
+// own slaves, for any number of masters, split and form. The slaves must work while a master breeds, because this is
+// the purpose of the pipeline.
 
 #include "tests/gaprocs/cluster.hpp"
 #include "tests/gaprocs/slave_forms.hpp"
@@ -17,11 +17,11 @@ using namespace placedpar;
 
 namespace {
 
-/// The masters and their parameters, the form of the slaves, and whether a pipeline is used.
+/// Masters with their parameters, and the form of their slaves.
 struct SharedFarm {
     std::vector<std::string> masters; ///< parameters of each master
     SlaveForm form;                   ///< "the_master" stands for the pipeline here
-    bool own_slaves = false;          ///< no pipeline: the slaves belong to one master
+    bool own_slaves = false;          ///< true: there is no pipeline, and the slaves belong to one master
 
     std::string netlist() const {
         auto text = fmt::format("workstation sun;\nprocess host, master[{0}], slave[{1}];\n"
@@ -66,8 +66,8 @@ std::string populations_of(const RunReport& report, std::size_t master) {
     return report.measured_text(fmt::format("master[{}]", master), "populations");
 }
 
-/// Returns the populations of this master with slaves of its own. Its stream keeps its name, although it is now master
-/// 0.
+/// Returns the populations of this master with its own slaves. The random stream keeps its name, although the master is
+/// now master 0.
 std::string populations_alone(const SharedFarm& farm, std::size_t master) {
     SharedFarm alone{{farm.masters[master]}, farm.form, true};
     auto text = alone.netlist();
@@ -94,7 +94,7 @@ std::string refusal_of(std::string text, const std::string& from, const std::str
 
 } // namespace
 
-TEST_CASE("masters that share slaves make the generations that each makes with slaves of its own") {
+TEST_CASE("a master that shares slaves has the same generations as with its own slaves") {
     std::string small = "population = 12, window = 4, first_window = 4",
                 large = "population = 18, window = 9, bias = 300";
     for (const SlaveForm& form : {chain_of(1), chain_of(3), star_of(3), tree_of(5, 2)})
@@ -108,9 +108,10 @@ TEST_CASE("masters that share slaves make the generations that each makes with s
         }
 }
 
-TEST_CASE("with computing that is all, two that share slaves lose nothing where one waits for its own breeding") {
-    // With alpha = 4, an individual takes 10 errors of 40000 cycles, and 100000 to breed. Four slaves evaluate 30 in
-    // the time of breeding them. One master uses 1 / (1 + 1) of the slaves' time, a pipeline all of it.
+TEST_CASE("two masters that share slaves use all of the slaves' time; one master leaves half of it unused") {
+    // An individual takes 10 errors of 40000 cycles, and 100000 cycles to breed, so alpha = 4. Four slaves evaluate 30
+    // individuals in the time in which one master breeds them. One master uses 1 / (1 + 1) of the slaves' time, a
+    // pipeline all of it.
     std::string costs = "population = 30, split = \"evaluations\", own_share = 0, cycles_per_error = 40000, "
                         "cycles_per_individual = 100000";
     auto slaves_cost = [](std::string text) {
@@ -120,12 +121,12 @@ TEST_CASE("with computing that is all, two that share slaves lose nothing where 
     };
     RunReport alone = run_on_line(slaves_cost(SharedFarm{{costs}, chain_of(4), true}.netlist()));
     RunReport shared = run_on_line(slaves_cost(SharedFarm{{costs, costs}, chain_of(4)}.netlist()));
-    double one = 1 / (30 * (10 * 40000 + 100000) * 50e-9);            // a single processor that does everything
+    double one = 1 / (30 * (10 * 40000 + 100000) * 50e-9);            // a single processor that evaluates and breeds
     CHECK(rate(alone, 0) == doctest::Approx(2.5 * one).epsilon(.02)); // (4 + 1) / (4 / 4 + 1), equation 4.9
     CHECK(rate(shared, 0) + rate(shared, 1) == doctest::Approx(5 * one).epsilon(.04));
 }
 
-TEST_CASE("what cannot share slaves is refused") {
+TEST_CASE("masters that cannot share slaves are refused") {
     std::string text = SharedFarm{{"population = 12", "population = 12"}, chain_of(2)}.netlist();
     CHECK(refusal_of(text, "population = 12", "population = 12, split = \"demand\"").find("deals out on demand") !=
           std::string::npos);

@@ -23,7 +23,7 @@ TEST_CASE("a problem is found by its name, with its record") {
                          "unknown search problem 'lime'; known: another, line; did you mean \"line\"?", UserError);
 }
 
-TEST_CASE("what cannot be registered is refused with a reason") {
+TEST_CASE("an empty name, a repeated name and a wrong record are refused with a reason") {
     ProblemRegistry registry;
     auto problem = make_search_problem(LineProblem{});
     CHECK_THROWS_WITH_AS(registry.add("", problem, {}), "a search problem needs a name", std::invalid_argument);
@@ -36,7 +36,7 @@ TEST_CASE("what cannot be registered is refused with a reason") {
                          std::invalid_argument);
 }
 
-TEST_CASE("a family of problems with records makes each record once, by its numbers") {
+TEST_CASE("a family of problems with records makes each record once for each set of numbers") {
     int made = 0;
     ProblemFamily lines{{"lines", "", {{"samples", 3, 1, 9, true}}},
                         [](const std::vector<double>&) { return make_search_problem(LineProblem{}); },
@@ -54,7 +54,7 @@ TEST_CASE("a family of problems with records makes each record once, by its numb
     CHECK(made == 1);
 }
 
-TEST_CASE("a record that is to be made is made once, when it is first read") {
+TEST_CASE("a record that takes time to make is made once, when it is first read") {
     int made = 0;
     auto make = [&] {
         ++made;
@@ -71,13 +71,12 @@ TEST_CASE("a record that is to be made is made once, when it is first read") {
     CHECK(made == 1);
 }
 
-TEST_CASE("a made record that is not as promised is refused") {
+TEST_CASE("a made record whose number of samples differs from the promised one is refused") {
     ProblemRegistry registry;
     auto problem = make_search_problem(LineProblem{});
     registry.add_to_make("short", problem, {3, [] { return line_record(2); }});
     CHECK_THROWS_WITH_AS(registry.find("short").record(),
-                         "the record of the search problem was said to have 3 samples, and 2 were made: "
-                         "RecordToMake::samples is how many make() gives",
+                         "RecordToMake::samples is 3, but make() returned 2 samples: the two numbers must be equal",
                          UserError);
     registry.add_to_make("narrow", problem, {1, [] { return std::vector<Sample>{{1}}; }});
     CHECK_THROWS_WITH_AS(registry.find("narrow").record(), "sample 0 has 1 number, expected 2", std::invalid_argument);

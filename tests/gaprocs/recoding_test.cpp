@@ -14,7 +14,7 @@ std::string read(const Recoding& recoding, const char* bred) {
 
 } // namespace
 
-TEST_CASE("a string as the problem's own, in Gray code, with don't-care bits") {
+TEST_CASE("a bred string may be the problem's own, in Gray code, or with don't-care bits") {
     CHECK(read(natural_recoding({2, 3}), "01110") == "01110");
     CHECK(read({.problem_bits = {2, 3}, .bits = {2, 3}, .coding = Coding::gray}, "01110") == "01100");
     Recoding stuffed{.problem_bits = {2, 1}, .bits = {2, 1}, .coding = NaturalCoding{1}};
@@ -26,17 +26,17 @@ TEST_CASE("a string as the problem's own, in Gray code, with don't-care bits") {
     CHECK(read(stuffed, "0111010") == "010");
 }
 
-TEST_CASE("most significant bits stand for the lower end of their cell") {
+TEST_CASE("most significant bits stand for the lower end of their interval") {
     Recoding coarse{.problem_bits = {2, 4}, .bits = {2, 2}};
     CHECK(coarse.length() == 4);
     CHECK(read(coarse, "1001") == "100100");
-    coarse.coding = Coding::gray; // applies to the bred field: 11 in Gray code is 2
+    coarse.coding = Coding::gray; // applies to the bred field; 11 in Gray code is 2
     CHECK(read(coarse, "0011") == "001000");
 }
 
-TEST_CASE("around a bias point, within the field") {
+TEST_CASE("bred bits count steps around the bias point, limited to the field") {
     Recoding fine{.problem_bits = {2, 4}, .bits = {2, 2}, .around = Genome::from_string("011000")};
-    CHECK(read(fine, "1000") == "100110"); // 8 - 2; the first field is read whole and separately
+    CHECK(read(fine, "1000") == "100110"); // 8 - 2; the first field has all bits and is not relative
     CHECK(read(fine, "1011") == "101001"); // 8 + 1
     fine.around = Genome::from_string("010000");
     CHECK(read(fine, "1000") == "100000");
@@ -44,7 +44,7 @@ TEST_CASE("around a bias point, within the field") {
     CHECK(read(fine, "1011") == "101111");
 }
 
-TEST_CASE("readings that mean nothing are refused") {
+TEST_CASE("recodings without fields, with too many bits or too few are refused") {
     CHECK_THROWS_AS(Recoding{}.validate(), std::invalid_argument);
     CHECK_THROWS_AS((Recoding{.problem_bits = {2}, .bits = {3}}.validate()), std::invalid_argument);
     CHECK_THROWS_AS((Recoding{.problem_bits = {2}, .bits = {0}}.validate()), std::invalid_argument);

@@ -28,13 +28,13 @@ struct Island {
 
 } // namespace
 
-// Three islands in a ring, 0 to 1 to 2 to 0; the fitness is the binary number. The steps are:
+// There are three islands in a ring, 0 to 1 to 2 to 0. The fitness of a string is its binary number. The exchange is:
 //
-//   island  before          fitness  sends   gets    after           fitness
-//   0       0001 0111 0100  1 7 4    0111    0101    0101 0111 0100  5 7 4
-//   1       1000 0010 0010  8 2 2    1000    0111    1000 0111 0010  8 7 2   (tie: the first 0010 goes)
-//   2       0011 0101 0000  3 5 0    0101    1000    0011 0101 1000  3 5 8
-TEST_CASE("exchange of bests around a ring of three islands of three strings") {
+//     island  before          fitness  sends   gets    after           fitness
+//     0       0001 0111 0100  1 7 4    0111    0101    0101 0111 0100  5 7 4
+//     1       1000 0010 0010  8 2 2    1000    0111    1000 0111 0010  8 7 2   (the first 0010 leaves)
+//     2       0011 0101 0000  3 5 0    0101    1000    0011 0101 1000  3 5 8
+TEST_CASE("the exchange of bests around a ring of three islands replaces the worst strings as computed by hand") {
     Island ring[3] = {{{"0001", "0111", "0100"}, {1, 7, 4}},
                       {{"1000", "0010", "0010"}, {8, 2, 2}},
                       {{"0011", "0101", "0000"}, {3, 5, 0}}};
@@ -60,7 +60,7 @@ TEST_CASE("exchange of bests around a ring of three islands of three strings") {
     CHECK(ring[2].search.best() == Individual{Genome::from_string("1000"), 8});
 }
 
-TEST_CASE("an immigrant comes in even when it is worse than the worst") {
+TEST_CASE("an immigrant is accepted even if it is worse than the worst") {
     Island island({"0011", "0101", "0110"}, {3, 5, 6});
     const Individual immigrant{Genome::from_string("0000"), -9};
     island.search.accept({&immigrant, 1}, island.fitness);

@@ -1,4 +1,4 @@
-// Tests islands in the library: alone they equal separate searches, together they follow their policies. For the
+// Tests islands in the library. Alone they equal separate searches; together they follow their policies. For the
 // simulated machine see islands_test.cpp.
 
 #include "gaprocs/islands.hpp"
@@ -16,7 +16,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A problem whose fitness grows with the string's value as a 16-bit number, whatever the sample.
+/// A problem whose fitness grows with the string's value as a 16-bit number. The samples do not matter.
 struct GreatestNumber {
     std::size_t bits() const { return 16; }
     std::size_t channels() const { return 1; }
@@ -41,7 +41,7 @@ IslandsSettings small_islands(std::size_t islands) {
     return alike(islands, each);
 }
 
-/// Small islands without crossover or mutation, so that only exchanges can spread the best individual.
+/// Returns small islands without crossover and mutation, so that only exchanges can spread the best individual.
 IslandsSettings barren(std::size_t islands, const char* topology, const char* schedule) {
     SearchSettings each;
     each.population = 12;
@@ -54,7 +54,7 @@ IslandsSettings barren(std::size_t islands, const char* topology, const char* sc
     return settings;
 }
 
-/// Islands of which one holds an individual that is better than every other individual.
+/// Islands one of which holds an individual that is better than all others.
 class Takeover {
 public:
     explicit Takeover(const IslandsSettings& settings)
@@ -78,7 +78,7 @@ public:
     const std::vector<Migration>& migrations() const { return islands_.migrations(); }
     void next_generation() { islands_.next_generation(); }
     bool reached(std::size_t island) const { return islands_.searches()[island].best().genome == greatest_; }
-    /// Returns the number of generations until each island's best is that individual.
+    /// Returns the number of generations until this individual is the best of every island.
     std::size_t generations() {
         std::size_t count = 0;
         for (bool everywhere = false; !everywhere && count < 1000; ++count) {
@@ -130,7 +130,7 @@ std::string refusal(const IslandsSettings& settings) {
 
 } // namespace
 
-TEST_CASE("without exchange each island is the traditional algorithm, with its own settings") {
+TEST_CASE("without exchange each island is the traditional algorithm with its own settings") {
     IslandsSettings settings = small_islands(3);
     settings.topology = NoTopology{};
     settings.islands[1].population = 30;
@@ -143,7 +143,7 @@ TEST_CASE("without exchange each island is the traditional algorithm, with its o
                    run_traditional(*problem, line_record(line_samples), settings.islands[i], island_streams(1, 3)[i])));
 }
 
-TEST_CASE("the best of all spreads as far as exchanges go, and no farther") {
+TEST_CASE("the best individual spreads as far as exchanges go, and no farther") {
     for (const char* topology : {"ring", "ring(2)", "hypercube", "torus(2)", "star", "complete"}) {
         CAPTURE(topology);
         Takeover takeover(barren(8, topology, "broadcast(1)"));
@@ -156,21 +156,22 @@ TEST_CASE("the best of all spreads as far as exchanges go, and no farther") {
     }
 }
 
-TEST_CASE("takeover: n - 1 exchanges around a ring, n / 2 both ways, log2 n on a hypercube") {
+TEST_CASE(
+    "takeover takes n - 1 exchanges around a one-way ring, n / 2 around a two-way ring, and log2 n on a hypercube") {
     for (std::size_t n : {2u, 4u, 8u, 16u}) {
         CHECK(generations_to_take_over(n, "ring", "broadcast(1)") == n - 1);
         CHECK(generations_to_take_over(n, "ring(2)", "broadcast(1)") == n / 2);
         auto dimensions = static_cast<std::size_t>(std::bit_width(n) - 1);
         CHECK(generations_to_take_over(n, "hypercube", "broadcast(1)") == dimensions);
         CHECK(generations_to_take_over(n, "hypercube", "broadcast(5)") == 5 * dimensions);
-        // Each exchange goes along another dimension, which doubles the number of islands reached.
+        // Each exchange goes along another dimension. This doubles the number of islands reached.
         CHECK(generations_to_take_over(n, "hypercube", "sequential(1)") == dimensions);
     }
-    CHECK(generations_to_take_over(8, "ring(2)", "sequential(1)") == 7); // one more island each time
+    CHECK(generations_to_take_over(8, "ring(2)", "sequential(1)") == 7); // one more island with each exchange
     CHECK(generations_to_take_over(8, "complete", "broadcast(1)") == 1);
 }
 
-TEST_CASE("sequential exchange on four islands: with i xor 1, then with i xor 2") {
+TEST_CASE("sequential exchange on four islands goes to i xor 1, then to i xor 2") {
     IslandsSettings settings = small_islands(4);
     settings.topology = HypercubeTopology{};
     settings.schedule = SequentialSchedule{4};
@@ -187,7 +188,7 @@ TEST_CASE("sequential exchange on four islands: with i xor 1, then with i xor 2"
     }
 }
 
-TEST_CASE("a broadcast of two to both neighbours: the same two to each, in the order of the islands they come from") {
+TEST_CASE("a broadcast of two sends the same two to both neighbours, and arrives in the order of the source islands") {
     IslandsSettings settings = small_islands(5);
     settings.topology = RingTopology{2};
     settings.emigration = BestEmigration{2};
@@ -199,12 +200,12 @@ TEST_CASE("a broadcast of two to both neighbours: the same two to each, in the o
     CHECK(ways == std::vector<std::pair<std::size_t, std::size_t>>{
                       {1, 0}, {1, 0}, {4, 0}, {4, 0}, {0, 1}, {0, 1}, {2, 1}, {2, 1}});
     auto sent_by_1 = [&](std::size_t m) { return migrations[m].individual; };
-    CHECK(sent_by_1(0) == sent_by_1(8)); // what it sends to island 0 is what it sends to island 2
+    CHECK(sent_by_1(0) == sent_by_1(8)); // island 1 sends the same to island 0 and to island 2
     CHECK(sent_by_1(1) == sent_by_1(9));
     CHECK(sent_by_1(0).fitness >= sent_by_1(1).fitness);
 }
 
-TEST_CASE("who comes to another window is measured in it") {
+TEST_CASE("an immigrant in another window is evaluated in that window") {
     IslandsSettings settings = small_islands(2);
     settings.islands[1].window.length = 3;
     settings.islands[1].window.bias = 100;
@@ -219,12 +220,12 @@ TEST_CASE("who comes to another window is measured in it") {
                                                                std::span(record).subspan(end - length, length),
                                                                migration.to == 0 ? 400 : 100));
     }
-    // The short window is full after three samples, but its island waits until the other island has its first five.
+    // The short window is full after three samples. Its island waits until the other island has its first five samples.
     CHECK(result.islands[1].estimates.front().sample == 4);
     CHECK(result.islands[1].generations == result.islands[0].generations);
 }
 
-TEST_CASE("same seed, same run; another seed or policy, another run") {
+TEST_CASE("the same seed gives the same run, and another seed or policy another run") {
     std::vector<IslandsResult> runs;
     for (const char* topology : {"ring(2)", "hypercube", "star"})
         for (const char* schedule : {"broadcast(2)", "sequential(2)", "asynchronous(2)"})
@@ -244,7 +245,7 @@ TEST_CASE("same seed, same run; another seed or policy, another run") {
             CHECK_FALSE(same(runs[i], runs[j]));
 }
 
-TEST_CASE("an elite is not lost to immigrants: in a window that stands the best never falls") {
+TEST_CASE("an elite is not lost to immigrants: in a fixed window the best fitness never falls") {
     auto problem = make_search_problem(GreatestNumber{});
     for (const char* acceptance : {"worst", "random", "alike", "offspring"})
         for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -268,7 +269,7 @@ TEST_CASE("an elite is not lost to immigrants: in a window that stands the best 
         }
 }
 
-TEST_CASE("only if better: who is turned away is recorded, and changes nothing") {
+TEST_CASE("with only_if_better, a rejected immigrant is recorded and changes nothing") {
     IslandsSettings settings = small_islands(4);
     settings.acceptance = RandomAcceptance{true};
     auto migrations = run_on_line_record(settings).migrations;
@@ -277,7 +278,7 @@ TEST_CASE("only if better: who is turned away is recorded, and changes nothing")
     CHECK(away < static_cast<std::ptrdiff_t>(migrations.size()));
 }
 
-TEST_CASE("among the offspring: who comes in is evaluated one generation later, in its new island's window") {
+TEST_CASE("an immigrant among the offspring is evaluated one generation later, in the window of its new island") {
     IslandsSettings settings = barren(2, "ring", "broadcast(4)");
     settings.acceptance = OffspringAcceptance{};
     settings.islands[1].population = 15;
@@ -297,13 +298,14 @@ TEST_CASE("among the offspring: who comes in is evaluated one generation later, 
     CHECK(takeover.reached(other));
 }
 
-TEST_CASE("asynchronous without a machine: islands take turns, and nobody waits for a short window") {
+TEST_CASE("without a machine, asynchronous islands take turns, and an island with a short window does not wait") {
     Takeover takeover(barren(4, "ring", "asynchronous(1)"));
     for (std::size_t generation = 1; generation <= 5; ++generation) {
         takeover.next_generation();
         for (std::size_t i = 0; i < 4; ++i) {
             std::size_t away = (i + 4 - takeover.home()) % 4;
-            bool had_its_turn = i < takeover.home(); // when the last island sends to the first
+            bool had_its_turn = i < takeover.home(); // when the last island sends to the first, the turn of the first
+                                                     // is over
             CHECK(takeover.reached(i) == (away + had_its_turn <= generation));
         }
     }
@@ -313,13 +315,13 @@ TEST_CASE("asynchronous without a machine: islands take turns, and nobody waits 
     IslandsResult result = run_on_line_record(settings);
     CHECK(result.islands[0].generations == 40);
     CHECK(result.islands[1].generations == 50); // from the third sample on
-    // At the first exchange no island has sent anything to island 0 yet. What island 1 sends before the others begin is
-    // overwritten.
+    // At the first exchange no island has sent to island 0 yet. Emigrants that island 1 sends before the others begin
+    // are overwritten.
     CHECK(result.migrations.size() == 19 + 20 + 20);
     CHECK(same(result, run_on_line_record(settings)));
 }
 
-TEST_CASE("islands begin together where they exchange, and only there") {
+TEST_CASE("islands that exchange begin together, and other islands do not wait for them") {
     IslandsSettings settings = small_islands(4);
     settings.topology = GivenTopology{{{1}, {0}, {3}, {2}}};
     CHECK(settings.warning() == "the islands are in 2 parts that exchange nothing with each other: 0, 1; 2, 3");
@@ -340,7 +342,7 @@ TEST_CASE("islands begin together where they exchange, and only there") {
     CHECK(small_islands(4).warning().empty());
 }
 
-TEST_CASE("islands that cannot be are refused, with what would be right") {
+TEST_CASE("impossible islands are refused with what would be right") {
     IslandsSettings settings = small_islands(3);
     settings.islands[2].window.trials = 4;
     CHECK(refusal(settings) ==
@@ -355,7 +357,7 @@ TEST_CASE("islands that cannot be are refused, with what would be right") {
     CHECK(refusal(settings) ==
           "island 0: 15 immigrants come at once to an island of 12 individuals, 1 of them elite, expected at most 11");
     settings.schedule = SequentialSchedule{};
-    // Island 0 is every other island's only neighbour.
+    // Island 0 is the only neighbour of every other island.
     CHECK(refusal(settings).starts_with("island 0: 15 immigrants come at once"));
     settings.topology = CompleteTopology{};
     CHECK(refusal(settings).empty()); // one comes at a time

@@ -25,7 +25,7 @@ Texts texts_of(const Search& search) {
     return texts;
 }
 
-/// Returns a fitness that is positive if ones outnumber zeros.
+/// Returns a fitness that is positive if there are more ones than zeros.
 double more_ones(const std::string& text) {
     double sum = 0;
     for (char c : text)
@@ -46,7 +46,7 @@ SearchSettings small(std::size_t population) {
     return settings;
 }
 
-/// Implements the algorithm on strings of text as simply as possible, with the same order of random numbers.
+/// Implements the algorithm on strings of text as simply as possible. It draws random numbers in the same order.
 struct PlainSearch {
     RandomStream random;
     std::size_t bits;
@@ -120,7 +120,7 @@ struct PlainSearch {
 
 } // namespace
 
-TEST_CASE("the search is the plainly written algorithm, for every size of string and population, and every option") {
+TEST_CASE("a search makes the populations of the plainly written algorithm, for every size and option") {
     std::uint64_t redraws = 0;
     for (std::size_t bits : {1u, 2u, 3u, 10u, 33u, 64u, 65u, 130u})
         for (std::size_t population : {2u, 3u, 4u, 7u, 30u})
@@ -146,10 +146,10 @@ TEST_CASE("the search is the plainly written algorithm, for every size of string
                     }
                     redraws += search.redraws();
                 }
-    CHECK(redraws > 0); // this branch was taken as well
+    CHECK(redraws > 0); // the population was drawn anew at times
 }
 
-TEST_CASE("50 generations of 120 strings of 10 bits: frozen") {
+TEST_CASE("50 generations of 120 strings of 10 bits have the stored hash") {
     Search search(10, {}, RandomStream(1991, "golden"));
     std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a of the decoded numbers
     for (int generation = 0; generation < 50; ++generation) {
@@ -166,7 +166,7 @@ TEST_CASE("50 generations of 120 strings of 10 bits: frozen") {
     CHECK(std::abs(static_cast<double>(search.best().genome.field(0, 10)) - 88) <= 4);
 }
 
-TEST_CASE("best is of the last evaluated generation, the first among equals") {
+TEST_CASE("the best is that of the last evaluated generation, the first among equals") {
     Search search({Genome::from_string("00"), Genome::from_string("01"), Genome::from_string("10")}, small(3),
                   RandomStream(1, "best"));
     CHECK_THROWS_AS(search.best(), std::logic_error);
@@ -178,7 +178,7 @@ TEST_CASE("best is of the last evaluated generation, the first among equals") {
     CHECK(search.redraws() == 1);
 }
 
-TEST_CASE("when nobody has positive fitness the whole population is drawn anew") {
+TEST_CASE("if no individual has positive fitness, the whole population is drawn anew") {
     Search search(64, small(5), RandomStream(1, "anew"));
     auto before = search.population();
     search.next_generation(std::vector<double>(5, 0.0));
@@ -205,7 +205,7 @@ TEST_CASE("settings that make no sense are refused with a reason") {
     CHECK_THROWS_AS(Search({Genome(3), Genome(3)}, small(3), random), std::invalid_argument);
 }
 
-TEST_CASE("fitness that does not fit is refused") {
+TEST_CASE("a wrong number of fitness values, an infinite fitness and a longer immigrant are refused") {
     Search search(4, small(3), RandomStream(1, "fit"));
     CHECK_THROWS_WITH_AS(search.next_generation(std::vector<double>(2)), "2 fitness values for a population of 3",
                          std::invalid_argument);

@@ -10,7 +10,7 @@ namespace placedpar {
 
 inline constexpr std::size_t the_master = static_cast<std::size_t>(-1);
 
-/// Gives each slave's parent: `the_master`, or the number of a slave before it.
+/// Gives the parent of each slave: `the_master`, or the number of an earlier slave.
 using SlaveForm = std::vector<std::size_t>;
 
 inline SlaveForm chain_of(std::size_t slaves) {
@@ -22,7 +22,7 @@ inline SlaveForm chain_of(std::size_t slaves) {
 
 inline SlaveForm star_of(std::size_t slaves) { return SlaveForm(slaves, the_master); }
 
-/// Returns a tree in which every node has this many children, the master too.
+/// Returns a tree in which the master and every slave have `branches` children.
 inline SlaveForm tree_of(std::size_t slaves, std::size_t branches) {
     SlaveForm form;
     for (std::size_t i = 0; i < slaves; ++i)
@@ -30,7 +30,7 @@ inline SlaveForm tree_of(std::size_t slaves, std::size_t branches) {
     return form;
 }
 
-/// Returns a form with `chains` chains side by side.
+/// Returns a form of `chains` parallel chains.
 inline SlaveForm chains_of(std::size_t slaves, std::size_t chains) {
     SlaveForm form;
     for (std::size_t i = 0; i < slaves; ++i)
@@ -38,14 +38,14 @@ inline SlaveForm chains_of(std::size_t slaves, std::size_t chains) {
     return form;
 }
 
-/// A farm of any form that solves the line problem, as a netlist.
+/// A farm of any form, which solves the line problem; returned as a netlist.
 struct FarmOfForm {
     SlaveForm form;
-    bool on_links = true; ///< a processor for each process, with at most three slaves as children; otherwise one for
-                          ///< all
+    bool on_links = true; ///< true: a processor for each process, with at most three slaves as children; false: one
+                          ///< processor for all
     std::string master_parameters = "rehearsals = 1";
     std::string host_parameters = "problem = \"line\"";
-    std::vector<std::string> processors = {"clock = 20M"}; ///< attributes, used in turn
+    std::vector<std::string> processors = {"clock = 20M"}; ///< attributes of the processors, used in turn
 
     std::string netlist() const {
         std::string text = fmt::format("workstation sun;\nprocess host, master, slave[{}];\nuse \"ga.host\" for host; "
@@ -56,7 +56,7 @@ struct FarmOfForm {
         for (std::size_t node = 0; node <= (on_links ? form.size() : 0); ++node)
             text += fmt::format("T800 ({}) t{};\n", processors[node % processors.size()], node);
         text += "connect sun.link[0] to t0.link[0];\nplace master on t0;\n";
-        std::vector<std::size_t> behind(form.size() + 1, 0); // children of each process: the master, then the slaves
+        std::vector<std::size_t> behind(form.size() + 1, 0); // number of children of the master, then of each slave
         for (std::size_t i = 0; i < form.size(); ++i)
             text += slave(i, behind[form[i] + 1]++);
         return text;

@@ -8,7 +8,7 @@
 
 namespace placedpar::test {
 
-/// Returns the population of these strings.
+/// Returns a population of the given strings.
 inline std::vector<Genome> strings(std::initializer_list<const char*> texts) {
     std::vector<Genome> population;
     for (const char* text : texts)

@@ -15,8 +15,8 @@ namespace {
 
 const auto line = make_search_problem(LineProblem{});
 
-/// Returns the fitness of each individual. The window's samples are divided at random between several evaluators, and
-/// their parts are added in any order, as slaves do.
+/// Returns the fitness of each individual. The window's samples are divided at random between several evaluators. Their
+/// parts are added in any order, as with slaves.
 std::vector<double> evaluate_in_parts(std::span<const Genome> population, std::span<const Sample> window, double bias,
                                       RandomStream& deal) {
     std::vector<double> fitness(population.size(), 0);
@@ -31,7 +31,7 @@ std::vector<double> evaluate_in_parts(std::span<const Genome> population, std::s
 
 } // namespace
 
-TEST_CASE("a line is found with 99.9 % of the greatest fitness there is, from every seed") {
+TEST_CASE("a line is found with 99.9 % of the greatest possible fitness, from every seed") {
     auto record = line_record(20);
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
         SearchResult result = run_traditional(*line, record, {}, RandomStream(seed, "line"));
@@ -42,11 +42,11 @@ TEST_CASE("a line is found with 99.9 % of the greatest fitness there is, from ev
         const Estimate& last = result.estimates.back();
         CHECK(last.parameters == line->decode(last.best.genome));
         CHECK(last.best.fitness == line->fitness(last.best.genome, std::span(record).last(10), 400));
-        CHECK(last.best.fitness >= 0.999 * 10 * 400); // with no error, each of 10 samples contributes the bias
+        CHECK(last.best.fitness >= 0.999 * 10 * 400); // each of 10 samples without error contributes the bias
     }
 }
 
-TEST_CASE("whoever evaluates which part of the window, the generations are the same to the bit") {
+TEST_CASE("the generations are the same to the bit, whichever evaluator evaluates which part of the window") {
     auto record = line_record(20);
     SearchSettings settings;
     settings.population = 30;
@@ -67,7 +67,7 @@ TEST_CASE("whoever evaluates which part of the window, the generations are the s
     CHECK(search.population() == whole.population);
 }
 
-TEST_CASE("same stream, same run; another stream, another run") {
+TEST_CASE("the same stream gives the same run, and another stream another run") {
     auto record = line_record(12);
     auto run = [&](std::uint64_t seed) { return run_traditional(*line, record, {}, RandomStream(seed, "same")); };
     CHECK(run(1).population == run(1).population);
@@ -83,7 +83,7 @@ TEST_CASE("odd and smallest populations run") {
     }
 }
 
-TEST_CASE("a search that cannot be run says why") {
+TEST_CASE("a search that cannot run is refused with the reason") {
     auto record = line_record(8);
     auto message = [&](const SearchSettings& settings, const char* expected) {
         CHECK_THROWS_WITH_AS(run_traditional(*line, record, settings, RandomStream(1, "why")), expected, UserError);

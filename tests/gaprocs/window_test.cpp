@@ -19,7 +19,7 @@ WindowSettings window_of(std::size_t length, std::size_t first) {
 
 } // namespace
 
-TEST_CASE("the window slides: the last samples, oldest first, ready from the first five") {
+TEST_CASE("the window holds the last samples, oldest first, and is ready from the fifth sample on") {
     SlidingWindow window{WindowSettings{}};
     for (std::size_t k = 0; k < 25; ++k) {
         window.push({double(k), -1});
@@ -34,7 +34,7 @@ TEST_CASE("the window slides: the last samples, oldest first, ready from the fir
     CHECK(window.samples().empty());
 }
 
-TEST_CASE("a window shorter than the first generation's samples starts when it is full") {
+TEST_CASE("a window shorter than the first generation's samples is ready when it is full") {
     SlidingWindow window(window_of(2, 5));
     window.push({1});
     CHECK_FALSE(window.ready());

@@ -20,7 +20,7 @@ TEST_CASE("the string is a natural binary number of 10 bits over 0 ... 0.1") {
     CHECK(compliance("1111111111") == test::nearly(0.1 * 1023 / 1024));
 }
 
-TEST_CASE("it has any number of bits a link, the first of which is a half of the range") {
+TEST_CASE("the string has any number of bits for each link, the first worth half of the range") {
     for (std::size_t bits : {1u, 10u, 12u, 32u}) {
         CircuitProblem problem(boom_circuit(), rounded_flow_constants(), bits);
         CHECK(problem.bits() == bits);
@@ -30,7 +30,7 @@ TEST_CASE("it has any number of bits a link, the first of which is a half of the
     }
 }
 
-TEST_CASE("the problem through SearchProblem is the problem itself") {
+TEST_CASE("the SearchProblem interface gives the problem's own fitness") {
     auto problem = make_search_problem(CircuitProblem(boom_circuit(), rounded_flow_constants()));
     CHECK(problem->bits() == 10);
     CHECK(problem->channels() == 5);
@@ -49,6 +49,6 @@ TEST_CASE("the problem through SearchProblem is the problem itself") {
 }
 
 TEST_CASE("a circuit of no link, or of more than four, is refused") {
-    CHECK_THROWS_WITH_AS(CircuitProblem({}, rounded_flow_constants()), "a circuit of 0 junctions, expected 1 to 4",
+    CHECK_THROWS_WITH_AS(CircuitProblem({}, rounded_flow_constants()), "the circuit has 0 junctions, expected 1 to 4",
                          std::invalid_argument);
 }

@@ -33,7 +33,7 @@ TEST_CASE("least squares finds the compliance of the motion without noise, from 
     CHECK(std::abs(fit->compliance_in3_per_psi[0] / 0.0086 - 1) < 0.02); // the error of the line fits themselves
 }
 
-TEST_CASE("its standard error is how the answers scatter from seed to seed") {
+TEST_CASE("the standard error of least squares is the scatter of the answers over seeds") {
     double sum = 0, squares = 0, stated = 0;
     constexpr int seeds = 100;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -50,14 +50,14 @@ TEST_CASE("its standard error is how the answers scatter from seed to seed") {
     CHECK(stated / seeds / scatter < 2.5);
 }
 
-TEST_CASE("samples without a slope say nothing of the compliance") {
+TEST_CASE("samples without a slope do not determine the compliance") {
     CircuitSample still{0, 0, {{1800, 0, 50, .08, .03}}};
     std::vector<CircuitSample> samples(10, still);
     auto fit = fit_compliances(boom_circuit(), samples, fitted_flow_constants(), far);
     CHECK((!fit || std::isinf(fit->standard_error[0])));
 }
 
-TEST_CASE("the exhaustive optimum is the best of all codes, each evaluated alone") {
+TEST_CASE("the exhaustive optimum is the best of all codes evaluated one by one") {
     auto samples = samples_of(mid_noise, 3);
     auto found = exhaustive_optimum(boom_circuit(), samples, fitted_flow_constants(), InletFlow::absolute, 6, 0.1, 400);
     double greatest = -1e300;
@@ -79,7 +79,7 @@ TEST_CASE("the exhaustive optimum is the best of all codes, each evaluated alone
     CHECK(found.fitness == greatest);
 }
 
-TEST_CASE("two codes: the optimum of an exact sample is where it was made") {
+TEST_CASE("the optimum of an exact sample is its true pair of codes") {
     // The worked junction of the design notes, with slopes for which the compliances matter.
     Circuit two = circuit_of(Configuration::a, {Link::bucket, Link::boom});
     double unit = 0.1 / 16;

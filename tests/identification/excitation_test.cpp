@@ -25,7 +25,7 @@ const TransientEstimate& at_generation(const Identified& identified, std::size_t
 
 } // namespace
 
-TEST_CASE("without the gate the estimate has walked away by generation 400, as the thesis saw after 425") {
+TEST_CASE("without the gate the estimate is lost by generation 400, as the thesis observed after 425") {
     std::vector<double> early, late;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         Identified identified = follow(thesis_way(), seed);
@@ -36,7 +36,7 @@ TEST_CASE("without the gate the estimate has walked away by generation 400, as t
     CHECK(lower_median(late) >= 30);
 }
 
-TEST_CASE("with the gate it stays, to the bit, and is right") {
+TEST_CASE("with the gate the estimate stays right, unchanged to the bit") {
     std::vector<double> errors;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         IdentificationWay way = thesis_way();

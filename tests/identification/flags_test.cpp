@@ -59,7 +59,7 @@ TEST_CASE("a good record raises no flag, whatever the seed") {
     }
 }
 
-TEST_CASE("angles that are radians leave the answer uncertain; a spool that stands is no valve that opens") {
+TEST_CASE("angles in radians flag the answer as uncertain, and a constant spool is flagged") {
     Record radians = boom_measured(1.5, low_noise, 1), stuck = radians;
     for (double& angle : radians.of(Link::boom, Sensor::angle))
         angle *= std::numbers::pi / 180;
@@ -72,7 +72,7 @@ TEST_CASE("angles that are radians leave the answer uncertain; a spool that stan
     }
 }
 
-TEST_CASE("an offset found is flagged where it may be a leak: above 0, beyond the sensor and its error") {
+TEST_CASE("a calibrated offset is flagged if it may be a leak: above 0 by more than sensor and error") {
     Identified identified = identify_boom(boom_measured(1.5, low_noise, 1), careful_way(), 1);
     auto flagged = [&](double offset_in, double error_in) {
         Identified copy = identified;
@@ -85,7 +85,7 @@ TEST_CASE("an offset found is flagged where it may be a leak: above 0, beyond th
     CHECK(!flagged(0.0002, 0));
 }
 
-TEST_CASE("a spool that reads .02 in too low asks for a negative compliance: at the lower bound") {
+TEST_CASE("a spool that reads .02 in too low flags the answer as at the lower bound") {
     int flagged = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Record record = with_spool_offset(boom_measured(1.5, low_noise, seed), -0.02);
@@ -98,17 +98,18 @@ TEST_CASE("a spool that reads .02 in too low asks for a negative compliance: at 
     CHECK(flagged >= 18);
 }
 
-TEST_CASE("a compliance beyond the range: at the upper bound") {
+TEST_CASE("a compliance beyond the range is flagged as at the upper bound") {
     CHECK(is_flagged(identify_boom(boom_measured(3, no_noise, 1, 0.15), thesis_way(), 1), "at the upper bound"));
 }
 
-TEST_CASE("long after the transient: no excitation") {
+TEST_CASE("samples long after the transient are flagged as without excitation") {
     IdentificationWay way = thesis_way();
     way.usable.count = 150;
     CHECK(is_flagged(identify_boom(boom_measured(4, low_noise, 1), way, 1), "no excitation"));
 }
 
-TEST_CASE("what no machine does: pressures below vacuum, a frozen sensor, a piston that goes back while oil flows in") {
+TEST_CASE("impossible readings are flagged: pressures below vacuum, a frozen sensor, a piston that moves back as oil "
+          "flows in") {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         Record good = boom_measured(1.5, low_noise, seed), negative = good, frozen = good, turned = good;
         for (double& psi : negative.of(Link::boom, Sensor::inlet_pressure))
@@ -126,7 +127,7 @@ TEST_CASE("what no machine does: pressures below vacuum, a frozen sensor, a pist
     }
 }
 
-TEST_CASE("a pump that gives less than the model's: inconsistent") {
+TEST_CASE("a pump with less flow than the model's is flagged as inconsistent") {
     ComplianceSearch prepared = prepare(boom_measured(1.5, low_noise, 1), Parameters::excavator(), {}, thesis_way());
     FlowConstants stronger = prepared.flow;
     stronger.pump_in3_per_s *= 1.5;
@@ -151,7 +152,7 @@ TEST_CASE("an answer is confirmed where it and two standard errors lie within a 
         CHECK(!confirmed(0.0086, least, error));
 }
 
-TEST_CASE("the text of a flag never has nan or inf in it") {
+TEST_CASE("no flag's text contains nan or inf") {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     for (double error : {infinite, none}) {
@@ -162,7 +163,7 @@ TEST_CASE("the text of a flag never has nan or inf in it") {
     }
 }
 
-TEST_CASE("the noise of the worst sensors makes no spike, of areas that are found from the spool, too") {
+TEST_CASE("the noise of the worst sensors is not flagged as a spike, also in areas from the spool") {
     constexpr double deviations = 7.5;
     auto beyond_noise = [&](Sensor sensor, double noise) {
         CHECK(greatest_excursion(sensor, 0.02) >= deviations * noise);
@@ -177,7 +178,7 @@ TEST_CASE("the noise of the worst sensors makes no spike, of areas that are foun
     }
 }
 
-TEST_CASE("a reading that stands out alone, or with one beside it, is a spike; a step or a ramp is none") {
+TEST_CASE("one or two outlying readings are a spike; a step or a ramp is not") {
     const double greatest = greatest_excursion(Sensor::inlet_pressure, 0.02);
     auto spike = [&](std::vector<double> five) { return is_spike(five, greatest); };
     CHECK(spike({500, 500, 600, 500, 500}));

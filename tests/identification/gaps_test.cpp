@@ -37,7 +37,7 @@ Record two_hoses() {
 
 } // namespace
 
-TEST_CASE("after a gap the window begins anew") {
+TEST_CASE("a gap restarts the window") {
     IdentificationWay way = thesis_way();
     way.usable.count = 14; // ten samples from the end would span the gap
     Identified identified = identify_boom(two_hoses(), way, 1);
@@ -52,19 +52,18 @@ TEST_CASE("after a gap the window begins anew") {
     CHECK(error_percent(identified.estimates.back().compliance_in3_per_psi[0], 0.02) < 8);
 }
 
-TEST_CASE("samples that gaps part do not add up to a first generation") {
+TEST_CASE("samples on both sides of a gap do not count together for the first generation") {
     Record record = boom_measured(1.5, no_noise, 1);
     record = without(record, 41, record.size() - 41);
     for (std::size_t lost : {32u, 23u, 14u}) // leaves eight samples between two gaps: four slopes
         record = without(record, lost, 1);
-    CHECK_THROWS_WITH_AS(
-        identify_boom(record, thesis_way(), 1),
-        "4 usable samples without a gap, expected at least 5: the transient after the valve opens, with "
-        "the pressure rising faster than 150 psi/s, is too short or not in the record",
-        UnfitRecord);
+    CHECK_THROWS_WITH_AS(identify_boom(record, thesis_way(), 1),
+                         "4 usable samples without a gap, expected at least 5: the transient after the valve opens, in "
+                         "which the pressure rises faster than 150 psi/s, is too short or missing",
+                         UnfitRecord);
 }
 
-TEST_CASE("by the servo-valve's voltage, samples lost before the transient change nothing") {
+TEST_CASE("with areas from the voltage, samples lost before the transient do not change the answer") {
     // The voltage steps at 0.1 s, sample 5; the load check opens at sample 10.
     Record whole = boom_measured(1.5, no_noise, 1);
     for (double time_s : whole.time_s)

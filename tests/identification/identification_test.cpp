@@ -81,8 +81,8 @@ TEST_CASE("identification at low noise: every seed within 10 %") {
     CHECK(quantile(low.error_percent, 1) <= 10);
 }
 
-TEST_CASE("identification at mid noise") { check_study(study(mid_noise), 6, 13); }
+TEST_CASE("identification at mid noise: most seeds within 10 %") { check_study(study(mid_noise), 6, 13); }
 
-TEST_CASE("high noise is too much: the 90th percentile is beyond 10 %") {
+TEST_CASE("identification at high noise: the 90th percentile exceeds 10 %") {
     CHECK(quantile(study(high_noise).error_percent, 0.9) > 10);
 }

@@ -26,13 +26,13 @@ TEST_CASE("the thesis's way is the traditional genetic algorithm over the usable
     CHECK(identified.generations == traditional.generations);
 }
 
-TEST_CASE("a record at rest is refused, with what is missing") {
+TEST_CASE("a record at rest is refused with the missing samples") {
     Record record = boom_measured(1.5, no_noise, 1);
     for (double& spool : record.of(Link::boom, Sensor::spool))
         spool = 0.1297;
     CHECK_THROWS_WITH_AS(identify_boom(record, thesis_way(), 1),
-                         "0 usable samples, expected at least 5: the transient after the valve opens, with the "
-                         "pressure rising faster than 150 psi/s, is too short or not in the record",
+                         "0 usable samples, expected at least 5: the transient after the valve opens, in which "
+                         "the pressure rises faster than 150 psi/s, is too short or missing",
                          UnfitRecord);
 }
 
@@ -40,6 +40,6 @@ TEST_CASE("links that are not coupled cannot be identified together") {
     Record record = boom_measured(1.5, no_noise, 1);
     Question question{Configuration::a, {Link::boom, Link::stick}, {}};
     CHECK_THROWS_WITH_AS(prepare(record, Parameters::excavator(), question, thesis_way()),
-                         "boom,stick are not coupled with each other in configuration a: identify them one by one",
+                         "boom,stick are not hydraulically coupled in configuration a: identify each link separately",
                          UserError);
 }

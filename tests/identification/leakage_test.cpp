@@ -71,7 +71,7 @@ double steepest_psi_per_s(const ExcavatorScenario& scenario) {
 
 } // namespace
 
-TEST_CASE("apparent compliance of a leak, by hand") {
+TEST_CASE("the apparent compliance of a leak agrees with a hand computation") {
     CHECK(leakage_in3_per_s(0.002, 1900, 100) == doctest::Approx(3.6));
     std::array leak{2.0, 4.0}, slope{1000.0, 2000.0};
     CHECK(apparent_compliance_change(leak, slope) == test::nearly(0.002)); // (2e3 + 8e3) / 5e6
@@ -80,7 +80,7 @@ TEST_CASE("apparent compliance of a leak, by hand") {
     CHECK_THROWS_AS(apparent_compliance_change(std::span(leak).first(1), slope), std::invalid_argument);
 }
 
-TEST_CASE("a leak that starts with the motion: flow and apparent compliance of the rise") {
+TEST_CASE("a leak that starts with the motion has the predicted flow and apparent compliance") {
     struct Figures {
         double leak_in3_per_s_psi, flow_in3_per_s, change_in3_per_psi;
     };
@@ -107,7 +107,7 @@ TEST_CASE("the premise of 2.8, a slower rise with the leak, holds if the leak st
     CHECK(steepest_psi_per_s(leaking_boom(0.002, 0)) > sound); // the held pressure has leaked away before
 }
 
-TEST_CASE("a leak takes what it takes from one side and gives it to the other") {
+TEST_CASE("the flow of a leak leaves one side and enters the other") {
     ExcavatorScenario scenario = single_boom_scenario();
     scenario.links[0].valve = SpoolOrifices{0.1297, {}}; // the valve holds the link: both sides shut
     scenario.links[0].leak = {0.002, 0.05};

@@ -31,7 +31,7 @@ std::optional<SpoolOffset> calibrate(const Record& record, FlowConstants flow = 
 
 } // namespace
 
-TEST_CASE("the offset of the spool comes out of steady motion, at every noise level") {
+TEST_CASE("steady motion gives the spool's offset at every noise level") {
     for (double offset : {-0.02, -0.01, 0.0, 0.01, 0.02}) {
         CHECK(std::abs(calibrate(steady_record(offset, no_noise))->offset_in - offset) < 2e-4);
         CHECK(std::abs(calibrate(steady_record(offset, low_noise))->offset_in - offset) < 3e-4);
@@ -42,7 +42,7 @@ TEST_CASE("the offset of the spool comes out of steady motion, at every noise le
     CHECK(std::sqrt(squares / 20) < 3e-4); // .00008 in in the prototype, plus the rest of the transient
 }
 
-TEST_CASE("a wrong k or Q looks like an offset, which the calibration cannot tell") {
+TEST_CASE("the calibration mistakes a wrong k or Q for an offset") {
     Record record = steady_record(0, no_noise);
     FlowConstants flow = fitted_flow_constants();
     flow.orifice_in3_per_s_in2_sqrt_psi *= 1.01;
@@ -55,7 +55,7 @@ TEST_CASE("a wrong k or Q looks like an offset, which the calibration cannot tel
     CHECK(of_k * of_q < 0);
 }
 
-TEST_CASE("no steady motion, no offset") {
+TEST_CASE("without steady motion there is no calibration") {
     ExcavatorScenario scenario = single_boom_scenario();
     scenario.duration_s = 0.8;
     Record record =
@@ -63,6 +63,6 @@ TEST_CASE("no steady motion, no offset") {
     CHECK(!calibrate(record));
 }
 
-TEST_CASE("an offset beyond any spool's is not made up") {
+TEST_CASE("an impossible offset is not reported") {
     CHECK(!calibrate(steady_record(0, no_noise), {99.83, 800, 16.2, 4500}));
 }

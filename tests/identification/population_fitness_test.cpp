@@ -63,7 +63,7 @@ void check_population(const SearchProblem& problem, std::size_t links, std::size
 
 } // namespace
 
-TEST_CASE("terms of eight errors at once are those of each") {
+TEST_CASE("terms of eight errors computed together equal separate terms") {
     RandomStream random(1, "terms");
     const std::array<double, 10> special{0, -0.0, 20, infinity, -infinity, not_a_number, 1e300, 1e-300, 2896.3, 2896.4};
     for (int i = 0; i < 10'000; ++i) {
@@ -77,12 +77,13 @@ TEST_CASE("terms of eight errors at once are those of each") {
     }
 }
 
-TEST_CASE("circuits state their error for populations") {
+TEST_CASE("circuits compute their error for whole populations") {
     CHECK(ErrorOfParameters<CircuitProblem, Genome>);
     CHECK(ErrorOfParameters<CircuitProblem, GrayCoded<Genome>>);
 }
 
-TEST_CASE("the boom: random populations of every size, window, length and coding") {
+TEST_CASE(
+    "random populations of the boom have the fitness of single strings, for every size, window, length and coding") {
     RandomStream random(2, "boom");
     for (std::size_t bits : {1u, 10u, 12u, 40u})
         for (Coding coding : {Coding::natural, Coding::gray}) {
@@ -93,7 +94,7 @@ TEST_CASE("the boom: random populations of every size, window, length and coding
         }
 }
 
-TEST_CASE("circuits of one to four links: random populations") {
+TEST_CASE("random populations of one to four links have the fitness of single strings") {
     RandomStream random(3, "circuits");
     for (Configuration configuration : all_configurations)
         for (LinkSet group : coupled_groups(configuration)) {
@@ -107,7 +108,7 @@ TEST_CASE("circuits of one to four links: random populations") {
         }
 }
 
-TEST_CASE("a share of whole individuals has the terms of one cut into pieces") {
+TEST_CASE("a share of individuals has the same terms whole and in pieces") {
     auto problem = make_search_problem(CircuitProblem(boom_circuit(), rounded_flow_constants()));
     RandomStream random(4, "shares");
     auto population = random_population(30, problem->bits(), random);

@@ -80,7 +80,7 @@ TEST_CASE("all links of every configuration are found within 10 % over the whole
         CHECK(right_of(group, "low", 1024, 3) == 3);
 }
 
-TEST_CASE("and without noise over the thesis's window of 10 samples") {
+TEST_CASE("all links of every configuration are found without noise over the thesis's window of 10 samples") {
     for (const Group& group : groups)
         CHECK(right_of(group, "none", 10, 5) >= 4);
 }
@@ -97,7 +97,7 @@ TEST_CASE("weighed least squares leaves a quarter of the uncertainty of plain le
     CHECK(weighed->standard_error[0] < plain->standard_error[0] / 4);
 }
 
-TEST_CASE("scaled flows are uncorrelated and have the mean square that was asked for") {
+TEST_CASE("scaled flows are uncorrelated and have the requested mean square") {
     const Group& all = groups.back();
     const WholeWay whole = whole_way(all.size);
     const ComplianceSearch search = search_of(all, record_of(all, "high", motion_of(all), 1), whole);
@@ -117,7 +117,7 @@ TEST_CASE("scaled flows are uncorrelated and have the mean square that was asked
     CHECK(std::abs(products) < 2);
 }
 
-TEST_CASE("T800s need for a search what Table E.1's workload says") {
+TEST_CASE("the cost of a search on T800s follows from Table E.1's workload") {
     const WholeWay whole = whole_way(2);
     const ComplianceSearch search = search_of(groups[0], record_of(groups[0], "none", motion_of(groups[0]), 1), whole);
     const SearchCost cost = cost_of(whole, search.problem, 10, 100);
@@ -128,7 +128,7 @@ TEST_CASE("T800s need for a search what Table E.1's workload says") {
     CHECK(cost.seconds_on_16 > cost.seconds / 16);
 }
 
-TEST_CASE("too short a record is refused") {
+TEST_CASE("a record that is too short is refused") {
     const WholeWay whole = whole_way(2);
     ComplianceSearch search = search_of(groups[0], record_of(groups[0], "none", motion_of(groups[0]), 1), whole);
     search.samples.resize(3);

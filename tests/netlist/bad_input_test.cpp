@@ -42,10 +42,10 @@ std::string numbered(int first, int last) {
 
 } // namespace
 
-TEST_CASE("what is no text file") {
+TEST_CASE("a file that is not text is refused") {
     auto folder = std::filesystem::temp_directory_path() / "placedpar_bad_input_test";
     std::filesystem::create_directories(folder);
-    CHECK(first_message(read_netlist(folder / "nothing.cfs", small_catalogue())) == "there is no such file");
+    CHECK(first_message(read_netlist(folder / "nothing.cfs", small_catalogue())) == "this file does not exist");
     CHECK(first_message(read_netlist(folder, small_catalogue())) == "this is a directory, not a file");
     CHECK(first_message(read_netlist("/dev/null", small_catalogue())) == "this is neither a file nor a pipe");
     CHECK(
@@ -65,18 +65,19 @@ TEST_CASE("a netlist of many large files is refused before it fills the memory")
     auto path = folder / "main.cfs";
     auto result = read_netlist(path, small_catalogue());
     std::filesystem::remove_all(folder);
-    CHECK(first_message(result) == "more than 67108864 bytes are included");
+    CHECK(first_message(result) == "the netlist includes more than 67108864 bytes");
     CHECK(result.diagnostics.at(0).location.text() == path.string() + ":5:10");
 }
 
-TEST_CASE("binary rubbish") {
+TEST_CASE("binary content is refused") {
     auto result = read_netlist_text(std::string("T800 a;\n\tval \0 x", 16), small_catalogue());
-    CHECK(first_message(result) == "this is a binary file, not text: it holds the byte 0x00");
+    CHECK(first_message(result) == "this is a binary file, not text: it contains the byte 0x00");
     REQUIRE(result.diagnostics.size() == 1);
     CHECK(result.diagnostics[0].location.text() == "netlist:2:6");
-    CHECK(render(result.diagnostics) == "netlist:2:6: error: this is a binary file, not text: it holds the byte 0x00\n"
-                                        "    \tval \\x00 x\n"
-                                        "    \t    ^\n");
+    CHECK(render(result.diagnostics) ==
+          "netlist:2:6: error: this is a binary file, not text: it contains the byte 0x00\n"
+          "    \tval \\x00 x\n"
+          "    \t    ^\n");
     CHECK(refused("\x7f\x45\x4c\x46").starts_with("this is a binary file, not text"));
     CHECK(refused("val \xff 5;") == "illegal character byte 0xff");
 }
@@ -86,7 +87,7 @@ TEST_CASE("an empty file is an empty network") {
     CHECK(read_netlist_text("\xef\xbb\xbf/* nothing */", small_catalogue()).network);
 }
 
-TEST_CASE("lines, words and nesting without measure") {
+TEST_CASE("overlong lines, too many words and too deep nesting are refused") {
     CHECK(refused("val x " + std::string(20000, '1') + ";").starts_with("the line is too long"));
     CHECK(refused(repeated("val\n", 100)) != "");
     CHECK(refused(repeated("{", 5000)).starts_with("the nesting is too deep"));
@@ -103,7 +104,7 @@ TEST_CASE("lines, words and nesting without measure") {
         CHECK(refused(repeated("{}\n", 4100000)).starts_with("the netlist is too large"));
 }
 
-TEST_CASE("replication and arrays without measure") {
+TEST_CASE("too many replications and too large arrays are refused") {
     CHECK(refused("rep i = 0 for 9223372036854775807 ;").find("takes more than") != std::string::npos);
     CHECK(refused("rep i = 1 for 9223372036854775807 ;") == "1 + 9223372036854775807 is beyond 64 bits");
     if (!test::sanitized)
@@ -131,7 +132,7 @@ TEST_CASE("replication and arrays without measure") {
               .nodes.size() == 1);
 }
 
-TEST_CASE("a netlist that is refused already is not worked out for ever") {
+TEST_CASE("the elaboration of a refused netlist is bounded") {
     auto result = read_netlist_text("T800 t[1000000];\n"
                                     "rep i = 0 for 1000000 rep k = 0 for 1000000 connect t[i].link[k] to t[k].link[i];",
                                     small_catalogue());
@@ -139,20 +140,19 @@ TEST_CASE("a netlist that is refused already is not worked out for ever") {
     CHECK(render(result.diagnostics).find("takes more than") == std::string::npos);
 }
 
-TEST_CASE("at most twenty errors") {
+TEST_CASE("at most twenty errors are reported") {
     auto result = read_netlist_text(repeated("val x;\n", 500), small_catalogue());
     CHECK_FALSE(result.network);
     CHECK(result.diagnostics.size() == 20);
-    CHECK(result.not_shown == "... 480 further errors not shown\n");
-    CHECK(render(result).ends_with("\n... 480 further errors not shown\n"));
+    CHECK(result.not_shown == "... 480 more errors not shown\n");
+    CHECK(render(result).ends_with("\n... 480 more errors not shown\n"));
     CHECK(read_netlist_text(repeated("val x;\n", 20), small_catalogue()).not_shown.empty());
-    CHECK(read_netlist_text(repeated("val x;\n", 21), small_catalogue()).not_shown ==
-          "... 1 further error not shown\n");
+    CHECK(read_netlist_text(repeated("val x;\n", 21), small_catalogue()).not_shown == "... 1 more error not shown\n");
     CHECK(read_netlist_text(repeated("val x;\n", 5000), small_catalogue()).not_shown ==
-          "... 980 further errors not shown\n");
+          "... 980 more errors not shown\n");
 }
 
-TEST_CASE("bounds are where docs/reference/netlist-language.md says: what is just within is read") {
+TEST_CASE("the language reference states the bounds: netlists just within them are read") {
     auto read = [](const std::string& text) { return read_netlist_text(text, small_catalogue()).network.has_value(); };
     auto array = [](int depth) { return "val a " + repeated("{", depth) + "1" + repeated("}", depth) + ";"; };
     auto nested = [](const std::string& open, const std::string& inner, const std::string& close, int depth) {
@@ -185,10 +185,10 @@ TEST_CASE("a channel end that is placed and connected counts once") {
     CHECK(render(read_netlist_text(text, small_catalogue())).find("too large") == std::string::npos);
 }
 
-TEST_CASE("overrides that make no sense") {
+TEST_CASE("wrong overrides are refused") {
     CHECK(refused("val n 1;", {{"m", "1"}}) == "the netlist has no val, attribute or parameter \"m\"");
     CHECK(refused("val n 1;", {{"n", ""}}) == "the value is missing");
-    CHECK(refused("val n 1;", {{"n", "1 2"}}).starts_with("illegal token behind an expression"));
+    CHECK(refused("val n 1;", {{"n", "1 2"}}).starts_with("illegal token after an expression"));
     CHECK(refused("val n 1;", {{"n", "\"a\""}}).starts_with("wrong type for the val"));
     CHECK(refused("val n 1;", {{"", "5"}}).starts_with("the name of a val, an attribute or a parameter is missing"));
     CHECK(refused("val n 1;", {{"n n", "5"}}).starts_with("\"=\" is missing"));
@@ -197,11 +197,11 @@ TEST_CASE("overrides that make no sense") {
     CHECK(refused("val n 1;", {{"for", "5"}}).find("is a word of the language") != std::string::npos);
     CHECK(refused("{ val n 1; }", {{"n", "5"}}) == "the val \"n\" is declared in a block");
     CHECK(refused("{ val n {1, 2}; }", {{"n[0]", "5"}}) == "the val \"n\" is declared in a block");
-    CHECK(refused("val n {1, 2};", {{"n[0]", "5"}}) == "the val \"n\" is set as a whole, not one of its elements");
+    CHECK(refused("val n {1, 2};", {{"n[0]", "5"}}) == "the val \"n\" can be set only as a whole, not by element");
     CHECK(refused("val n 1;", {{"n", std::string("1\0", 2)}}).starts_with("this is a binary file, not text"));
 }
 
-TEST_CASE("a caret finds its column over tabs, other alphabets and long lines") {
+TEST_CASE("a caret stands at its column despite tabs, other alphabets and long lines") {
     auto shown = [](const std::string& text) { return render(read_netlist_text(text, small_catalogue()).diagnostics); };
     CHECK(shown("val s \"\xc3\xa4\xc3\xb6\" @;").find("\n    val s \"\xc3\xa4\xc3\xb6\" @;\n               ^\n") !=
           std::string::npos);
@@ -212,7 +212,7 @@ TEST_CASE("a caret finds its column over tabs, other alphabets and long lines") 
     CHECK(caret - (lines.rfind('\n', caret) + 1) == at - (lines.rfind('\n', at) + 1));
 }
 
-TEST_CASE("a name is one word that begins with a letter and is none of the language's") {
+TEST_CASE("a name is one word that begins with a letter and is not reserved") {
     for (const char* name : {"RING", "t800", "_x", "ring_2"})
         CHECK(can_be_a_name(name));
     for (const char* name : {"", "place", "for", "my ring", "3ring", "ring-2", "a.b"})

@@ -53,7 +53,7 @@ RunReport run_stream(const std::string& more, bool recovers = false) {
 
 } // namespace
 
-TEST_CASE("a fault is of a link, of the wire of a connection, or of a device; times have units") {
+TEST_CASE("a fault applies to a link, a connection's wire or a device; times have units") {
     for (const auto& each : std::vector<std::pair<std::string, std::string>>{
              {"fault a.link[0] silent;", "a.link[0] silent"},
              {"fault wire silent (from = 20ms, until = 1s);", "a.link[0] silent (from = 20ms, until = 1s)"},
@@ -73,19 +73,19 @@ TEST_CASE("a fault is of a link, of the wire of a connection, or of a device; ti
     }
 }
 
-TEST_CASE("an option states a fault in the words of the statement, and --set reaches its numbers") {
+TEST_CASE("--fault takes the words of the fault statement, and --set changes its numbers") {
     Network said = network_of_stream(stream("fault wire silent (from = at);"), {{"at", "5ms"}});
     Network option = network_of_stream(stream(""), {}, {"wire silent (from = 5ms)"});
     CHECK(only_fault(said) == "a.link[0] silent (from = 5ms)");
     CHECK(option.hash == said.hash);
     ReadResult wrong = read_netlist_text(stream(""), csp(), {}, "netlist", {.faults = {"wire silent from 5ms"}});
-    CHECK(render(wrong) == "--fault:1:13: error: illegal token behind a fault: \"from\"\n"
+    CHECK(render(wrong) == "--fault:1:13: error: illegal token after a fault: \"from\"\n"
                            "    wire silent from 5ms\n"
                            "                ^\n"
                            "hint: --fault 't[0].link[1] silent (from = 20ms)'\n");
 }
 
-TEST_CASE("old netlists may use the word as a name") {
+TEST_CASE("old netlists may use fault as a name") {
     ReadResult read = read_netlist_text("define T800 (memory = 1M) fault; fault a, b; connect a.link[0] to b.link[0];"
                                         "val silent 3; T800 c[silent]; rep i = 0 for 3 connect c[i].link[0] to "
                                         "a.link[i + 1];",
@@ -95,7 +95,7 @@ TEST_CASE("old netlists may use the word as a name") {
     CHECK(render(read) == "");
 }
 
-TEST_CASE("a silent link is a deadlock, and the report says which message it took") {
+TEST_CASE("a silent link causes a deadlock, and the report names the lost message") {
     RunReport report = run_stream("fault wire silent (from = at); fault a.link[0] slow (from = 1s, factor = 2);");
     CHECK(report.result.ending == Ending::stuck);
     REQUIRE(report.faults.size() == 2);
@@ -109,7 +109,7 @@ TEST_CASE("a silent link is a deadlock, and the report says which message it too
     CHECK(report.result.deadlock->processes.size() == 2);
 }
 
-TEST_CASE("the direction is seen from the end that is named") {
+TEST_CASE("a fault's direction is relative to the named end") {
     for (const auto& each : std::vector<std::pair<std::string, std::uint64_t>>{
              {"fault a.link[0] silent (from = at, direction = \"out\");", 1},
              {"fault b.link[0] silent (from = at, direction = \"in\");", 1},
@@ -122,7 +122,7 @@ TEST_CASE("the direction is seen from the end that is named") {
     }
 }
 
-TEST_CASE("a slow link takes longer, a link that was slow for a while less so") {
+TEST_CASE("a slow link delays messages, a temporarily slow link less so") {
     double sound = in_milliseconds(run_stream("").result.time);
     double slow = in_milliseconds(run_stream("fault wire slow (factor = 4);").result.time);
     double for_a_while = in_milliseconds(run_stream("fault wire slow (factor = 4, until = 2ms);").result.time);
@@ -132,7 +132,7 @@ TEST_CASE("a slow link takes longer, a link that was slow for a while less so") 
     CHECK(for_a_while < sound + 1.6);
 }
 
-TEST_CASE("a processor that halts stops its processes, and those that wait for it are named") {
+TEST_CASE("a halted processor stops its processes, and the report names the processes that wait for it") {
     RunReport report = run_stream("fault a halts (from = at);");
     CHECK(report.result.ending == Ending::stuck);
     REQUIRE(report.faults.size() == 1);
@@ -143,7 +143,7 @@ TEST_CASE("a processor that halts stops its processes, and those that wait for i
     CHECK(run_stream("fault a halts (from = 1s);").faults[0].had_effect() == false);
 }
 
-TEST_CASE("a stream with time-outs survives what a stream without does not, and counts what is lost") {
+TEST_CASE("a stream with time-outs survives a fault that stops a stream without, and counts losses") {
     for (const char* fault :
          {"fault wire silent (from = at, until = 5ms);", "fault wire loses_acknowledge (from = at);",
           "fault wire silent (from = at, until = 5ms, direction = \"out\");"}) {
@@ -176,7 +176,7 @@ RunReport run_on_bus(const std::string& more) { return Machine(network_of_stream
 
 } // namespace
 
-TEST_CASE("a bus that another master hogs is waited for, from its grant to its end, and the report says since when") {
+TEST_CASE("masters wait for a bus that another master hogs, and the report says since when") {
     RunReport free = run_on_bus("");
     RunReport hogged = run_on_bus("fault vme hogged (from = 100us, until = 5ms);");
     CHECK(hogged.result.ending == Ending::completed);
@@ -195,7 +195,7 @@ TEST_CASE("a bus that another master hogs is waited for, from its grant to its e
     CHECK(run_on_bus("fault vme hogged (from = 1s, until = 2s);").faults[0].had_effect() == false);
 }
 
-TEST_CASE("who asks something absent on a bus is told so by a bus error after the bus's time-out") {
+TEST_CASE("an access to an absent device on a bus ends in a bus error after the bus's time-out") {
     auto refused_with = [](const std::string& more) -> std::string {
         try {
             run_on_bus(more);
@@ -214,7 +214,7 @@ TEST_CASE("who asks something absent on a bus is told so by a bus error after th
     CHECK(run_on_bus("fault b absent (from = 1s);").faults[0].had_effect() == false);
 }
 
-TEST_CASE("a router that asks something absent on a bus is told so as a program is") {
+TEST_CASE("a router's access to an absent device ends in a bus error, like a program's") {
     std::string said;
     try {
         Machine(network_of_stream(R"(workstation sun; VME vme; C011 ad; T800 a, b; connect sun.bus[0] to vme.slot[1];
@@ -230,7 +230,7 @@ TEST_CASE("a router that asks something absent on a bus is told so as a program 
     CHECK(said.find("bus error: ad does not answer sun on bus vme within 125.000000 us") != std::string::npos);
 }
 
-TEST_CASE("two hogs stand in two slots, and what is printed of one loads again") {
+TEST_CASE("two hogging masters take two slots, and a printed network with one loads again") {
     Network network = network_of_stream(
         bus_of_two("fault vme hogged (until = 1ms, level = 0); fault vme hogged (from = 2ms, until = 3ms);"));
     Network again = network_of_stream(print_cfs(network));
@@ -242,7 +242,7 @@ TEST_CASE("two hogs stand in two slots, and what is printed of one loads again")
     CHECK(report.faults[1].held_since);
     auto refused = [](const std::string& text) { return render(read_netlist_text(text, csp())); };
     CHECK(refused(bus_of_two("fault vme hogged (until = 1ms, level = 2);", "SGL"))
-              .find("\"vme\" has the arbiter SGL: there is only level 3") != std::string::npos);
+              .find("\"vme\" has the arbiter SGL, which has only level 3") != std::string::npos);
     CHECK(refused(bus_of_two("fault vme hogged;")).find("needs the attribute \"until\"") != std::string::npos);
     CHECK(refused(bus_of_two("fault vme hogged (from = 2ms, until = 1ms);")).find("over before it begins") !=
           std::string::npos);
@@ -268,7 +268,7 @@ RunReport run_text(const std::string& text) { return Machine(network_of_stream(t
 
 } // namespace
 
-TEST_CASE("a fault at a link adapter, or at the transputer behind it, ends in a deadlock and says what it took") {
+TEST_CASE("a fault at a link adapter, or at the transputer behind it, causes a deadlock with a named loss") {
     for (bool down : {true, false})
         for (std::string at : {"adapter.link[0]", "t.link[0]"})
             for (std::string fault : {"silent (from = 2ms)", "loses_acknowledge (from = 2ms)"}) {
@@ -285,7 +285,7 @@ TEST_CASE("a fault at a link adapter, or at the transputer behind it, ends in a 
             }
 }
 
-TEST_CASE("a slow link at an adapter only slows, one that fails is survived with time-outs") {
+TEST_CASE("a slow link at an adapter only delays, and time-outs survive a failing one") {
     for (bool down : {true, false}) {
         CAPTURE(down);
         RunReport sound = run_text(stream_by_adapter(down, false, ""));
@@ -318,7 +318,7 @@ const std::vector<std::string> over_b{"p[0].out -> q[0].in", "p[1].out -> q[1].i
 
 } // namespace
 
-TEST_CASE("a fault under routers stops the channels over it, others go on, and the report names both") {
+TEST_CASE("a fault of a routed link stops only the channels over it, which the report names") {
     for (std::string link : {"a.link[0]", "b.link[0]", "b.link[1]", "c.link[0]"}) {
         CAPTURE(link);
         RunReport report = run_text(routed_streams("fault " + link + " silent (from = 3ms);"));
@@ -335,7 +335,7 @@ TEST_CASE("a fault under routers stops the channels over it, others go on, and t
     CHECK(slow.faults[0].stopped_channels.empty());
 }
 
-TEST_CASE("a processor on the way that halts stops what it passes on, and the report says which channels these are") {
+TEST_CASE("a halted processor stops the channels that it passes on, which the report names") {
     RunReport report = run_text(routed_streams("fault b halts (from = 3ms);"));
     CHECK(report.result.ending == Ending::stuck);
     CHECK(report.faults[0].stopped.empty());
@@ -344,7 +344,7 @@ TEST_CASE("a processor on the way that halts stops what it passes on, and the re
     CHECK(report.result.deadlock->processes.size() == 4);
 }
 
-TEST_CASE("what cannot be given up is refused where it is said, with the reason") {
+TEST_CASE("a time-out on a channel that cannot be given up is refused with the reason") {
     auto refused = [](std::string text) {
         for (std::size_t at = 0; (at = text.find("csp.producer", at)) != std::string::npos;)
             text.replace(at, 12, "csp.sender_or_fail");

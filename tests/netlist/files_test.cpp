@@ -41,7 +41,7 @@ constexpr const char* main_text = "#include \"size.inc\"\nT800 (memory = size) a
 
 } // namespace
 
-TEST_CASE("a file as DOS left it: capital letters, backslashes, carriage returns, Ctrl-Z and what is behind it") {
+TEST_CASE("files from DOS are read: capital letters, backslashes, carriage returns, text after Ctrl-Z") {
     auto result = read_netlist(file("FROMDOS.CFS"), small_catalogue());
     CHECK(memory_of(result) == 2 * 1024 * 1024);
     CHECK(result.network->processes[0].stand_in);
@@ -50,7 +50,7 @@ TEST_CASE("a file as DOS left it: capital letters, backslashes, carriage returns
     CHECK(result.network->included_paths[1].ends_with("dos/SUB/SIZE.INC"));
 }
 
-TEST_CASE("an included file is looked for beside the including one, then along the include path, in its order") {
+TEST_CASE("an included file is searched beside the including file, then along the include path in order") {
     CHECK_FALSE(read_netlist(file("on_the_path.cfs"), small_catalogue()).network);
     auto along = read_netlist(file("on_the_path.cfs"), small_catalogue(), {},
                               {.include_folders = {file("dos"), file("dos/SUB")}});
@@ -65,7 +65,7 @@ TEST_CASE("an included file is looked for beside the including one, then along t
     CHECK(memory_of(folder.read({folder.path / "one"})) == 4 * 1024 * 1024);
 }
 
-TEST_CASE("of files whose names differ in case the one that is named goes before, then the first by name") {
+TEST_CASE("of files whose names differ only in case, the exact name is preferred, then the first in order") {
     Folder folder;
     folder.write("main.cfs", main_text);
     folder.write("size.INC", "val size 2M;");
@@ -75,15 +75,15 @@ TEST_CASE("of files whose names differ in case the one that is named goes before
     CHECK(memory_of(folder.read()) == 4 * 1024 * 1024);
 }
 
-TEST_CASE("a file that is on no path says where it was looked for") {
+TEST_CASE("the message about a missing include names the folders that were searched") {
     Folder folder;
     folder.write("main.cfs", main_text);
     auto result = folder.read({"one", "two/three"});
     REQUIRE(result.diagnostics.size() == 1);
-    CHECK(result.diagnostics[0].hint == "it is neither beside the file that includes it nor in one, two/three");
+    CHECK(result.diagnostics[0].hint == "looked in the folder of the including file and in one, two/three");
 }
 
-TEST_CASE("the toolset's own includes need not be there, but are read where they are") {
+TEST_CASE("the toolset's own includes may be missing, but existing ones are read") {
     Folder folder;
     folder.write("main.cfs", "#include \"SETCONF.INC\"\n#include \"c:\\icc\\boards.inc\"\n#include <trams.inc>\n"
                              "T800 (memory = 1M) a;\n");
@@ -95,7 +95,7 @@ TEST_CASE("the toolset's own includes need not be there, but are read where they
     CHECK(memory_of(folder.read()) == 4 * 1024 * 1024);
 }
 
-TEST_CASE("every ending of a program file, in capital letters too, and none at all") {
+TEST_CASE("every suffix of a program file is accepted, in either case, and none") {
     for (const char* name : {"p.lku", "P.LKU", "p.c8x", "p.c8h", "P.C4H", "p.c0", "p.tco", "p.lah", "p", "PROGRAM"}) {
         auto text = std::string("T800 a; process p; use \"") + name + "\" for p; place p on a;";
         CAPTURE(name);
@@ -108,7 +108,7 @@ TEST_CASE("every ending of a program file, in capital letters too, and none at a
     }
 }
 
-TEST_CASE("kinds take the place of programs") {
+TEST_CASE("--use runs kinds instead of programs") {
     std::string text = "T800 a; process p, q; use \"PUMP.LKU\" for p; use \"sink.lku\" for process;\n"
                        "place p on a; place q on a; connect p.out to q.in;";
     CHECK(render(read_netlist_text(text, small_catalogue())).find("has no channel") != std::string::npos);
@@ -121,7 +121,7 @@ TEST_CASE("kinds take the place of programs") {
     CHECK_FALSE(result.network->processes[1].stand_in);
 }
 
-TEST_CASE("a program that is not used, and a kind that is not there, are refused with what there is") {
+TEST_CASE("an unused program and an unknown kind are refused with the existing names") {
     auto said = [](const ProgramKinds& kinds) {
         auto text =
             "T800 a; process p, q; use \"pump.lku\" for p; use \"other.lku\" for q; place p on a; place q on a;";
@@ -132,13 +132,15 @@ TEST_CASE("a program that is not used, and a kind that is not there, are refused
     CHECK(said({{"rst", "sink"}}) == "--use:1:1: error: the netlist uses no program \"rst\"\n"
                                      "    rst=sink\n"
                                      "    ^\n"
-                                     "hint: there are other.lku, pump.lku\n");
+                                     "hint: the kinds are other.lku, pump.lku\n");
     CHECK(said({{"PUMP.LKU", "sink"}}).find("hint: did you mean \"pump.lku\"?\n") != std::string::npos);
-    CHECK(said({{"pump.lku", "master"}}) ==
-          "--use:1:10: error: unknown process kind \"master\"\n"
-          "    pump.lku=master\n"
-          "             ^\n"
-          "hint: there are csp.switch_logic, csp.switching_producer, ga.master, ga.slave, pump, sink\n");
+    CHECK(said({{"pump.lku", "master"}}) == "--use:1:10: error: unknown process kind \"master\"\n"
+                                            "    pump.lku=master\n"
+                                            "             ^\n"
+                                            "hint: did you mean \"ga.master\"?\n");
+    CHECK(said({{"pump.lku", "fountain"}})
+              .ends_with(
+                  "hint: the kinds are csp.switch_logic, csp.switching_producer, ga.master, ga.slave, pump, sink\n"));
     CHECK(said({{"pump.lku", "pumb"}}).find("error: ") == said({{"pump.lku", "pumb"}}).rfind("error: "));
     CHECK(said({{"pump.lku", "pumb"}}).find("hint: did you mean \"pump\"?\n") != std::string::npos);
 }

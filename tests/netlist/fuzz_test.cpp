@@ -133,7 +133,7 @@ std::string mutate(const std::string& text, const std::vector<std::string>& othe
 
 } // namespace
 
-TEST_CASE("mutated netlists are read to an end") {
+TEST_CASE("reading a mutated netlist ends") {
     const auto texts = seeds();
     REQUIRE(texts.size() > 60);
     constexpr int mutations = test::sanitized ? 2000 : 10000;

@@ -36,7 +36,7 @@ double rate(const std::string& from, const std::string& to) {
 
 } // namespace
 
-TEST_CASE("links of transputers that do not overlap acknowledges carry 0.8 Mbyte/s, others 1.74") {
+TEST_CASE("links carry 0.8 Mbyte/s without overlapped acknowledges, 1.74 Mbyte/s with them") {
     for (const char* type : {"T800", "T805", "T801", "T425", "T400", "T222", "T225", "t800", "B404"})
         CHECK(rate(type, "T800") == doctest::Approx(1740).epsilon(0.03));
     for (const char* type : {"T414", "t414", "T212", "B402", "M212"}) {
@@ -51,8 +51,7 @@ Time taken_by_links(const std::string& type) {
     return run_pair(type, "T800", "count = 10, bytes = 100000").processors[0].memory_taken_by_links;
 }
 
-TEST_CASE(
-    "messages lie outside of the chip where there is more memory than fits on one, or where the netlist says so") {
+TEST_CASE("messages lie in external memory if the memory exceeds the chip's, or if the netlist says so") {
     Time cycles = 250'000 * std::chrono::nanoseconds{50};
     CHECK(taken_by_links("T800") == cycles);
     CHECK(taken_by_links("T800 (memory = 4K)") == cycles);
@@ -64,7 +63,7 @@ TEST_CASE(
     CHECK(taken_by_links("T800 (memorycycles = 5)") == 5 * cycles);
 }
 
-TEST_CASE("words of code and data outside of the chip cost a packet's computation what an access there takes longer") {
+TEST_CASE("external words of code and data lengthen the computation of a packet by the slower access") {
     auto busy = [](const std::string& type) {
         return run_pair(type, "T800", "count = 10, bytes = 4, cycles = 10000, words = 2000").processors[0].busy;
     };
@@ -90,13 +89,13 @@ Time time_in_packets(const std::string& attributes) {
     return report.links.at(0).occupied + report.result.time;
 }
 
-TEST_CASE("a netlist says of a processor's router at what priority it runs and what a packet costs") {
+TEST_CASE("a netlist sets the priority of a processor's router and its cost of a packet") {
     CHECK(time_in_packets("") == time_in_packets("router_priority = HIGH, router_cycles = 200"));
     CHECK(time_in_packets("router_priority = LOW") != time_in_packets(""));
     CHECK(time_in_packets("router_cycles = 1200") > time_in_packets(""));
 }
 
-TEST_CASE("what can be shown but not run says where it is") {
+TEST_CASE("the message about a netlist that can only be shown gives the places") {
     auto refusal = [](const std::string& text) -> std::string {
         Catalogue catalogue;
         add_csp_kinds(catalogue);
@@ -145,13 +144,13 @@ TEST_CASE("one message names all programs that are unknown and all edges that ha
     CHECK(said.starts_with(
         "m.cfs: error: the netlist can be shown, but not run: 3 programs are unknown, and 2 edges "
         "have no process\n"
-        "hint: --use m.lku=KIND puts a kind in the place of a program; the command kinds lists them; use "
-        "\"KIND\" for t;; place NAME on far; puts a process at an edge\n"));
+        "hint: --use m.lku=KIND runs a kind instead of the program; the command kinds lists the kinds; use "
+        "\"KIND\" for t;; place NAME on far; places a process at the edge\n"));
     for (const char* note :
          {"note: no program is given to t\n", "note: \"m.lku\" is the program of m\n",
           "note: \"s.lku\" is the program of s[0], s[1], s[2], s[3], s[4], s[5] and 2 more\n",
-          "note: the edge \"host\" has no process, but these channels lead there: m.in, m.out, m.log\n",
-          "note: the edge \"far\" has no process, but these channels lead there: t.out, t.in\n"}) {
+          "note: the edge \"host\" has no process, but these channels lead to it: m.in, m.out, m.log\n",
+          "note: the edge \"far\" has no process, but these channels lead to it: t.out, t.in\n"}) {
         CAPTURE(note);
         CHECK(said.find(note) != std::string::npos);
     }
@@ -182,7 +181,7 @@ TEST_CASE("a process on an edge runs there, as on a workstation") {
     CHECK(report.measured("c", "rate") == Machine(*by_hand.network, catalogue, 1).run().measured("c", "rate"));
 }
 
-TEST_CASE("what a process refuses is the user's error at its place; its defects stay defects") {
+TEST_CASE("a process's refusal is a user's error at its place; its defects stay defects") {
     auto run = [](std::function<void()> body) {
         Catalogue catalogue;
         catalogue.add({.name = "mine", .about = "", .body = [body](ProcessEnvironment&) { body(); }});
@@ -208,7 +207,7 @@ TEST_CASE("what a process refuses is the user's error at its place; its defects 
                     std::system_error);
 }
 
-TEST_CASE("a machine that would compute for longer than virtual time lasts says so and ends") {
+TEST_CASE("a run that would exceed virtual time ends with a message") {
     CHECK_THROWS_WITH_AS(run_pair("T800 (clock = 1)", "T800 (clock = 1)", "count = 10, cycles = 1000000000000"),
                          doctest::Contains("would pass that end: shorten its computation or delay"), UserError);
 }

@@ -42,7 +42,7 @@ TEST_CASE("four clusters of a master and three slaves") {
     CHECK(ring.metres == doctest::Approx(0.3));
 }
 
-TEST_CASE("a netlist that is parsed once gives every network that it describes, whatever becomes of its files") {
+TEST_CASE("a parsed netlist gives all its networks even if its files change") {
     const auto folder = std::filesystem::temp_directory_path() / ("placedpar-parsed-" + std::to_string(::getpid()));
     std::filesystem::create_directory(folder);
     const auto main = folder / "clusters.cfs", included = folder / "clusters.inc";
@@ -64,7 +64,7 @@ TEST_CASE("a netlist that is parsed once gives every network that it describes, 
     CHECK(expected[0] != expected[1]);
 }
 
-TEST_CASE("what a netlist declares is known even where it is refused") {
+TEST_CASE("the declarations of a refused netlist are known") {
     auto declared = [](const std::string& text) { return read_netlist_text(text, small_catalogue()).declared; };
     CHECK(declared("T800 t[3]; edge e; process p[4], q;").processes == 5);
     CHECK(declared("T800 t[3]; edge e;").processors == 3);

@@ -55,8 +55,7 @@ RunReport run_switched(const std::string& text, const Overrides& set = {}) {
 
 } // namespace
 
-TEST_CASE(
-    "a switch with a wire to its configuration link may make each of its connections, and the channels use them") {
+TEST_CASE("channels use the connections that a program-controlled switch can make") {
     Network network = network_of_switches(visits());
     CHECK(network.connections.size() == 4);
     CHECK(std::ranges::count_if(network.connections, &LinkConnection::at_run_time) == 3);
@@ -75,7 +74,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("what is printed of it loads again to the same network") {
+TEST_CASE("the printed form of a network with such a switch loads as the same network") {
     Network network = network_of_switches(visits("fault root.link[3] slow (factor = 2); fault cable[1] silent;"));
     std::string printed = print_cfs(network);
     Network again = network_of_switches(printed);
@@ -88,7 +87,7 @@ TEST_CASE("what is printed of it loads again to the same network") {
     CHECK(print_dot(network).find("\"config\"") != std::string::npos);
 }
 
-TEST_CASE("a program visits its partners over one link, and the switch answers what it has done") {
+TEST_CASE("a program visits its partners over one switched link, and the switch answers queries") {
     RunReport report = run_switched(visits());
     CHECK(report.result.ending == Ending::completed);
     CHECK(report.measured("visitor", "wrong_answers") == 0);
@@ -106,7 +105,7 @@ TEST_CASE("a program visits its partners over one link, and the switch answers w
     CHECK(report.measured("visitor", "setting_per_visit") == doctest::Approx(4 * 1.31 + 5 * 0.56 + 0.95).epsilon(0.02));
 }
 
-TEST_CASE("a message that no connection leads on is lost, and the report names the output") {
+TEST_CASE("a message at an unconnected input is lost, and the report names the output") {
     RunReport report = run_switched(visits("visitor (first = 2);"));
     CHECK(report.result.ending == Ending::stuck);
     REQUIRE(report.result.deadlock);
@@ -121,7 +120,7 @@ TEST_CASE("a message that no connection leads on is lost, and the report names t
     CHECK(loss.bytes == 1);
 }
 
-TEST_CASE("a fault of a link strikes whatever the switch connects it to, one of a worker's only that") {
+TEST_CASE("a fault of a switched link affects every partner, a fault of a worker's link only that worker") {
     RunReport all = run_switched(visits("fault root.link[0] slow (factor = 4);"));
     RunReport one = run_switched(visits("fault cable[1] slow (factor = 4);"));
     RunReport none = run_switched(visits());
@@ -132,7 +131,7 @@ TEST_CASE("a fault of a link strikes whatever the switch connects it to, one of 
     CHECK(silent.result.ending == Ending::stuck);
 }
 
-TEST_CASE("a switch is set over another, and by a process that is not at it") {
+TEST_CASE("a switch can be set through another switch and by a distant process") {
     RunReport near = run_switched(visits());
     std::string text = visits();
     std::string direct = "connect root.link[3] to sw.config;";
@@ -151,7 +150,7 @@ TEST_CASE("a switch is set over another, and by a process that is not at it") {
     }
 }
 
-TEST_CASE("fixed wires go before what a switch connects, unless the channel is placed there") {
+TEST_CASE("channels prefer fixed wires to switched links unless placed there") {
     std::string wires = "connect root.link[1] to w[0].link[1];";
     Network by_wire = network_of_switches(visits(wires));
     Network placed = network_of_switches(visits(wires + "place visitor.out[0] on root.link[0];"

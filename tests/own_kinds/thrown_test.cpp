@@ -297,7 +297,8 @@ TEST_CASE("what an own kind throws where it is asked names the process, its kind
     for (int what = 0; what <= 6; ++what) {
         const std::string number = std::to_string(what), why = said(what);
         CHECK(asked_kind("what = " + number + ", where = \"check\"")
-                  .starts_with("refused: test.cfs:1:17: error: the kind \"own.asked\" cannot check it: " + why + "\n"));
+                  .starts_with("refused: test.cfs:1:17: error: the kind \"own.asked\" cannot check this process: " +
+                               why + "\n"));
         std::string refused = asked_kind("word = \"" + number + "\"");
         CHECK(refused.starts_with("refused: test.cfs:2:4: error: illegal value of the parameter \"word\": \"" + number +
                                   "\"\n"));

@@ -41,30 +41,30 @@ std::string single_chain(int count) {
 
 } // namespace
 
-TEST_CASE("an array that is wired into a line is a row, or a snake where it is long") {
+TEST_CASE("an array wired into a line is drawn as a row, or as a snake if it is long") {
     CHECK(only_shape(picture::chain(8)) == picture::row(8));
     CHECK(only_shape(picture::chain(9)) == picture::snake(9, 8));
 }
 
-TEST_CASE("a ring is a circle") {
+TEST_CASE("a ring is drawn as a circle") {
     CHECK(only_shape(picture::ring(3)) == picture::circle(3));
     CHECK(only_shape(picture::ring(12)) == picture::circle(12));
 }
 
-TEST_CASE("two subscripts make a grid") {
+TEST_CASE("an array with two subscripts is drawn as a grid") {
     const Shape shape = only_shape(picture::torus(3, 4));
     REQUIRE(shape.size() == 12);
     CHECK(shape[1] - shape[0] == picture::Point{1, 0}); // t[0][1] beside t[0][0]
     CHECK(shape[4] - shape[0] == picture::Point{0, 1}); // t[1][0] below it
 }
 
-TEST_CASE("a hypercube is known by its wires") {
+TEST_CASE("a hypercube is recognised by its wires") {
     CHECK(only_shape(picture::cube(3)) == picture::hypercube(3));
     CHECK(only_shape(picture::cube(4)) == picture::hypercube(4));
     CHECK(only_shape(picture::ring(8)) != picture::hypercube(3));
 }
 
-TEST_CASE("nodes that are wired to one other stand around it") {
+TEST_CASE("the nodes of a star stand around its centre") {
     std::string text = "T800 hub; T800 t[4];\n";
     for (int i = 0; i < 4; ++i)
         text += fmt::format("connect hub.link[{0}] to t[{0}].link[0];\n", i);
@@ -74,7 +74,7 @@ TEST_CASE("nodes that are wired to one other stand around it") {
     CHECK(array->shapes.front() == picture::star(4));
 }
 
-TEST_CASE("an array that is wired into a tree is drawn as one") {
+TEST_CASE("an array wired into a tree is drawn as a tree") {
     std::string text = "T800 t[7];\n";
     for (int i = 1; i < 7; ++i)
         text += fmt::format("connect t[{}].link[{}] to t[{}].link[0];\n", (i - 1) / 2, 1 + (i - 1) % 2, i);

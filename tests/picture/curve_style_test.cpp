@@ -25,7 +25,7 @@ bool says(const std::string& style, const std::string& word) { return style.find
 
 } // namespace
 
-TEST_CASE("eight colours, then the first again") {
+TEST_CASE("the ninth series has the first of eight colours again") {
     std::set<std::string> colours;
     for (int number = 0; number < 8; ++number)
         colours.insert(colour_named(number));
@@ -33,7 +33,7 @@ TEST_CASE("eight colours, then the first again") {
     CHECK(std::string(colour_named(8)) == colour_named(0));
 }
 
-TEST_CASE("a series has the colour of its place, or the one that it asks for") {
+TEST_CASE("a series has the colour of its index, or its own") {
     Panel panel = panel_of({Stroke::line, Stroke::line});
     CHECK(std::string(colour_of(panel, 1)) == colour_named(1));
     panel.series[1].colour = 5;
@@ -41,7 +41,7 @@ TEST_CASE("a series has the colour of its place, or the one that it asks for") {
     CHECK(says(style_of(panel, 1), colour_named(5)));
 }
 
-TEST_CASE("curves differ in dashes and symbols; one alone has neither") {
+TEST_CASE("several curves differ in dashes and symbols; a single curve has neither") {
     CHECK(style_of(panel_of({Stroke::line}), 0).starts_with("with lines "));
     const Panel several = panel_of({Stroke::line, Stroke::line, Stroke::line});
     std::set<std::string> styles;
@@ -53,8 +53,7 @@ TEST_CASE("curves differ in dashes and symbols; one alone has neither") {
     CHECK(styles.size() == 3);
 }
 
-TEST_CASE(
-    "points have no line, stairs no symbols, and a dashed curve beside a whole one of its colour tells them apart") {
+TEST_CASE("points have no line, steps no symbols, and dashes distinguish curves of one colour") {
     CHECK(style_of(panel_of({Stroke::points, Stroke::line}), 0).starts_with("with points "));
     CHECK(style_of(panel_of({Stroke::plain, Stroke::line}), 0).starts_with("with lines linewidth 2 linecolor"));
     Panel pair = panel_of({Stroke::line, Stroke::dashes});
@@ -73,13 +72,13 @@ TEST_CASE("three marks differ in their dashes, and are grey unless they have a c
     CHECK(says(style_of(Band{"", {}, 2}), colour_named(2)));
 }
 
-TEST_CASE("gnuplot draws a script, and its refusal is told in its own words") {
+TEST_CASE("a gnuplot error is reported with gnuplot's message") {
     CHECK(run_gnuplot("set terminal dumb; plot x").find('*') != std::string::npos);
     CHECK_THROWS_WITH_AS(run_gnuplot("plot"), doctest::Contains("function to plot expected"), std::runtime_error);
     CHECK_NOTHROW(require_gnuplot());
 }
 
-TEST_CASE("where gnuplot is not installed it is asked for by name") {
+TEST_CASE("the message about a missing gnuplot names it") {
     const std::string path = std::getenv("PATH");
     ::setenv("PATH", "/nowhere", 1);
     CHECK_THROWS_WITH_AS(require_gnuplot(), doctest::Contains("gnuplot"), UserError);

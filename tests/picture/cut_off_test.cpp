@@ -41,7 +41,7 @@ TEST_CASE("a curve is cut off where its line crosses the edge") {
     CHECK(text_of(left) == " \u2190 to -6");
 }
 
-TEST_CASE("each way out counts, on each edge") {
+TEST_CASE("each crossing of each edge counts") {
     const auto cut = cut_offs_of({{0, 12}, {1, 8}, {2, 12}, {3, 8}, {4, -2}, {5, 8}, {15, 8}});
     REQUIRE(cut.size() == 3);
     CHECK(cut[0].places.size() == 2);
@@ -50,7 +50,7 @@ TEST_CASE("each way out counts, on each edge") {
     CHECK(text_of(cut) == " \u2191 to 12 \u2193 to -2 \u2192 to 15");
 }
 
-TEST_CASE("on a logarithmic axis the line is straight as it is drawn") {
+TEST_CASE("crossings on a logarithmic axis lie on the drawn straight line") {
     Panel panel = square_panel();
     panel.y = {"y", 1, 10, true};
     const auto cut = cut_offs_of({{0, 1}, {4, 100}}, Stroke::line, panel);
@@ -59,7 +59,7 @@ TEST_CASE("on a logarithmic axis the line is straight as it is drawn") {
     CHECK(text_of(cut_offs_of({{0, 5}, {4, 0}}, Stroke::line, panel)) == " \u2193 to 0");
 }
 
-TEST_CASE("what is beyond the other axis, too, or not a number, is not cut off") {
+TEST_CASE("points beyond both axes or not finite do not count as cut off") {
     CHECK(cut_offs_of({{11, 5}, {12, 15}}).size() == 1); // only to the right, decided by the first point
     CHECK(cut_offs_of({{11, 11}, {12, 15}}).empty());
     const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -69,13 +69,13 @@ TEST_CASE("what is beyond the other axis, too, or not a number, is not cut off")
     CHECK(alone[0].places[0] == 2);
 }
 
-TEST_CASE("points have no line that crosses: the edge above or below them") {
+TEST_CASE("points outside are marked at the edge above or below") {
     const auto cut = cut_offs_of({{1, 5}, {2, 15}, {3, 5}}, Stroke::points);
     REQUIRE(cut.size() == 1);
     CHECK(cut[0].places == std::vector{2.0});
 }
 
-TEST_CASE("an axis without ends cuts nothing off") {
+TEST_CASE("an axis without fixed ends cuts nothing off") {
     Panel panel = square_panel();
     panel.y = {"y"};
     CHECK(cut_offs_of({{1, 5}, {2, 15}, {3, -5}}, Stroke::line, panel).empty());

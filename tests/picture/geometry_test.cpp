@@ -17,7 +17,7 @@ bool holds(const Box& box, picture::Point p) {
 
 } // namespace
 
-TEST_CASE("boxes that share a border only do not overlap") {
+TEST_CASE("boxes that share only a border do not overlap") {
     CHECK(overlap(unit, {{1, 1}, 2, 2}));
     CHECK(overlap(unit, {{0, 0}, 1, 1})); // one contains the other
     CHECK_FALSE(overlap(unit, {{2, 0}, 2, 2}));
@@ -26,7 +26,7 @@ TEST_CASE("boxes that share a border only do not overlap") {
     CHECK(overlap(grown(unit, .5), {{2, 0}, 2, 2}));
 }
 
-TEST_CASE("a line crosses a box when some of it lies within") {
+TEST_CASE("a line crosses a box if a part of it lies inside") {
     CHECK(crosses(unit, {-2, 0}, {2, 0}));
     CHECK(crosses(unit, {-2, -2}, {2, 2}));
     CHECK(crosses(unit, {0, 0}, {5, 5}));         // it begins inside
@@ -35,7 +35,7 @@ TEST_CASE("a line crosses a box when some of it lies within") {
     CHECK_FALSE(crosses(unit, {0, 3}, {3, 0}));
 }
 
-TEST_CASE("whether a line crosses a box is what a thousand of its points say") {
+TEST_CASE("the crossing test agrees with a thousand points of the line") {
     std::mt19937 lots(1);
     std::uniform_real_distribution<double> place(-3, 3);
     for (int i = 0; i < 500; ++i) {
@@ -54,7 +54,7 @@ TEST_CASE("whether a line crosses a box is what a thousand of its points say") {
     }
 }
 
-TEST_CASE("a line leaves a box on its border") {
+TEST_CASE("the point where a line leaves a box lies on its border") {
     CHECK(way_out(unit, {0, 0}, {4, 0}) == picture::Point{1, 0});
     CHECK(way_out(unit, {0, 0}, {2, 4}) == picture::Point{.5, 1});
     CHECK(way_out(unit, {.5, 0}, {.5, -3}) == picture::Point{.5, -1});

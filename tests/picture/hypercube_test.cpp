@@ -43,7 +43,7 @@ TEST_CASE("each vertex has its number and its string of bits") {
     CHECK(count_in(svg, ">7<") == 1);
 }
 
-TEST_CASE("members, parents and offspring look different, and what is not named is empty") {
+TEST_CASE("members, parents and offspring look different; other vertices are empty") {
     const std::string svg = drawing_of(
         {.title = "",
          .dimensions = 2,
@@ -53,7 +53,7 @@ TEST_CASE("members, parents and offspring look different, and what is not named 
     CHECK(count_in(svg, ">2 copies<") == 1);
 }
 
-TEST_CASE("the links between two parents are thick: those of the smaller cube that they span") {
+TEST_CASE("the links of the smaller cube between two parents are thick") {
     const DrawnHypercube apart{.title = "", .dimensions = 4, .spanned = {{0b0000, 0b0101}}};
     CHECK(count_in(drawing_of(apart), "spanned\"") == 4); // a square
     const DrawnHypercube opposite{.title = "", .dimensions = 3, .spanned = {{0b000, 0b111}}};
@@ -62,13 +62,13 @@ TEST_CASE("the links between two parents are thick: those of the smaller cube th
     CHECK(count_in(drawing_of(same), "spanned\"") == 0);
 }
 
-TEST_CASE("a move is an arrow") {
+TEST_CASE("a mutation is drawn as an arrow") {
     const std::string svg = drawing_of({.title = "", .dimensions = 3, .moves = {{0, 1}, {0, 7}}});
     CHECK(count_in(svg, "class=\"move\"") == 2);
     CHECK(count_in(svg, "url(#arrow)") == 2);
 }
 
-TEST_CASE("hypercubes stand in rows of so many, and each has its title and its lines") {
+TEST_CASE("hypercubes stand in rows, each with its title and text lines") {
     const std::vector<DrawnHypercube> cubes{{.title = "first", .dimensions = 2, .lines = {"a < b"}},
                                             {.title = "second", .dimensions = 2},
                                             {.title = "third", .dimensions = 2}};
@@ -84,7 +84,7 @@ TEST_CASE("hypercubes stand in rows of so many, and each has its title and its l
         CHECK(count_in(in_rows, ">" + std::string(text) + "<") >= 1);
 }
 
-TEST_CASE("the legend says what a look means") {
+TEST_CASE("the legend explains the looks of vertices") {
     const std::string svg = drawing_of({.title = "", .dimensions = 1}, {{VertexLook::parent, "a parent"}});
     CHECK(count_in(svg, ">a parent<") == 1);
     CHECK(count_in(svg, "class=\"parent\"") == 1);

@@ -25,7 +25,7 @@ TEST_CASE("a label stands beside the beginning of its wire, and does not lie on 
     CHECK(std::abs(label->centre.y) < 12);
 }
 
-TEST_CASE("labels at one place do not overlap, and those for which there is no room are left out") {
+TEST_CASE("labels at one place do not overlap; labels without room are left out") {
     LabelRoom room({});
     std::vector<Box> labels;
     while (auto label = room.beside_start(0, across, 10, 8))
@@ -45,7 +45,7 @@ TEST_CASE("no label lies on a box") {
     CHECK_FALSE(LabelRoom({{{50, 0}, 200, 100}}).beside_start(0, across, 10, 8));
 }
 
-TEST_CASE("a label keeps off the wires of others where it can, and lies on them where it must") {
+TEST_CASE("a label avoids other wires if possible") {
     LabelRoom free({});
     const auto first_choice = free.on_middle(0, across, 12, 10);
     REQUIRE(first_choice);
@@ -64,11 +64,9 @@ TEST_CASE("a label keeps off the wires of others where it can, and lies on them 
     CHECK(full.beside_start(0, across, 12, 10));
 }
 
-TEST_CASE("a wire of no length has no label at its beginning") {
-    CHECK_FALSE(LabelRoom({}).beside_start(0, {{5, 5}, {5, 5}}, 10, 8));
-}
+TEST_CASE("a wire of length 0 has no label") { CHECK_FALSE(LabelRoom({}).beside_start(0, {{5, 5}, {5, 5}}, 10, 8)); }
 
-TEST_CASE("the first of a path's longest lines counts") {
+TEST_CASE("the label belongs to the first of a path's longest lines") {
     CHECK(picture::longest_line({{0, 0}, {1, 0}, {1, 9}, {10, 9}}) == 1);
     CHECK(picture::longest_line({{0, 0}, {3, 0}}) == 0);
 }

@@ -122,7 +122,7 @@ TEST_CASE("no wire leads through the box of a node") {
     });
 }
 
-TEST_CASE("the extent holds all that is drawn") {
+TEST_CASE("the extent contains everything drawn") {
     for_each_picture([](const Network&, const Picture& drawn) {
         const Box all = grown(extent_of(drawn), .01);
         for (const picture::DrawnNode& node : drawn.nodes) {
@@ -217,7 +217,7 @@ TEST_CASE("nodes of an array have boxes of one size") {
     }
 }
 
-TEST_CASE("places that are given are kept") {
+TEST_CASE("given places are kept") {
     const Network network =
         picture::network_of("T800 a, b, c; connect a.link[0] to b.link[0]; connect b.link[1] to c.link[0];");
     const Picture drawn = picture::draw(network, {}, {{2, 0}, {0, 0}, {0, 3}});
@@ -227,7 +227,7 @@ TEST_CASE("places that are given are kept") {
     CHECK(drawn.nodes[2].box.centre.y > drawn.nodes[1].box.centre.y);
 }
 
-TEST_CASE("large networks are drawn likewise: no box overlaps, no wire leads through one") {
+TEST_CASE("in large networks no boxes overlap, and no wire leads through a box") {
     for (const std::string& text :
          {picture::torus(16, 16), picture::chain(250), picture::ring(210), ring_with_neighbour(220)}) {
         const Network network = picture::network_of(text);
@@ -249,7 +249,7 @@ TEST_CASE("large networks are drawn likewise: no box overlaps, no wire leads thr
     }
 }
 
-TEST_CASE("sixteen times as large a ring takes four times as many points for a wire around it") {
+TEST_CASE("a wire around a ring of 16 times the size has 4 times the points") {
     const std::size_t small = points_outside_of_ring(200), large = points_outside_of_ring(3200);
     CHECK(small > 20);
     CHECK(large > 2 * small);

@@ -103,7 +103,7 @@ TEST_CASE("a plot has its title, axes, panels, series and marks, each once") {
     CHECK(svg.size() > draw_svg(small_plot()).size());
 }
 
-TEST_CASE("the same plot gives the same bytes, another one others") {
+TEST_CASE("equal plots give equal bytes, different plots different bytes") {
     Plot plot = small_plot();
     CHECK(draw_svg(plot) == draw_svg(plot));
     Plot other = plot;
@@ -111,14 +111,14 @@ TEST_CASE("the same plot gives the same bytes, another one others") {
     CHECK(draw_svg(plot) != draw_svg(other));
 }
 
-TEST_CASE("texts mean nothing to gnuplot or XML") {
+TEST_CASE("texts are escaped for gnuplot and XML") {
     Plot plot = small_plot();
     plot.panels[0].series[0].name = "it's a_b^2 <\\n & {/Bold @x} \"q\" `date`";
     std::string svg = draw_svg(plot);
     CHECK(has(svg, ">it's a_b^2 &lt;\\n &amp; {/Bold @x} \"q\" `date`<"));
 }
 
-TEST_CASE("series have distinct colours, unless they ask for the same one") {
+TEST_CASE("series have distinct colours unless they choose the same") {
     Plot plot = small_plot();
     Series line = plot.panels[0].series[0];
     for (int i = 1; i < 8; ++i)
@@ -130,7 +130,7 @@ TEST_CASE("series have distinct colours, unless they ask for the same one") {
     CHECK(draw_svg(plot) != svg);
 }
 
-TEST_CASE("marks have distinct dashes, and the colour that they ask for") {
+TEST_CASE("marks have distinct dashes and their chosen colour") {
     Plot plot = small_plot();
     plot.panels[0].marks = {{"one", 1.2}, {"two", 1.4}, {"three", 1.6}};
     std::string svg = draw_svg(plot);
@@ -141,7 +141,7 @@ TEST_CASE("marks have distinct dashes, and the colour that they ask for") {
     CHECK(has(draw_svg(plot), "213,  94,   0"));
 }
 
-TEST_CASE("a band is pale, in the colour it asks for, with its name") {
+TEST_CASE("a band is drawn pale in its chosen colour, with its name") {
     Plot plot = small_plot();
     std::string without = draw_svg(plot);
     plot.panels[0].bands = {{"quartiles", {{0, 0.5, 1.5}, {2, 1, 2}}, 2}};
@@ -154,7 +154,7 @@ TEST_CASE("a band is pale, in the colour it asks for, with its name") {
                          std::invalid_argument);
 }
 
-TEST_CASE("what cannot be drawn is refused") {
+TEST_CASE("a plot that cannot be drawn is refused") {
     Plot plot = small_plot();
     plot.panels[0].series[0].points.clear();
     CHECK_THROWS_WITH_AS(draw_svg(plot), "in the panel \"panel\" the series \"line\" has no points",
@@ -169,7 +169,7 @@ TEST_CASE("what cannot be drawn is refused") {
     CHECK_THROWS_WITH_AS(draw_svg(plot), doctest::Contains("empty x range"), std::runtime_error);
 }
 
-TEST_CASE("no point lies on the frame, wherever the axes end") {
+TEST_CASE("no point lies on the frame") {
     for (Axis axis : {Axis{}, Axis{.from = 20, .to = 100}, Axis{.from = 20}, Axis{.logarithmic = true},
                       Axis{.from = 20, .to = 100, .logarithmic = true}}) {
         Panel panel{"", axis, axis, {{"", {{20, 20}, {40, 30}, {100, 100}}, Stroke::points}}};
@@ -183,7 +183,7 @@ TEST_CASE("no point lies on the frame, wherever the axes end") {
     CHECK(nearest_to_frame(draw_svg({"", {beyond}})) < 1); // points that are cut off need no margin
 }
 
-TEST_CASE("symbols and ends of long curves do not lie on the frame, nor close to it") {
+TEST_CASE("symbols and curve ends keep a distance from the frame") {
     Series fallen = long_curve(600);
     for (Point& point : fallen.points)
         point.y = 600 - point.y;
@@ -200,7 +200,7 @@ TEST_CASE("symbols and ends of long curves do not lie on the frame, nor close to
     }
 }
 
-TEST_CASE("an interval is a bar with caps, which does not lie on the frame, and of which the point has a symbol") {
+TEST_CASE("an interval is a bar with caps off the frame and a symbol at its point") {
     Plot plot{"", {{"", {}, {.from = 0, .to = 10}, {{.name = "", .points = {{0, 4}, {1, 6}}}}}}};
     plot.panels[0].series[0].intervals = {{0, 6}, {5, 10}};
     const std::string svg = draw_svg(plot);
@@ -219,7 +219,7 @@ TEST_CASE("an interval is a bar with caps, which does not lie on the frame, and 
                          std::invalid_argument);
 }
 
-TEST_CASE("bars of several curves at one x stand beside each other with their points, and one alone where it is") {
+TEST_CASE("bars of several curves at one x stand side by side; a single bar is not shifted") {
     for (bool logarithmic : {false, true}) {
         Series series{.name = "", .points = {{10, 4}}, .stroke = Stroke::points, .intervals = {{3, 5}}};
         Panel panel{"", {.from = 1, .to = 100, .logarithmic = logarithmic}, {}, {series, series, series}};
@@ -243,7 +243,7 @@ TEST_CASE("bars of several curves at one x stand beside each other with their po
     }
 }
 
-TEST_CASE("what is at one value is in the middle of its axes") {
+TEST_CASE("points of a single value lie in the middle of the axis") {
     Plot plot{"", {{"", {}, {}, {{"", {{40, 7}}, Stroke::points}}}}};
     const std::string svg = draw_svg(plot);
     CHECK(symbols_in(svg) == std::vector{517.});
@@ -251,14 +251,14 @@ TEST_CASE("what is at one value is in the middle of its axes") {
     CHECK(has(svg, "> 60<"));
 }
 
-TEST_CASE("a limit in dashes has no symbols") {
+TEST_CASE("a dashed limit has no symbols") {
     Plot plot = small_plot();
     const Series line = plot.panels[0].series[0];
     plot.panels[0].series = {line, line, {.name = "limit", .points = {{1, 1}, {1, 2}}, .stroke = Stroke::dashes}};
     CHECK(count(draw_svg(plot), "#gpPt8") == 0);
 }
 
-TEST_CASE("a label that is longer than its axis is in smaller letters") {
+TEST_CASE("a label longer than its axis has smaller letters") {
     Plot plot = small_plot();
     CHECK(count(draw_svg(plot), "font-size=\"15.00\"  text-anchor=\"middle\"") > 0);
     plot.panels[0].y.label = "relative island[0].generations_per_second";
@@ -268,14 +268,14 @@ TEST_CASE("a label that is longer than its axis is in smaller letters") {
     CHECK(has(svg.substr(group, text - group), "rotate(270)"));
 }
 
-TEST_CASE("a title that is wider than the plot is in smaller letters") {
+TEST_CASE("a title wider than the plot has smaller letters") {
     Plot plot = small_plot();
     CHECK(count(draw_svg(plot), "font-size=\"18.00\"") == 1);
     plot.title = "Figure 5.7: islands beside one genetic algorithm (experiment #5), medians of 240 seeds, all of them";
     CHECK(count(draw_svg(plot), "font-size=\"18.00\"") == 0);
 }
 
-TEST_CASE("an axis from 0 begins there below a logarithmic one too") {
+TEST_CASE("an axis from 0 begins at 0 also below a logarithmic panel") {
     Plot plot = small_plot();
     plot.panels.push_back(plot.panels[0]);
     for (Panel& panel : plot.panels)
@@ -293,7 +293,7 @@ TEST_CASE("a gap in a series is a gap in its line") {
     CHECK(draw_svg(plot) != whole);
 }
 
-TEST_CASE("curves have symbols of their own, so that they can be told apart in grey; one alone needs none") {
+TEST_CASE("several curves have distinct symbols to be readable in grey; a single curve has none") {
     Plot plot = small_plot();
     const std::size_t alone = count(draw_svg(plot), "#gpPt6");
     Series line = plot.panels[0].series[0];
@@ -306,7 +306,7 @@ TEST_CASE("curves have symbols of their own, so that they can be told apart in g
     CHECK(alone == 0);
 }
 
-TEST_CASE("a curve that goes beyond the axis says how far") {
+TEST_CASE("the legend says how far a curve goes beyond the axis") {
     Plot plot = small_plot();
     plot.panels[0].series[0].points = {{0, 1}, {1, 7.5}, {2, -3}, {3, 99}};
     CHECK(has(draw_svg(plot), ">line<"));
@@ -318,7 +318,7 @@ TEST_CASE("a curve that goes beyond the axis says how far") {
     CHECK(has(draw_svg(plot), ">line \u2191 to 7.5 \u2193 to -3<"));
 }
 
-TEST_CASE("an arrow stands where a curve is cut off, and how far it goes where the legend does not say") {
+TEST_CASE("an arrow marks a cut-off curve, with the distance if the legend lacks it") {
     Plot plot = small_plot();
     Series& line = plot.panels[0].series[0];
     const std::string whole = draw_svg(plot);
@@ -332,7 +332,7 @@ TEST_CASE("an arrow stands where a curve is cut off, and how far it goes where t
     CHECK_FALSE(has(draw_svg(plot), "\u2191"));
 }
 
-TEST_CASE("curves have dashes of their own, one alone, points and bars none") {
+TEST_CASE("several curves have distinct dashes; single curves, points and bars have none") {
     Plot plot = small_plot();
     CHECK(dashes_in(draw_svg(plot)).empty());
     const Series line = plot.panels[0].series[0];
@@ -343,7 +343,7 @@ TEST_CASE("curves have dashes of their own, one alone, points and bars none") {
     CHECK(dashes_in(draw_svg(plot)).empty());
 }
 
-TEST_CASE("where dashes tell two curves of a colour apart, colours do not differ by dashes") {
+TEST_CASE("if dashes distinguish curves of one colour, they do not distinguish colours") {
     Plot plot = small_plot();
     const Series line = plot.panels[0].series[0];
     plot.panels[0].series = {line, line, line, line};
@@ -354,7 +354,7 @@ TEST_CASE("where dashes tell two curves of a colour apart, colours do not differ
     CHECK(dashes_in(draw_svg(plot)).size() == 1);
 }
 
-TEST_CASE("the curves as comma-separated values: every point, with units") {
+TEST_CASE("curves are written as comma-separated values with every point and units") {
     Plot plot = small_plot();
     plot.panels[0].title = "a \"b\", c";
     plot.panels[0].bands = {{"band", {{0, 1, 2}}, 0}};
@@ -374,7 +374,7 @@ TEST_CASE("the curves as comma-separated values: every point, with units") {
                                 "\"p\",\"line, right end\",\"x\",4,\"y\",4\n"));
 }
 
-TEST_CASE("where a curve is constant, bands and marks are seen whole") {
+TEST_CASE("bands and marks beside a constant curve are fully visible") {
     Panel panel{.series = {{"median", {{1, 4}, {2, 4}}}},
                 .marks = {{"as it is", 9}},
                 .bands = {{"", {{1, 0, 20}, {2, 0, 20}}, 0}}};
@@ -385,7 +385,7 @@ TEST_CASE("where a curve is constant, bands and marks are seen whole") {
     CHECK(with_wide_axes(panel).y.to == 6);
 }
 
-TEST_CASE("a bar that an axis cuts off has an arrow that says how far it goes") {
+TEST_CASE("a cut-off bar has an arrow with its distance") {
     Panel panel{.y = {.from = 0, .to = 10}, .series = {{"rate", {{1, 4}, {2, 5}}, Stroke::points}}};
     panel.series[0].intervals = {{3, 5}, {4, 55}};
     const std::vector<CutOff> found = cut_offs(panel.series[0], panel);
@@ -394,7 +394,7 @@ TEST_CASE("a bar that an axis cuts off has an arrow that says how far it goes") 
     CHECK(found[0].places == std::vector<double>{2});
 }
 
-TEST_CASE("a bar that a point lacks has no row") {
+TEST_CASE("a point without an interval has no bar in the data") {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     Panel panel{.series = {{"rate", {{1, 4}, {2, 5}}, Stroke::points}}};
     panel.series[0].intervals = {{3, 5}, {none, none}};

@@ -11,7 +11,7 @@ const Box area{{80, 80}, 160, 160};
 
 } // namespace
 
-TEST_CASE("a way leads around a box, with as few bends as it takes") {
+TEST_CASE("a wire leads around a box with the fewest bends") {
     Raster raster(area, {{{80, 80}, 32, 80}});
     auto way = raster.find({{{0, 80}, {1, 0}}}, {{{160, 80}, {-1, 0}}});
     REQUIRE(way);
@@ -22,7 +22,7 @@ TEST_CASE("a way leads around a box, with as few bends as it takes") {
         CHECK_FALSE(crosses({{80, 80}, 32, 80}, (*way)[i], (*way)[i + 1]));
 }
 
-TEST_CASE("wires cross, but none follows another or ends where one does") {
+TEST_CASE("wires may cross, but do not overlap or share ends") {
     Raster raster(area, {});
     raster.add({{80, 0}, {80, 160}});
     auto across = raster.find({{{0, 80}, {1, 0}}}, {{{160, 80}, {-1, 0}}});
@@ -33,7 +33,7 @@ TEST_CASE("wires cross, but none follows another or ends where one does") {
     CHECK_FALSE(raster.find({{{0, 80}, {1, 0}}}, {{{160, 80}, {-1, 0}}}));
 }
 
-TEST_CASE("where there is no way none is found") {
+TEST_CASE("an unreachable target has no route") {
     Raster raster(area, {});
     raster.block({{80, 80}, 1, 400});
     CHECK_FALSE(raster.find({{{0, 80}, {1, 0}}}, {{{160, 80}, {-1, 0}}}));

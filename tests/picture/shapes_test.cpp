@@ -25,7 +25,7 @@ double least_apart(const Shape& shape) {
 
 } // namespace
 
-TEST_CASE("in every figure nodes are a cell apart") {
+TEST_CASE("in every shape nodes are at least a cell apart") {
     for (std::size_t count = 2; count <= 60; ++count) {
         CAPTURE(count);
         for (const Shape& shape :
@@ -42,7 +42,7 @@ TEST_CASE("in every figure nodes are a cell apart") {
     CHECK(least_apart(grid({{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {1, 1, 1}})) >= 1);
 }
 
-TEST_CASE("cube-connected cycles stand apart from each other") {
+TEST_CASE("the cycles of cube-connected cycles do not overlap") {
     for (std::size_t dimensions = 3; dimensions <= 5; ++dimensions) {
         Shape shape = cube_connected_cycles(dimensions);
         std::vector<Box> cycles;
@@ -64,13 +64,13 @@ TEST_CASE("a star has room in its centre") {
             CHECK(apart(each, {}) >= 1);
 }
 
-TEST_CASE("in a snake neighbours stay neighbours") {
+TEST_CASE("neighbours in a line are neighbours in a snake") {
     Shape shape = snake(26, 8);
     for (std::size_t i = 0; i + 1 < shape.size(); ++i)
         CHECK(distance(shape[i], shape[i + 1]) == 1);
 }
 
-TEST_CASE("a hypercube of four dimensions is a torus: corners a bit apart are neighbours, or at both ends of a line") {
+TEST_CASE("a four-dimensional hypercube is drawn as a torus: neighbours are adjacent or at opposite ends of a line") {
     Shape shape = hypercube(4);
     for (std::size_t i = 0; i < 16; ++i)
         for (std::size_t bit = 1; bit < 16; bit *= 2) {
@@ -79,7 +79,7 @@ TEST_CASE("a hypercube of four dimensions is a torus: corners a bit apart are ne
         }
 }
 
-TEST_CASE("a node of a tree stands above the middle of what hangs from it") {
+TEST_CASE("a node of a tree stands above the middle of its children") {
     Shape shape = tree({no_node, 0, 0, 1, 1, 2, 2});
     CHECK(shape[0] == picture::Point{1.5, 0});
     CHECK(shape[1] == picture::Point{0.5, 1});

@@ -22,7 +22,7 @@ std::string pipeline() {
 
 } // namespace
 
-TEST_CASE("each process is a node, with its kind and where it is placed") {
+TEST_CASE("each process is a node with its kind and placement") {
     const Software software = picture::software_of(picture::network_of(pipeline()));
     REQUIRE(software.network.nodes.size() == 3);
     const std::size_t a = picture::node_named(software.network, "a");
@@ -30,7 +30,7 @@ TEST_CASE("each process is a node, with its kind and where it is placed") {
     CHECK(std::get<std::string>(software.network.nodes[a].attributes.at("on")) == "t[1]");
 }
 
-TEST_CASE("channels are wires, whatever carries them, with the ports that send") {
+TEST_CASE("channels are drawn as wires with their output ports") {
     const Software software = picture::software_of(picture::network_of(pipeline()));
     CHECK(software.network.connections.size() == 2); // one over the link, one within t[1]
     REQUIRE(software.spans.size() == 2);
@@ -38,7 +38,7 @@ TEST_CASE("channels are wires, whatever carries them, with the ports that send")
         CHECK(span.from_label + span.to_label == "out");
 }
 
-TEST_CASE("all channels between two processes are one wire") {
+TEST_CASE("all channels between two processes share one wire") {
     const Software software = picture::software_of(picture::network_of(
         "T800 t; process a, b; use \"csp.identity\" for a; use \"csp.identity\" for b; place a on t; place b on t;\n"
         "connect a.out to b.in; connect b.out to a.in;"));
@@ -48,7 +48,7 @@ TEST_CASE("all channels between two processes are one wire") {
     CHECK(software.spans[0].to_label == "out");
 }
 
-TEST_CASE("an edge that channels lead to is a node") {
+TEST_CASE("an edge with channels is a node") {
     const Software software = picture::software_of(picture::network_of(
         "T800 t; edge e; connect t.link[0] to e; process p; use \"csp.producer\" for p; place p on t;\n"
         "output o; place o on e; connect p.out to o;"));
@@ -56,7 +56,7 @@ TEST_CASE("an edge that channels lead to is a node") {
     CHECK(picture::node_named(software.network, "e") == 1);
 }
 
-TEST_CASE("processes that form a tree have places, each below the one that it hangs from; a line has none") {
+TEST_CASE("the processes of a tree stand below their parents; a line is arranged freely") {
     CHECK(picture::software_of(picture::network_of(pipeline())).places.empty());
     const Network network = picture::network_of(
         "T800 t; process p, d, c, e; use \"csp.producer\" for p; use \"csp.delta\" for d; use \"csp.consumer\" for c; "

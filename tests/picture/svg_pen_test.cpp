@@ -24,7 +24,7 @@ TEST_CASE("a document begins with its size and its title, and is closed") {
     CHECK(SvgPen().document({}, "").find("<title>") == std::string::npos);
 }
 
-TEST_CASE("each element is a line, in the order of painting") {
+TEST_CASE("each element has its own line, in painting order") {
     SvgPen pen;
     pen.rect({{10, 20}, 4, 6}, {{"class", "box"}}).ellipse({1, 2}, 3, 4).circle({5, 6}, 7);
     pen.line({0, 1}, {2, 3}).path(svg_corners({{0, 0}, {8, 0}, {8, 9}}));
@@ -35,7 +35,7 @@ TEST_CASE("each element is a line, in the order of painting") {
 <path d="M0 0 L8 0 L8 9"/>)");
 }
 
-TEST_CASE("lengths are rounded to a tenth of a pixel, and zero has no sign") {
+TEST_CASE("lengths are rounded to a tenth of a pixel, without negative zero") {
     CHECK(svg_number(1.25001) == "1.3");
     CHECK(svg_number(2.04) == "2");
     CHECK(svg_number(-0.04) == "0");
@@ -50,7 +50,7 @@ TEST_CASE("texts, values and tooltips are escaped, and an attribute without a va
     CHECK(drawn_by(SvgPen().path("M0 0", {}, "a > b\nc\td")) == "<path d=\"M0 0\"><title>a &gt; b\nc?d</title></path>");
 }
 
-TEST_CASE("a group is one line, and closed around its contents and the groups in it") {
+TEST_CASE("a group encloses its contents and inner groups") {
     SvgPen inner, outer;
     inner.text({1, 2}, "name", "p");
     outer.circle({0, 0}, 1).group({{"class", "inner"}}, inner, "about p");

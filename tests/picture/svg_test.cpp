@@ -34,13 +34,13 @@ TEST_CASE("a wire without channels is drawn as idle, and the legend says what th
     CHECK(count_of(busy, "class=\"wire idle\"") == 0);
 }
 
-TEST_CASE("names that mean something in XML are escaped") {
+TEST_CASE("names with XML characters are escaped") {
     const std::string svg = print_svg(network_of("T800 t; process p; use \"a<b>&c\" for p; place p on t;"));
     CHECK(svg.find("a&lt;b&gt;&amp;c") != std::string::npos);
     CHECK(svg.find("a<b>") == std::string::npos);
 }
 
-TEST_CASE("faults are drawn, with their style only where there are some") {
+TEST_CASE("faults are drawn, and their style only if there are faults") {
     const std::string sound = print_svg(network_of(picture::chain(2))),
                       struck = print_svg(network_of(picture::chain(2) + "fault t[0].link[1] silent (from = 1ms);"));
     CHECK(count_of(sound, "struck") == 0);

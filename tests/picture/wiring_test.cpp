@@ -38,7 +38,7 @@ TEST_CASE("a wire through a switch has a span to it and one from it") {
     CHECK(spans[1].from_label == "7");
 }
 
-TEST_CASE("nodes are linked both ways, and a switch is between those that it connects") {
+TEST_CASE("neighbours are symmetric, and a switch is a neighbour of the nodes that it connects") {
     const Network network = picture::network_of(switched);
     const picture::Wiring wiring(network);
     const std::size_t a = picture::node_named(network, "a"), b = picture::node_named(network, "b"),
@@ -49,7 +49,7 @@ TEST_CASE("nodes are linked both ways, and a switch is between those that it con
     CHECK(wiring.neighbours(s).size() == 2);
 }
 
-TEST_CASE("two wires between two nodes make each twice the other's neighbour") {
+TEST_CASE("two wires between two nodes count the neighbour twice") {
     const Network network =
         picture::network_of("T800 a, b; connect a.link[0] to b.link[0]; connect a.link[1] to b.link[1];");
     CHECK(picture::Wiring(network).neighbours(0) == std::vector<std::size_t>{1, 1});

@@ -13,7 +13,7 @@ TEST_CASE("a cell with a tolerance is judged, one without is not") {
     CHECK(compared_cell("C", "spool", "in^3/psi", 0.0086, 0.0200, 5).within_tolerance());
 }
 
-TEST_CASE("a cell judged from one side has no other bound, whatever is known") {
+TEST_CASE("a cell judged from one side has one bound, even with a known figure") {
     Cell known = compared_cell("share", "way", "%", 65, 52, 0);
     CHECK(at_least(51, known).within_tolerance());
     CHECK_FALSE(at_least(55, known).within_tolerance());
@@ -23,7 +23,7 @@ TEST_CASE("a cell judged from one side has no other bound, whatever is known") {
     CHECK_FALSE(at_most(10, plain_cell("error", "state", "%", std::nan(""), 1)).within_tolerance());
 }
 
-TEST_CASE("a share misses a bound only if its whole interval does, so that few runs and many end alike") {
+TEST_CASE("a share misses a bound only if its whole interval does, for few runs and many") {
     CHECK(share_cell("found", "low", 7, 12).simulated == doctest::Approx(100.0 * 7 / 12));
     CHECK(share_cell("found", "low", 7, 12).interval->contains(58));
     CHECK_FALSE(at_least(90, share_cell("found", "low", 7, 12)).within_tolerance()); // 27.7 to 84.8 %
@@ -39,12 +39,12 @@ TEST_CASE("a share misses a bound only if its whole interval does, so that few r
     }
 }
 
-TEST_CASE("of a share of no runs nothing is known") {
+TEST_CASE("a share of no runs has no value") {
     CHECK(at_least(95, share_cell("called", "low", 0, 0)).within_tolerance());
     CHECK(share_cell("called", "low", 0, 0).simulated == 0);
 }
 
-TEST_CASE("how far two samples may be apart: four deviations of their difference") {
+TEST_CASE("two samples may differ by four standard deviations of their difference") {
     CHECK(share_tolerance(50, 50) == doctest::Approx(40));                   // 4 sqrt(2 * .25 / 50)
     CHECK(share_tolerance(50, 200) == doctest::Approx(20));                  // 4 times the records
     CHECK(share_tolerance(100, 200) == doctest::Approx(3.96).epsilon(0.01)); // 4 sqrt(2 * .0098 * .9902 / 200)
@@ -53,7 +53,7 @@ TEST_CASE("how far two samples may be apart: four deviations of their difference
     CHECK(mean_tolerance(0.00014, 49, 0.00001) == test::nearly(0.00009));                          // 4/7 plus the bias
 }
 
-TEST_CASE("an error in percent needs a reference and a figure, and of 0 only 0 is no error at all") {
+TEST_CASE("an error in percent needs a figure and a reference; a reference of 0 allows only 0") {
     CHECK(compared_cell("x", "a", "", -50, -40, 0).error_percent() == 20.0); // above the reference, whatever its sign
     CHECK(compared_cell("x", "a", "", 0, 0, 0).error_percent() == 0.0);
     CHECK_FALSE(compared_cell("x", "a", "", 0, 1e-9, 0).error_percent());
@@ -62,7 +62,7 @@ TEST_CASE("an error in percent needs a reference and a figure, and of 0 only 0 i
     CHECK_FALSE(judged_cell("x", "a", "", 5, std::nan(""), 100, 0).within_tolerance());
 }
 
-TEST_CASE("a tolerance without a known figure judges nothing") {
+TEST_CASE("a tolerance without a known figure does not judge") {
     CHECK(cell_of("x", "a", "", 3.0, 4, 0.5, 0).is_judged());
     CHECK_FALSE(cell_of("x", "a", "", {}, 4, 0.5, 0).is_judged());
     CHECK(cell_of("x", "a", "", {}, 4, 0.5, 0).within_tolerance());

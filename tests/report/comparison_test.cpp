@@ -35,7 +35,7 @@ TEST_CASE("a comparison is printed with its decimals, its marks, and the error i
                                           "notes\n");
 }
 
-TEST_CASE("a row with columns of its own begins a table") {
+TEST_CASE("a row with new columns begins a new table") {
     Comparison comparison{.name = "name", .against = "known"};
     comparison.cells = {cell("x", "a", "", 1, 1), cell("x", "b", "", 2, 2), cell("y", "b", "", 3, 3),
                         cell("z", "c", "", 0, -1e-9, 1e-3)};
@@ -49,7 +49,7 @@ TEST_CASE("a row with columns of its own begins a table") {
                                           "z        0.00       0       0   0.001\n");
 }
 
-TEST_CASE("a row shows each of its tolerances once, and none where bounds judge") {
+TEST_CASE("a row shows each tolerance once, and none if bounds judge") {
     Comparison comparison{.name = "name"};
     comparison.cells = {cell("x", "a", "", 1, 1, 0.1), cell("x", "b", "", 2, 2, 0.1), cell("x", "c", "", 3, 3, 25),
                         at_least(1, cell("y", "a", "", 1, 1, 0.1))};
@@ -58,7 +58,7 @@ TEST_CASE("a row shows each of its tolerances once, and none where bounds judge"
     CHECK(printed.find(">= 1\n") != std::string::npos);
 }
 
-TEST_CASE("tolerances: in percent, in the unit, none; without a figure no tolerance is met") {
+TEST_CASE("tolerances are in percent, in the unit, or none; a missing figure meets no tolerance") {
     Cell judged = cell("x", "a", "", 100, 103);
     CHECK(judged.within_tolerance());
     judged.tolerance_percent = 2;
@@ -80,7 +80,7 @@ TEST_CASE("tolerances: in percent, in the unit, none; without a figure no tolera
     CHECK_FALSE(Comparison{.name = "", .cells = {cell("x", "a", "", 1, 1), judged}}.within_tolerance());
 }
 
-TEST_CASE("a one-sided cell is printed with its bound in place of an error, and marked when it misses it") {
+TEST_CASE("a one-sided cell shows its bound instead of an error, and a mark if it misses the bound") {
     Comparison comparison{.name = "name"};
     comparison.cells = {cell("share", "a", "%", 65, 52, {}, 0), cell("share", "b", "%", 65, 72, {}, 0),
                         cell("error", "a", "%", {}, 10.4, {}, 1)};
@@ -94,7 +94,7 @@ TEST_CASE("a one-sided cell is printed with its bound in place of an error, and 
     CHECK_FALSE(comparison.within_tolerance());
 }
 
-TEST_CASE("what no cell of a column has is left out, and the column is as wide as its name") {
+TEST_CASE("a column leaves out parts that no cell has, and is as wide as its name") {
     Comparison comparison{.name = "name", .against = "known"};
     comparison.cells = {cell("x", "a", "", {}, 1), cell("x", "of a long name", "", {}, 2), cell("x", "c", "", 0, 3),
                         cell("x", "d", "", 4, 5),  cell("y", "a", "", {}, 10, 1),          cell("y", "d", "", {}, 6)};
@@ -105,7 +105,7 @@ TEST_CASE("what no cell of a column has is left out, and the column is as wide a
                                           "y       10.00!                                       6.00\n");
 }
 
-TEST_CASE("a claim is a bound: beside it there is no error in percent, but the bound where it is judged") {
+TEST_CASE("beside a claim no error in percent is printed, only the bound if it is judged") {
     Comparison comparison{.name = "name", .against = "claim"};
     comparison.cells = {cell("x", "a", "", 0.01, -0.02)};
     CHECK(print_comparison(comparison) == "name\n"
@@ -119,7 +119,7 @@ TEST_CASE("a claim is a bound: beside it there is no error in percent, but the b
                                           "x        0.02 <= 0.01!\n");
 }
 
-TEST_CASE("a claim of two bounds shows both, and what is wide pushes no other column out of its place") {
+TEST_CASE("a claim of two bounds shows both without shifting other columns") {
     Comparison comparison{.name = "name", .against = "claim"};
     comparison.cells = {cell("x", "a", "", 0.67, 1), cell("x", "b", "", {}, 2), cell("y", "a", "", {}, -1234.5),
                         cell("y", "b", "", 3, 3, 0.25)};
@@ -131,7 +131,7 @@ TEST_CASE("a claim of two bounds shows both, and what is wide pushes no other co
                                           "y     -1234.50                3.00       3       0   0.25\n");
 }
 
-TEST_CASE("a cell is judged by whom its table names, unless it says so itself") {
+TEST_CASE("a cell is judged as its table says, unless it names another judge") {
     const Cell cell = judged_cell("x", "a", "", 1, 1, 1, 0);
     auto judge = [&](const char* against, const Cell& each) {
         return Comparison{.name = "", .against = against}.judge_of(each);
@@ -146,7 +146,7 @@ TEST_CASE("a cell is judged by whom its table names, unless it says so itself") 
     CHECK(judge("known", judged_by(Judge::thesis, cell)) == Judge::thesis);
 }
 
-TEST_CASE("cells are counted by what judges them; a table that does not decide judges none") {
+TEST_CASE("cells are counted by their judge; a table that does not decide judges none") {
     Cell judged = judged_cell("x", "a", "", 1, 1, 1, 0), set = judged;
     set.origin = Origin::workload;
     const Cell shown = plain_cell("x", "b", "", 1, 0);
@@ -154,13 +154,14 @@ TEST_CASE("cells are counted by what judges them; a table that does not decide j
         published{.name = "second", .cells = {judged, shown}, .against = "publ.", .judged = true},
         reading{.name = "third", .cells = {judged, judged}};
     CHECK(print_judged(count_judged({first, reading})) ==
-          "cells judged against the thesis: 2 (1 of them set constants); against own figures: 1; not judged: 3\n");
+          "cells judged against the thesis: 2 (1 of them set constants); against own figures: 1; "
+          "not judged: 3\n");
     CHECK(print_judged(count_judged({published, reading})) ==
           "cells judged against the thesis: 0; against published figures: 1; against own figures: 0; not judged: 3\n");
     CHECK(count_judged({first, published, reading}).published == 1);
 }
 
-TEST_CASE("tables are judged by the first of them, and by the others that say so") {
+TEST_CASE("the first table and tables marked as judged decide the verdict") {
     Comparison good{.name = "good"}, bad{.name = "bad", .cells = {at_most(1, plain_cell("x", "a", "", 2, 1))}};
     CHECK(are_within_tolerance({good, bad}));
     CHECK(print_verdict({good, bad}) == "every judged cell of the first reading is within its tolerance\n");
@@ -170,7 +171,7 @@ TEST_CASE("tables are judged by the first of them, and by the others that say so
     CHECK(print_verdict({good, bad}) == "a cell misses its tolerance\n");
 }
 
-TEST_CASE("a fit is of outcomes beside what is known, in the first cell's unit") {
+TEST_CASE("the fit covers outcomes with known figures, in the first cell's unit") {
     std::vector<Cell> cells{cell("a", "x", "ms", 10, 10.3), cell("a", "y", "ms", 10, 9.6), cell("a", "z", "ms", 0, 0),
                             cell("b", "x", "s", 1, 3), cell("c", "x", "ms", 1, 5)};
     cells.back().origin = Origin::calibrated;
@@ -178,7 +179,7 @@ TEST_CASE("a fit is of outcomes beside what is known, in the first cell's unit")
     CHECK(print_fit({cells.back()}).empty());
 }
 
-TEST_CASE("a figure that was fitted or read off is marked as such, and one without a value is a dash") {
+TEST_CASE("fitted and workload figures are marked, and a missing figure is a dash") {
     Comparison comparison{.name = "name", .against = "known"};
     comparison.cells = {cell("x", "a", "", 1, 2, 0.5), cell("y", "a", "", 1, 2, 0.5), cell("z", "a", "", 1, NAN, 0.5)};
     comparison.cells[0].origin = Origin::calibrated;
@@ -192,7 +193,7 @@ TEST_CASE("a figure that was fitted or read off is marked as such, and one witho
                                           "z           -       1        !  0.5\n");
 }
 
-TEST_CASE("letters mark each origin, and a table that names origins says them in words") {
+TEST_CASE("each origin has a letter, or words in a table that names origins") {
     Comparison comparison{.name = "name", .against = "known"};
     for (Origin origin : every_origin) {
         comparison.add(cell(name_of(origin), "a", "", 1, 2, 2));
@@ -217,7 +218,7 @@ TEST_CASE("letters mark each origin, and a table that names origins says them in
                                           "calibrated        2.00       1   +1.00!  0.5        calibrated\n");
 }
 
-TEST_CASE("tables are judged at all where one that counts has a bound") {
+TEST_CASE("a verdict needs a bound in some deciding table") {
     const Comparison shown{.name = "shown", .cells = {plain_cell("x", "a", "", 2, 1)}};
     Comparison bounded{.name = "bounded", .cells = {at_most(1, plain_cell("x", "a", "", 2, 1))}};
     CHECK(is_any_judged({bounded, shown}));

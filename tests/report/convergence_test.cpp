@@ -14,7 +14,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("a curve is the median of the runs, its band goes from quartile to quartile") {
+TEST_CASE("a curve is the median of the runs with a band between the quartiles") {
     ConvergenceCurve curve{"best", {{1, 10}, {2, 20, 5}, {3, 30}, {9, 90}}, 4};
     Panel panel = convergence_panel("title", "fitness [1]", {&curve, 1});
     REQUIRE(panel.series.size() == 1);
@@ -34,7 +34,7 @@ TEST_CASE("a single run has no band") {
     CHECK(convergence_panel("", "", {&curve, 1}).bands.empty());
 }
 
-TEST_CASE("long runs are thinned out, their last generation stays") {
+TEST_CASE("long runs are thinned out, but keep the last generation") {
     ConvergenceCurve curve{"best", {std::vector<double>(100'001, 1.0)}, 0};
     curve.runs[0].back() = 2;
     auto points = convergence_panel("", "", {&curve, 1}).series[0].points;
@@ -44,7 +44,7 @@ TEST_CASE("long runs are thinned out, their last generation stays") {
     CHECK(points.back().y == 2);
 }
 
-TEST_CASE("a plot of searches that are compared is of all of them, with the diversity between them") {
+TEST_CASE("comparable searches are plotted together, with the diversity between them") {
     std::vector<SeededLog> logs{{1, GenerationLog({"east", "west"})}, {2, GenerationLog({"east", "west"})}};
     for (SeededLog& each : logs)
         for (const char* search : {"east", "west"})
@@ -60,7 +60,7 @@ TEST_CASE("a plot of searches that are compared is of all of them, with the dive
     CHECK(draw_svg(plot).find("between them") != std::string::npos);
 }
 
-TEST_CASE("searches for different things are drawn each for itself") {
+TEST_CASE("searches with different problems are drawn separately") {
     SeededLog seeded{3, GenerationLog({"east", "west"}, false)};
     test::tell(seeded.log, "east", 1, {1, 3});
     CHECK_THROWS_AS(convergence_plot("", {&seeded, 1}), UserError); // the other search has not made a generation
@@ -72,7 +72,7 @@ TEST_CASE("searches for different things are drawn each for itself") {
     CHECK(plot.panels[3].series.size() == 1);
 }
 
-TEST_CASE("an objective that is minimised is drawn over a logarithmic axis as long as it is positive") {
+TEST_CASE("a positive minimised objective has a logarithmic axis") {
     SeededLog seeded{1, GenerationLog({"east"})};
     std::vector<Genome> population{Genome::from_string("00"), Genome::from_string("01")};
     std::vector<double> fitness{-2, -400}, solved{0, -1};
@@ -86,7 +86,7 @@ TEST_CASE("an objective that is minimised is drawn over a logarithmic axis as lo
     CHECK_FALSE(convergence_plot("", {&seeded, 1}).panels[0].y.logarithmic);
 }
 
-TEST_CASE("objectives that are no finite number are left out of a curve, the rest is drawn") {
+TEST_CASE("a curve leaves out objectives that are not finite") {
     double infinite = std::numeric_limits<double>::infinity();
     ConvergenceCurve curve{"best", {{infinite, 3, 2}, {infinite, infinite, 1}}, 0};
     Panel panel = convergence_panel("", "", {&curve, 1});
@@ -103,7 +103,7 @@ TEST_CASE("objectives that are no finite number are left out of a curve, the res
     CHECK(searches_json(seeded.log)[0].at("last").at("best") == 2.0);
 }
 
-TEST_CASE("nothing to draw is refused") {
+TEST_CASE("a plot without anything to draw is refused") {
     ConvergenceCurve none{"none", {}, 0}, empty{"empty", {{1}, {}}, 0};
     CHECK_THROWS_AS(convergence_panel("", "", {&none, 1}), std::invalid_argument);
     CHECK_THROWS_AS(convergence_panel("", "", {&empty, 1}), std::invalid_argument);

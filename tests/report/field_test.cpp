@@ -31,14 +31,14 @@ Table basket() {
 
 } // namespace
 
-TEST_CASE("a text has headings, and columns that are as wide as they need or as they are told") {
+TEST_CASE("a printed table has headings and columns of the needed or stated width") {
     CHECK(basket().text() == "fruit         count     grams\n"
                              "apple            12     150.2\n"
                              "pomegranate       3     282.0\n");
     CHECK(basket().text("\nin the basket\n").starts_with("\nin the basket\nfruit "));
 }
 
-TEST_CASE("a text that is longer than its column goes beyond it") {
+TEST_CASE("a text longer than its column overflows it") {
     Row row = row_of({"fig", 12345678, 1});
     CHECK(Table{row, {row}}.text() == "fruit   count     grams\n"
                                       "fig    12345678       1.0\n");
@@ -54,20 +54,20 @@ TEST_CASE("no line ends in blanks") {
     CHECK(Table{row, {row}}.text() == "a          b\n1\n");
 }
 
-TEST_CASE("a column is shown only where it is wanted, and stays in documents") {
+TEST_CASE("an optional column is printed only on request, but documents always have it") {
     auto row = [](bool shown) -> Row { return {Field::left(0, "a", "1"), Field::count(3, "b", 2).shown_if(shown)}; };
     CHECK(Table{row(true), {row(true)}}.text() == "a    b\n1    2\n");
     CHECK(Table{row(false), {row(false)}}.text() == "a\n1\n");
     CHECK(json_of(row(false)) == boost::json::object{{"b", 2}});
 }
 
-TEST_CASE("a document has what has a key, in its order, with the values that the texts are made of") {
+TEST_CASE("a document has the fields with keys, in order, with exact values") {
     CHECK(serialize(json_of(basket().rows)) == R"([{"name":"apple","count":12,"weight_g":1.5025E2,"picked_ps":7},)"
                                                R"({"name":"pomegranate","count":3,"weight_g":2.82E2}])");
     CHECK(serialize(json_of(Row{Field::member("only here", true)})) == R"({"only here":true})");
 }
 
-TEST_CASE("comma-separated values are quoted where they must be, and empty where there are none") {
+TEST_CASE("comma-separated values are quoted if necessary, and empty if missing") {
     auto row = [](const std::string& text, const boost::json::value& value) -> Row {
         return {Field::left(0, "a", text).as("a"), Field::member("b, c", value)};
     };

@@ -30,7 +30,7 @@ std::vector<std::string> names_in(std::string_view group) {
 
 } // namespace
 
-TEST_CASE("a group is what stands before the point, and processes are all groups") {
+TEST_CASE("the group of a kind is the part of its name before the point; processes names all groups") {
     using Names = std::vector<std::string>;
     CHECK(names_in("belt") == Names{"belt.loader", "belt.sorter"});
     CHECK(names_in("processes") == Names{"belt.loader", "belt.sorter", "press.stamper"});
@@ -38,7 +38,7 @@ TEST_CASE("a group is what stands before the point, and processes are all groups
     CHECK(names_in("belt.loader").empty()); // a kind, not a group
 }
 
-TEST_CASE("names are known whatever the case of their letters, and an exact one comes first") {
+TEST_CASE("names are found in any case, and an exact match comes first") {
     const Catalogue catalogue = two_groups();
     CHECK(known_name(catalogue, "BELT.LOADER") == "belt.loader");
     CHECK(known_name(catalogue, "Press") == "press");
@@ -49,7 +49,7 @@ TEST_CASE("names are known whatever the case of their letters, and an exact one 
     CHECK(std::ranges::adjacent_find(names) == names.end());
 }
 
-TEST_CASE("a refusal suggests the nearest name, or the kind that was meant without its group, or where to look") {
+TEST_CASE("the message about an unknown kind suggests the nearest name, a kind with its group, or the list") {
     const Catalogue catalogue = two_groups();
     auto refusal = [&](const std::string& name) {
         try {

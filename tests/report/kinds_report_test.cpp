@@ -12,7 +12,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 } // namespace
 
-TEST_CASE("devices are listed by the names that they are declared by, each once") {
+TEST_CASE("each device is listed once, with the names that declare it") {
     std::string all = print_kinds(Catalogue());
     CHECK(contains(all, "  C004             A crossbar switch"));
     CHECK(contains(all, "  workstation      A host computer"));
@@ -24,7 +24,7 @@ TEST_CASE("devices are listed by the names that they are declared by, each once"
     CHECK(contains(all, "\n                   busmaster BBKV2\n"));
 }
 
-TEST_CASE("a device is described by its attributes, with what its model says itself as defaults") {
+TEST_CASE("a device is described by its attributes, with the model's values as defaults") {
     Catalogue catalogue;
     std::string module = print_kind(catalogue, "B404");
     CHECK(module.starts_with("B404 (T800)\nA transputer, bare or on a module; B403_T414 is a B403 with a T414.\n"
@@ -47,7 +47,7 @@ TEST_CASE("a device is described by its attributes, with what its model says its
     CHECK_FALSE(contains(any, "links: ")); // the type states the number
 }
 
-TEST_CASE("a device of a program's own is described too, and an unknown name is refused") {
+TEST_CASE("a program's own device is described, and an unknown name is refused") {
     Catalogue catalogue;
     catalogue.add_device(
         {.name = "repeater",

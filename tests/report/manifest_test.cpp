@@ -9,7 +9,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("numbers read back the same, and those that JSON does not have are null") {
+TEST_CASE("numbers read back exactly, and numbers that JSON lacks are null") {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     boost::json::array numbers{86.4,   0.1,      -0.0,      1e300,
                                5e-324, infinite, -infinite, std::numeric_limits<double>::quiet_NaN()};
@@ -23,7 +23,7 @@ TEST_CASE("numbers read back the same, and those that JSON does not have are nul
         CHECK(read[i].is_null());
 }
 
-TEST_CASE("what holds something is a line for each member, two blanks further in; what is empty stays in its line") {
+TEST_CASE("JSON is printed with one member a line, indented by two blanks; empty values stay on one line") {
     const boost::json::value value = boost::json::parse(R"({"a":{"b":[1,{"c":true}],"d":{}},"e":[],"f":"\u00b5\n"})");
     CHECK(print_pretty(value) == "{\n"
                                  "  \"a\": {\n"
@@ -41,8 +41,7 @@ TEST_CASE("what holds something is a line for each member, two blanks further in
     CHECK(boost::json::parse(print_pretty(value)) == value);
 }
 
-TEST_CASE(
-    "a manifest says what was set and what it reached, and of a usual run nothing of limits, faults or shuffles") {
+TEST_CASE("a manifest has the settings and their targets, and limits, faults or shuffles only if used") {
     Network network;
     network.source_path = "ring.cfs";
     network.hash = 0xab;

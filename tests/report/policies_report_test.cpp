@@ -30,7 +30,7 @@ std::vector<std::string> texts_of_policies(const Noun& noun) {
 
 } // namespace
 
-TEST_CASE("what a parameter decides is listed, with the very policies that the parameter takes") {
+TEST_CASE("each step decided by a parameter is listed with the policies that the parameter accepts") {
     Known known;
     auto nouns = policy_nouns();
     std::set<std::string> decided;
@@ -54,7 +54,7 @@ TEST_CASE("what a parameter decides is listed, with the very policies that the p
         CHECK((decided.count(noun.name) == 1) == (noun.name != "distributed-fitness"));
 }
 
-TEST_CASE("what a number, the problem or the connections decide is listed, too, with how a netlist says it") {
+TEST_CASE("steps decided by numbers, the problem or connections are listed with their netlist form") {
     Known known;
     CHECK(says(print_policy(known.catalogue, "best"), "\n  in a netlist: elite = 1\n  source: K. De Jong, 1975\n"));
     CHECK(says(print_policy(known.catalogue, "Distributed Fitness"), "\n\ndistributed\n  each island a window"));
@@ -67,7 +67,7 @@ TEST_CASE("what a number, the problem or the connections decide is listed, too, 
     CHECK_FALSE(says(print_policy(known.catalogue, "best(2)"), "elitism"));
 }
 
-TEST_CASE("other words lead to what is meant") {
+TEST_CASE("synonyms lead to the right step") {
     Known known;
     std::string migration = print_policy(known.catalogue, "migration");
     for (const char* noun : {"topology\n", "schedule\n", "emigration\n", "acceptance\n"})
@@ -79,7 +79,7 @@ TEST_CASE("other words lead to what is meant") {
     CHECK_FALSE(is_policy(known.catalogue, "roulette wheel"));
 }
 
-TEST_CASE("what a parameter is about stands in one column, however long a policy is") {
+TEST_CASE("descriptions of parameters are aligned in one column") {
     std::string listed = print_policies();
     std::size_t line = listed.find("    breeder(range = 0.1, precision = 24) a step");
     REQUIRE(line != std::string::npos);
@@ -91,7 +91,7 @@ TEST_CASE("what a parameter is about stands in one column, however long a policy
     CHECK(column("a step of any size") == column("a channel from the master"));
 }
 
-TEST_CASE("kinds that have a parameter with another default are listed apart") {
+TEST_CASE("kinds with a different default of a parameter are listed separately") {
     Known known;
     Catalogue other;
     ProcessKind master = *known.catalogue.find("ga.master"), island = *known.catalogue.find("ga.island");
@@ -107,7 +107,7 @@ TEST_CASE("kinds that have a parameter with another default are listed apart") {
     CHECK(says(print_policy(other, "mutation"), " of ga.island, ga.master\n"));
 }
 
-TEST_CASE("every name stands for one thing only") {
+TEST_CASE("no name has two meanings") {
     Known known;
     std::vector<std::string> names = known_names(known.catalogue), problems = known.problems.names(),
                              policies = policy_names();
@@ -119,7 +119,7 @@ TEST_CASE("every name stands for one thing only") {
         CHECK((name == policies_group || is_policy(known.catalogue, name)));
 }
 
-TEST_CASE("a policy says how a netlist writes it, its numbers and where it is from") {
+TEST_CASE("a policy is described with its netlist form, its numbers and its source") {
     Known known;
     std::string tournament = print_policy(known.catalogue, "tournament");
     CHECK(says(tournament, "selection\nhow parents are chosen\n"));

@@ -27,19 +27,19 @@ TEST_CASE("every problem is listed, with its numbers or its record") {
     CHECK(lists(listed, "\n  tour-lattice(rows = 5, columns = 4) "));
 }
 
-TEST_CASE("a problem is described by what is searched for, and over what") {
+TEST_CASE("a problem is described by its string and its record") {
     CHECK(print_problem(all_problems(), "trap(blocks = 4)") ==
-          "trap(blocks = 4)\ndeceptive traps: blocks where each bit by itself leads away\n"
+          "trap(blocks = 4)\ndeceptive traps: in each block, single bit changes lead away from the optimum\n"
           "maximised; the optimum is 20\nstring: 20 bits\n\nnumbers\n"
           "  blocks           int     default 10             1 .. 100000\n"
           "                               in a string\n"
           "  size             int     default 5              2 .. 64\n"
-          "                               of a block, in bits\n");
+          "                               bits of a block\n");
     CHECK_THROWS_WITH_AS(print_problem(all_problems(), "nk(bits = 3, k = 5)"),
-                         "k = 5, but a bit of 3 has only 2 neighbours", UserError);
+                         "k = 5, but each bit in a string of 3 bits has only 2 neighbours", UserError);
 }
 
-TEST_CASE("the fields of a string: names, bits, bounds, and the resolution of equation 1.5") {
+TEST_CASE("the fields of a string have names, bits, bounds, and the resolution of equation 1.5") {
     std::string plant = print_problem(all_problems(), "plant"); // Table 5.1
     CHECK(lists(plant, "string: 37 bits\n\nfields\n"
                        "  d                 2 bits  1 .. 4 samples, in steps of 1\n"
@@ -55,7 +55,7 @@ TEST_CASE("the fields of a string: names, bits, bounds, and the resolution of eq
     CHECK(machine["fields"].at(1).at("step") == 1.0 / 64);
 }
 
-TEST_CASE("for machines the same") {
+TEST_CASE("the JSON document has the same description") {
     boost::json::object tour = problem_json(all_problems(), "tour-random(cities = 9)");
     CHECK(tour["goal"] == "minimise");
     CHECK(tour["optimum"].is_null());

@@ -36,7 +36,7 @@ boost::json::object only(const boost::json::object& json, const char* table) {
 
 } // namespace
 
-TEST_CASE("measurements: numbers and texts, with their units") {
+TEST_CASE("measurements are printed as numbers with units, or as texts") {
     RunReport report = of_one_second();
     report.measurements = {{"master", "T_exe", 12.5, "ms"}, {"slave", "state", std::string("idle"), ""}};
     CHECK(has(printed(report), "\nprocess  measured             value  unit\n"
@@ -48,7 +48,7 @@ TEST_CASE("measurements: numbers and texts, with their units") {
     CHECK(rows[1].at("value") == "idle");
 }
 
-TEST_CASE("processors: a share of the run for people, picoseconds for programs") {
+TEST_CASE("the load of processors is printed in percent, and in picoseconds in JSON") {
     RunReport report = of_one_second();
     report.processors.push_back({"t[0]", "T800", 250ms, 0ms, 0, 0ms});
     CHECK(has(printed(report), "\nprocessor  type      busy\nt[0]       T800     25.0%\n"));
@@ -68,7 +68,7 @@ TEST_CASE("processors that pass packets on have two columns more") {
     CHECK(only(document(report), "processors").at("passing_on_ps") == 10'000'000'000);
 }
 
-TEST_CASE("links: only those that carried something are printed, below each other as all would be") {
+TEST_CASE("only links that carried bytes are printed") {
     RunReport report = of_one_second();
     report.links = {{"t[0].link[0]", "t[1].link[0]", 100, 500ms}, {"a rather long name", "another long name", 0, 0ms}};
     CHECK(has(printed(report), "\nlink                                          bytes   occupied\n"
@@ -79,7 +79,7 @@ TEST_CASE("links: only those that carried something are printed, below each othe
     CHECK_FALSE(has(printed(report), "occupied"));
 }
 
-TEST_CASE("a bus: its masters, and messages that went to several adapters at once") {
+TEST_CASE("a bus is reported with its masters and broadcasts") {
     RunReport report = of_one_second();
     report.buses.push_back({"vme", 100ms, {{"b1", 3, 7, 28, 2, 0, 20ms, 2us}}, {}});
     CHECK(has(printed(report), "\nbus vme, busy 10.0%\n"
@@ -94,7 +94,7 @@ TEST_CASE("a bus: its masters, and messages that went to several adapters at onc
     CHECK(only(bus, "broadcasts").at("adapters") == 4);
 }
 
-TEST_CASE("a device of its own kind names its columns") {
+TEST_CASE("a device of a new kind names its report columns") {
     RunReport report = of_one_second();
     report.devices.push_back(
         {"ring r", 10ms, {"station", "frames", "waited"}, {{"t[0]", {std::uint64_t{5}, Time{50ms}}}}});
@@ -107,7 +107,7 @@ TEST_CASE("a device of its own kind names its columns") {
     CHECK(row.at("waited_ps") == 50'000'000'000);
 }
 
-TEST_CASE("processes: how long they waited, and since when where the wait is not over") {
+TEST_CASE("the report shows how long processes waited, and the begin of unfinished waits") {
     RunReport report = of_one_second();
     report.processes = {{"master", "t[0]", 400ms, {}}, {"slave", "t[1]", 100ms, Time{900ms}}};
     CHECK(has(printed(report), "\nprocess  on    waiting\n"
@@ -118,7 +118,7 @@ TEST_CASE("processes: how long they waited, and since when where the wait is not
     CHECK(rows[1].at("waits_since_ps") == 900'000'000'000);
 }
 
-TEST_CASE("in a deadlock no shares of the time are reported") {
+TEST_CASE("after a deadlock no shares of the time are reported") {
     RunReport report = of_one_second();
     report.result.ending = Ending::stuck;
     report.processors.push_back({"t[0]", "T800", 250ms, 0ms, 0, 0ms});
@@ -128,7 +128,7 @@ TEST_CASE("in a deadlock no shares of the time are reported") {
     CHECK(only(document(report), "processors").at("busy").is_null());
 }
 
-TEST_CASE("a device that reports another number of figures than it has columns is refused by name") {
+TEST_CASE("a device that reports a wrong number of figures is refused by name") {
     RunReport report = of_one_second();
     report.devices.push_back({"ring r", 10ms, {"station", "frames", "waited"}, {{"w[0]", {std::uint64_t{1}}}}});
     CHECK_THROWS_WITH_AS(printed(report),

@@ -16,7 +16,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("a log as comma-separated values, in long form") {
+TEST_CASE("a log is written as comma-separated values, one value a row") {
     SeededLog seeded{7, GenerationLog({"east", "west"})};
     test::tell(seeded.log, "east", 1, {0.1, 2}, Time{1'500'000'000});
     seeded.log.observe({"east", "west", 2, Time{2'000'000'000}, -3.25, false});
@@ -28,13 +28,13 @@ TEST_CASE("a log as comma-separated values, in long form") {
                                    "7,2,2,west,east,turned_away,-3.25\n");
 }
 
-TEST_CASE("without virtual time its column is empty") {
+TEST_CASE("in a log without virtual time the column of times is empty") {
     SeededLog seeded{1, GenerationLog({"east"})};
     test::tell(seeded.log, "east", 1, {3, 3});
     CHECK(log_csv({&seeded, 1}).find("\n1,1,,east,,best,3\n") != std::string::npos);
 }
 
-TEST_CASE("a report says how searches began and ended, and what became of immigrants") {
+TEST_CASE("the report has the begin and end of searches, and the fate of immigrants") {
     GenerationLog log({"east", "west"});
     for (const char* search : {"east", "west"}) {
         test::tell(log, search, 1, {0, 100});
@@ -75,14 +75,14 @@ TEST_CASE("a report of several seeds gives medians and quartiles") {
     CHECK(text.find("1.5 [0.5, 2]") != std::string::npos);
 }
 
-TEST_CASE("of searches without generations, and of none, there is nothing to say") {
+TEST_CASE("the report leaves out searches without generations") {
     CHECK(print_searches(GenerationLog({})).empty());
     CHECK(print_searches(GenerationLog({"east"})).empty());
     CHECK(searches_json(GenerationLog({"east"})).empty());
     CHECK_THROWS_AS(require_searches(Network{}), UserError);
 }
 
-TEST_CASE("searches are compared where they search for the same in the same coding") {
+TEST_CASE("searches of the same problem in the same coding are compared") {
     auto search = [](const char* name, const char* problem) {
         ProcessInstance process;
         process.name = name;

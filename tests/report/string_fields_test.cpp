@@ -31,7 +31,7 @@ struct TwoFields {
 
 } // namespace
 
-TEST_CASE("a field reaches from all zeros to all ones, a step below the end of its range") {
+TEST_CASE("a field's codes reach from the lower bound to one step below the upper bound") {
     for (Coding coding : {Coding::natural, Coding::gray}) { // all ones mean another number in Gray code
         const std::vector<StringField> fields = string_fields(*make_search_problem(TwoFields(), coding));
         REQUIRE(fields.size() == 2);
@@ -47,7 +47,7 @@ TEST_CASE("a field reaches from all zeros to all ones, a step below the end of i
     }
 }
 
-TEST_CASE("fields are alike in everything but their names") {
+TEST_CASE("fields that differ only in names are printed as one") {
     const StringField field{"x_1", "V", 5, -1, 3};
     CHECK(field.is_like({"x_2", "V", 5, -1, 3}));
     CHECK_FALSE(field.is_like({"x_1", "mV", 5, -1, 3}));

@@ -98,8 +98,7 @@ NetlistLines lines_in_text(const std::string& report, const std::string& name) {
 
 } // namespace
 
-TEST_CASE(
-    "a deadlock's processes stand beside the lines that declare them, its channels beside those that connect them") {
+TEST_CASE("a deadlock's processes and channels are printed with the lines that declare them") {
     ProblemRegistry problems = known_problems(1);
     Catalogue catalogue = known_kinds(problems);
     ReadResult read = read_netlist_text(buffers_and_a_consumer, catalogue, {}, "folder/stuck.cfs");
@@ -119,7 +118,7 @@ TEST_CASE(
     CHECK(lines_in_text(text, "channel") == channels);
 }
 
-TEST_CASE("a deadlock of processes that no netlist declares says nothing of lines") {
+TEST_CASE("a deadlock of processes without a netlist is printed without lines") {
     Deadlock deadlock{.cycle = {"a"},
                       .held_up = {},
                       .processes = {{"a", Activity::inputting, {"c"}, "here.cpp:1"}},
@@ -154,7 +153,7 @@ TEST_CASE("the report of a run names the processes that never ran") {
     CHECK(print_report(report, *read.network).find(", r9 and 1 other\n") != std::string::npos);
 }
 
-TEST_CASE("in a deadlock only those that it holds wait for ever, not those that rehearse after the work") {
+TEST_CASE("only processes in the deadlock are reported as waiting for ever, not processes after their work") {
     ProblemRegistry problems = known_problems(1);
     Catalogue catalogue = known_kinds(problems);
     ReadResult read = read_netlist_text(farm_beside_a_deadlock, catalogue);

@@ -1,4 +1,4 @@
-// Tests that processes which go on after the end of the work change none of the work's figures.
+// Tests that processes which continue after the end of the work do not change the work's figures.
 
 #include "runtime/hardware/processor.hpp"
 #include "runtime/simulation.hpp"
@@ -16,7 +16,7 @@ using std::chrono::milliseconds;
 
 namespace {
 
-/// Runs a process that works for 3 ms, and another that works for 5 ms and may then go on for 7 ms.
+/// Runs a process that works for 3 ms, and another that works for 5 ms. The second may then continue for 7 ms.
 RunResult run(bool goes_on, Time limit = Time::max()) {
     Simulation simulation;
     Time gone_on{};
@@ -36,7 +36,7 @@ RunResult run(bool goes_on, Time limit = Time::max()) {
 
 } // namespace
 
-TEST_CASE("the run's time is that of the work") {
+TEST_CASE("the run's time is the time of the work") {
     for (bool goes_on : {false, true}) {
         RunResult result = run(goes_on);
         CHECK(result.ending == Ending::completed);
@@ -44,14 +44,14 @@ TEST_CASE("the run's time is that of the work") {
     }
 }
 
-TEST_CASE("the limit is one for the work: what comes after may go beyond it") {
+TEST_CASE("the time limit applies only to the work, not to processes that continue after it") {
     CHECK(run(true, milliseconds{6}).ending == Ending::completed);
     RunResult result = run(true, milliseconds{4});
     CHECK(result.ending == Ending::time_limit);
     CHECK(result.time == milliseconds{4});
 }
 
-TEST_CASE("how long processes worked and waited can be asked for when the work is over") {
+TEST_CASE("the work and the waits of processes are known at the end of the work") {
     Simulation simulation;
     Processor& t800 = simulation.add<Processor>("t800");
     constexpr Cycles one_millisecond{20'000};
@@ -79,7 +79,7 @@ TEST_CASE("how long processes worked and waited can be asked for when the work i
     CHECK(computed_until == milliseconds{1});
 }
 
-TEST_CASE("several go on at once, and may wait for the end again") {
+TEST_CASE("several processes continue after the work, and may wait for the end again") {
     Simulation simulation;
     Channel<int> c("c");
     int received = 0;

@@ -20,7 +20,7 @@ using std::chrono::microseconds;
 
 namespace {
 
-/// Runs `body` beside one process for each channel, which outputs its number at the given time.
+/// Runs `body` in parallel with one process for each channel. Each of these outputs its number at the given time.
 std::string run_with_outputs(std::vector<Time> moments,
                              const std::function<void(std::vector<Channel<int>*>, std::string&)>& body) {
     Simulation simulation;
@@ -41,7 +41,7 @@ std::string run_with_outputs(std::vector<Time> moments,
 
 } // namespace
 
-TEST_CASE("of several ready guards the first in order is chosen, not the first to have come") {
+TEST_CASE("of several ready guards the first in order is chosen, not the first that became ready") {
     auto chosen = run_with_outputs({microseconds{2}, microseconds{1}}, [](auto c, std::string& log) {
         wait_for(microseconds{3});
         for (int i = 0; i < 2; ++i)
@@ -51,7 +51,7 @@ TEST_CASE("of several ready guards the first in order is chosen, not the first t
     CHECK(chosen == "01");
 }
 
-TEST_CASE("when none is ready the first to come is chosen") {
+TEST_CASE("if no guard is ready, the first that becomes ready is chosen") {
     auto chosen = run_with_outputs({microseconds{2}, microseconds{1}}, [](auto c, std::string& log) {
         for (int i = 0; i < 2; ++i)
             alt(on(c[0]->in(), [&](int x) { log += fmt::format("{}@{} ", x, now() / microseconds{1}); }),
@@ -60,14 +60,14 @@ TEST_CASE("when none is ready the first to come is chosen") {
     CHECK(chosen == "1@1 0@2 ");
 }
 
-TEST_CASE("both outputters come before the process gets its turn: it is woken once and picks by order") {
+TEST_CASE("if both outputters come before the process's turn, it is woken once and chooses by order") {
     Simulation simulation;
     Channel<int> c0("c0"), c1("c1");
     std::string log;
     simulation.process("alternates", [&] {
         for (int i = 0; i < 2; ++i)
             alt(on(c1.in(), [&](int) { log += "1"; }), on(c0.in(), [&](int) { log += "0"; }));
-        wait_for(microseconds{1}); // a wake-up left over would end this wait early
+        wait_for(microseconds{1}); // a remaining wake-up would end this wait early
         log += fmt::format("@{}", now() / microseconds{1});
     });
     simulation.process("outputs 0", [&] { c0.out().output(0); });
@@ -76,7 +76,7 @@ TEST_CASE("both outputters come before the process gets its turn: it is woken on
     CHECK(log == "10@1");
 }
 
-TEST_CASE("a guard whose condition is false is passed over") {
+TEST_CASE("a guard whose condition is false is ignored") {
     auto chosen = run_with_outputs({microseconds{1}, microseconds{2}}, [](auto c, std::string& log) {
         alt(when(false, on(c[0]->in(), [&](int) { log += "wrong"; })),
             on(c[1]->in(), [&](int x) { log += fmt::format("{}", x); }));
@@ -85,18 +85,18 @@ TEST_CASE("a guard whose condition is false is passed over") {
     CHECK(chosen == "10");
 }
 
-TEST_CASE("a timeout is taken at its moment when no message comes, and not when one does") {
+TEST_CASE("a timeout is chosen at its time if no message comes, and not if a message comes") {
     auto watch = [](auto c, std::string& log) {
         alt(on(c[0]->in(), [&](int) { log += fmt::format("message@{}", now() / microseconds{1}); }),
             after(microseconds{5}, [&] { log += fmt::format("timeout@{}", now() / microseconds{1}); }));
-        wait_until(microseconds{20}); // a timer event left over would end this wait early
+        wait_until(microseconds{20}); // a remaining timer event would end this wait early
         log += now() == microseconds{20} ? "" : " woken early";
     };
     CHECK(run_with_outputs({microseconds{4}}, watch) == "message@4");
     CHECK(run_with_outputs({microseconds{6}}, watch) == "timeout@5");
 }
 
-TEST_CASE("a timeout that is already due counts as ready, in its place in the order") {
+TEST_CASE("a timeout that is already due counts as ready, at its place in the order") {
     auto chosen = run_with_outputs({microseconds{1}}, [](auto c, std::string& log) {
         wait_until(microseconds{3});
         alt(after(microseconds{2}, [&] { log += "t"; }), on(c[0]->in(), [&](int) { log += "m"; }));
@@ -105,7 +105,7 @@ TEST_CASE("a timeout that is already due counts as ready, in its place in the or
     CHECK(chosen == "tm");
 }
 
-TEST_CASE("SKIP is taken only when nothing before it is ready; a polling process lets others run") {
+TEST_CASE("SKIP is chosen only if no guard before it is ready, and a polling process lets others run") {
     int polls = 0;
     auto chosen = run_with_outputs({Time{0}, Time{0}}, [&](auto c, std::string& log) {
         int received = 0;
@@ -118,7 +118,7 @@ TEST_CASE("SKIP is taken only when nothing before it is ready; a polling process
     CHECK(chosen == "10");
     CHECK(polls >= 2);
 
-    Simulation simulation; // the poller runs first; no other process could run if it did not yield
+    Simulation simulation; // the poller runs first; if it did not yield, no other process could run
     Channel<int> c("c");
     bool got = false;
     simulation.process("polls", [&] {
@@ -129,7 +129,7 @@ TEST_CASE("SKIP is taken only when nothing before it is ready; a polling process
     CHECK(simulation.run().ending == Ending::completed);
 }
 
-TEST_CASE("the replicated form names the input that was chosen") {
+TEST_CASE("a replicated alternation gives the number of the chosen input") {
     auto chosen = run_with_outputs({microseconds{3}, microseconds{1}, microseconds{2}}, [](auto c, std::string& log) {
         std::vector<Input<int>> inputs;
         for (auto* channel : c)
@@ -142,7 +142,7 @@ TEST_CASE("the replicated form names the input that was chosen") {
 
 namespace {
 
-/// Returns the order, as digits, in which messages of three outputters are taken; each sends five.
+/// Returns the order in which messages of three outputters are taken, as digits. Each outputter sends five.
 template <class Take>
 std::string taken(int messages, const Take& take) {
     Simulation simulation;
@@ -159,7 +159,7 @@ std::string taken(int messages, const Take& take) {
     std::string log;
     simulation.process("alternates", [&] {
         for (int n = 0; n < messages; ++n) {
-            wait_for(microseconds{1}); // all outputters are ready again
+            wait_for(microseconds{1}); // all outputters become ready again
             take(std::span<const Input<int>>(inputs), log);
         }
     });
@@ -171,7 +171,7 @@ void note(std::string& log, int x) { log += static_cast<char>('0' + x); }
 
 } // namespace
 
-TEST_CASE("a replicated guard stands beside a time-out, in its place in the order") {
+TEST_CASE("a replicated guard may be followed by a time-out, at its place in the order") {
     std::string chosen = run_with_outputs({microseconds{5}, microseconds{1}}, [](auto c, std::string& log) {
         std::vector<Input<int>> inputs{c[0]->in(), c[1]->in()};
         for (int i = 0; i < 3; ++i) {
@@ -186,7 +186,7 @@ TEST_CASE("a replicated guard stands beside a time-out, in its place in the orde
     CHECK(chosen == "1=1@1#1 late@3#2 0=0@6#0 ");
 }
 
-TEST_CASE("PRI ALT takes the first as long as it is ready, a fair ALT takes each in its turn") {
+TEST_CASE("PRI ALT chooses the first input as long as it is ready, and a fair ALT chooses each in turn") {
     CHECK(taken(9, [](auto inputs, std::string& log) {
               alt(each(inputs, [&](std::size_t, int x) { note(log, x); }));
           }) == "000001111");
@@ -196,7 +196,7 @@ TEST_CASE("PRI ALT takes the first as long as it is ready, a fair ALT takes each
           }) == "012012012012012");
 }
 
-TEST_CASE("conditions stand before each of a replicated guard, by its number, in a fair one too") {
+TEST_CASE("a replicated guard, also a fair one, may have a condition that depends on the number of the input") {
     Turn turn;
     CHECK(taken(6, [&](auto inputs, std::string& log) {
               alt(when([](std::size_t i) { return i != 1; },
@@ -207,7 +207,7 @@ TEST_CASE("conditions stand before each of a replicated guard, by its number, in
           }) == "skip skip ");
 }
 
-TEST_CASE("an ALT within an ALT stands in its place, and a condition before it counts for all of it") {
+TEST_CASE("an ALT within an ALT keeps its place, and a condition before it applies to all its guards") {
     for (bool condition : {true, false})
         CHECK(taken(3, [&](auto inputs, std::string& log) {
                   auto from = [&](std::size_t i) { return on(inputs[i], [&](int x) { note(log, x); }); };
@@ -215,13 +215,13 @@ TEST_CASE("an ALT within an ALT stands in its place, and a condition before it c
               }) == (condition ? "222" : "000"));
 }
 
-TEST_CASE("a replicated guard of no inputs is never ready") {
+TEST_CASE("a replicated guard without inputs is never ready") {
     CHECK(taken(1, [](auto, std::string& log) {
               alt(each(std::span<const Input<int>>(), [](std::size_t, int) {}), skip([&] { log += "skip"; }));
           }) == "skip");
 }
 
-TEST_CASE("an alternation none of whose guards can be ready is an error that names the process") {
+TEST_CASE("an alternation whose guards can never become ready is an error that names the process") {
     Simulation simulation;
     Channel<int> c("c");
     simulation.process("hopeless", [&] { alt(when(false, on(c.in(), [](int) {}))); });
@@ -229,7 +229,7 @@ TEST_CASE("an alternation none of whose guards can be ready is an error that nam
                          std::logic_error);
 }
 
-TEST_CASE("two processes cannot alternate on one channel, nor one input where another alternates") {
+TEST_CASE("two processes cannot alternate on one channel, and one cannot input where another alternates") {
     for (bool second_alternates : {false, true}) {
         Simulation simulation;
         Channel<int> c("c");
@@ -244,7 +244,7 @@ TEST_CASE("two processes cannot alternate on one channel, nor one input where an
     }
 }
 
-TEST_CASE("one channel can stand in two guards of an alternation") {
+TEST_CASE("a channel can be in two guards of an alternation") {
     auto chosen = run_with_outputs({microseconds{1}}, [](auto c, std::string& log) {
         alt(when(false, on(c[0]->in(), [&](int) { log += "wrong"; })), on(c[0]->in(), [&](int) { log += "a"; }),
             on(c[0]->in(), [&](int) { log += "b"; }));
@@ -252,7 +252,7 @@ TEST_CASE("one channel can stand in two guards of an alternation") {
     CHECK(chosen == "a");
 }
 
-TEST_CASE("over a link an alternation is woken by the first byte of a message") {
+TEST_CASE("over a link the first byte of a message wakes an alternation") {
     Simulation simulation;
     Channel<std::array<char, 100>> c("c");
     Channel<int> local("local");
@@ -268,11 +268,11 @@ TEST_CASE("over a link an alternation is woken by the first byte of a message") 
     });
     CHECK(simulation.run().ending == Ending::completed);
     CHECK(woken == std::chrono::nanoseconds{550});
-    // The acknowledge is sent at 550 ns instead of 260. After 6 bits the next byte follows, then one every 560 ns.
+    // The acknowledge is sent at 550 ns instead of 260 ns. The next byte follows after 6 bits, then one every 560 ns.
     CHECK(received == std::chrono::nanoseconds{550 + 300 + 98 * 560 + 550});
 }
 
-TEST_CASE("a timeout that is due already does not keep others from running, nor an interruption from being seen") {
+TEST_CASE("a timeout that is already due does not stop other processes, nor hide an interruption") {
     Simulation simulation;
     Channel<int> c("c");
     bool got = false;
@@ -291,7 +291,7 @@ TEST_CASE("a timeout that is due already does not keep others from running, nor 
     CHECK(polls < 10);
 }
 
-TEST_CASE("time passes while a placed process polls: its own timeout comes, and the messages of others") {
+TEST_CASE("time passes while a placed process polls, so timeouts and messages come") {
     Simulation simulation;
     Channel<int> c("c");
     Time got{}, timed_out{};
@@ -312,9 +312,9 @@ TEST_CASE("time passes while a placed process polls: its own timeout comes, and 
     CHECK(timed_out < microseconds{300} + longest_poll);
 }
 
-TEST_CASE("enabling is paid before the wait, disabling after it: a wake costs more the more guards there are") {
-    // If the message arrives at 1 ms, what remains is: disc of each guard, altend, in, and the copy of one word. If the
-    // message is waiting already, enbc of its guard takes two cycles more than that of others.
+TEST_CASE("enabling is paid before the wait and disabling after it, so a wake costs more with more guards") {
+    // If the message arrives at 1 ms, these instructions remain: disc of each guard, altend, in, and the copy of one
+    // word. If the message is waiting already, enbc of its guard takes two cycles more than enbc of the others.
     for (std::int64_t guards : {1, 10})
         for (bool message_first : {false, true}) {
             CAPTURE(guards);
@@ -346,7 +346,7 @@ TEST_CASE("enabling is paid before the wait, disabling after it: a wake costs mo
         }
 }
 
-TEST_CASE("a timeout costs what its own instructions do") {
+TEST_CASE("a timeout costs the cycles of its instructions") {
     Simulation simulation;
     Time taken{};
     simulation.process(

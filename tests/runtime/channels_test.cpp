@@ -32,7 +32,7 @@ static_assert(!ends_of_a_temporary<Channels<int>>);
 
 } // namespace
 
-TEST_CASE("an array of channels names them, and refuses a subscript beyond its end") {
+TEST_CASE("an array of channels names its channels and refuses a subscript beyond its end") {
     Channels<int> c = made_elsewhere(3);
     CHECK(c.size() == 3);
     CHECK(c[2].name() == "c[2]");
@@ -44,7 +44,7 @@ TEST_CASE("an array of channels names them, and refuses a subscript beyond its e
     CHECK(counted == 12);
 }
 
-TEST_CASE("an array that is moved keeps its channels, also those that a process is in") {
+TEST_CASE("an array that is moved keeps its channels, also while a process is in one of them") {
     Simulation simulation;
     std::vector<Channels<int>> rows;
     rows.push_back(made_elsewhere(2));
@@ -54,7 +54,7 @@ TEST_CASE("an array that is moved keeps its channels, also those that a process 
             ends[i].output(static_cast<int>(10 * i));
     });
     simulation.process("moves, and inputs", [&] {
-        wait_for(std::chrono::microseconds{1}); // the other process waits in c[0] by then
+        wait_for(std::chrono::microseconds{1}); // now the other process waits in c[0]
         Channels<int> moved = std::move(rows[0]);
         CHECK(rows[0].size() == 0);
         rows.resize(20);
@@ -66,7 +66,7 @@ TEST_CASE("an array that is moved keeps its channels, also those that a process 
     CHECK(received == std::vector<int>{0, 10});
 }
 
-TEST_CASE("a replicated ALT over an array of channels, each on a link") {
+TEST_CASE("a replicated ALT may have an array of channels, each on a link") {
     Simulation simulation;
     Channels<int> c("c", 3);
     for (Channel<int>& each : c)
@@ -86,7 +86,7 @@ TEST_CASE("a replicated ALT over an array of channels, each on a link") {
     CHECK(sum == 6);
 }
 
-TEST_CASE("hard channels are placed where they are made: one, and an array with one on each link") {
+TEST_CASE("a hard channel, and an array of them, can be made on their links") {
     Simulation simulation;
     hardware::Link &a = simulation.add<hardware::Link>(), &b = simulation.add<hardware::Link>();
     Channels<int> to("to", {a.from_a_to_b(), b.from_a_to_b()});

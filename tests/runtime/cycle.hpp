@@ -4,7 +4,7 @@
 
 namespace placedpar::test {
 
-/// A cycle of a processor at 20 MHz, the usual clock of a simulation.
+/// The length of a cycle at 20 MHz, the usual clock frequency of a processor.
 inline constexpr std::chrono::nanoseconds cycle{50};
 
 } // namespace placedpar::test

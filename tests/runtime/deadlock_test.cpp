@@ -16,7 +16,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Runs Dijkstra's philosophers: each takes the left fork, then the right one.
+/// Runs Dijkstra's philosophers. Each takes the left fork, then the right fork.
 Deadlock three_philosophers() {
     Simulation simulation;
     std::list<Channel<int>> take_left, take_right;
@@ -40,7 +40,7 @@ Deadlock three_philosophers() {
             alt(on(left[i], [&](int) { left[i].input(); }),
                 on(right[(i + 2) % 3], [&](int) { right[(i + 2) % 3].input(); }));
         };
-#line 43 "deadlock_test.cpp"
+#line 44 "deadlock_test.cpp"
         // clang-format on
         simulation.process("philosopher[" + std::to_string(i) + "]", philosopher);
         simulation.process("fork[" + std::to_string(i) + "]", fork);
@@ -53,7 +53,7 @@ Deadlock three_philosophers() {
 
 } // namespace
 
-TEST_CASE("three philosophers with a fork each: the report, word for word") {
+TEST_CASE("three philosophers with a fork each give the stored report, word for word") {
     CHECK(
         three_philosophers().text() ==
         R"(wait cycle: philosopher[0] -> fork[1] -> philosopher[1] -> fork[2] -> philosopher[2] -> fork[0] -> philosopher[0]
@@ -80,7 +80,7 @@ TEST_CASE("two reports of the same deadlock are equal") {
     CHECK(three_philosophers().text() == three_philosophers().text());
 }
 
-TEST_CASE("a partial deadlock lists those who are left and not those who ended") {
+TEST_CASE("a partial deadlock lists the processes that are left and not those that ended") {
     Simulation simulation;
     Channel<int> c("c"), d("d");
     simulation.process("fine", [&] { wait_for(std::chrono::microseconds{3}); });
@@ -114,7 +114,7 @@ TEST_CASE("the cycle is found through the PARs of its processes") {
     CHECK(result.deadlock->cycle == std::vector<std::string>{"left", "left/1", "right", "right/1"});
 }
 
-TEST_CASE("a partner that was a component and is gone stands for the process whose PAR it was in") {
+TEST_CASE("a component that has ended is reported as the process whose PAR it was in") {
     Simulation simulation;
     Channel<int> c("c");
     simulation.process("server", [&] {
@@ -131,7 +131,7 @@ TEST_CASE("a partner that was a component and is gone stands for the process who
     CHECK(result.deadlock->channels[1].inputter == "server");
 }
 
-TEST_CASE("a component is not taken for an earlier one that was where it is now: no cycle is invented") {
+TEST_CASE("a component at the address of an earlier one is not mistaken for it, so no false cycle is reported") {
     Simulation simulation;
     Channel<int> a("a"), b("b");
     const Process* first = nullptr;
@@ -152,7 +152,7 @@ TEST_CASE("a component is not taken for an earlier one that was where it is now:
     REQUIRE(result.deadlock);
     if (!SwitchedStack::is_watched()) // AddressSanitizer does not reuse freed memory at once
         REQUIRE(same_place);
-    // Process x/0 waits for an outputter of a. This is x, whose last component output to a, and x waits for x/0.
+    // Process x/0 waits for an outputter of a. This is x, because x's last component output to a. x waits for x/0.
     CHECK(result.deadlock->cycle == std::vector<std::string>{"x", "x/0"});
     REQUIRE(result.deadlock->channels.size() == 2);
     CHECK(result.deadlock->channels[0].outputter == "none yet");
@@ -160,7 +160,7 @@ TEST_CASE("a component is not taken for an earlier one that was where it is now:
     CHECK(result.deadlock->channels[1].outputter == "x");
 }
 
-TEST_CASE("a partner that is a component and lives is named itself, also in the cycle") {
+TEST_CASE("a component that has not ended is named itself as a partner, also in the cycle") {
     Simulation simulation;
     Channel<int> request("request"), reply("reply");
     simulation.process(
@@ -174,7 +174,7 @@ TEST_CASE("a partner that is a component and lives is named itself, also in the 
     CHECK(result.deadlock->channels[1].outputter == "server/1");
 }
 
-TEST_CASE("a ring of ten thousand that all output first is reported, in order") {
+TEST_CASE("a ring of ten thousand processes that all output first is reported in order") {
     constexpr std::size_t n = 10'000;
     Simulation simulation;
     std::vector<std::unique_ptr<Channel<int>>> ring;
@@ -193,7 +193,7 @@ TEST_CASE("a ring of ten thousand that all output first is reported, in order") 
     CHECK(result.deadlock->processes.size() == n);
 }
 
-TEST_CASE("a PAR of any form tells where in the program it stands") {
+TEST_CASE("a PAR of any form states its place in the program") {
     Simulation simulation;
     Channel<int> c("c");
     auto never = [&] { c.in().input(); };
@@ -202,7 +202,7 @@ TEST_CASE("a PAR of any form tells where in the program it stands") {
     simulation.process("par", [&] { par(never, [] {}); });
     simulation.process("par_for", [] { par_for(1, [](std::size_t) { Channel<int> d("d"); d.in().input(); }); });
     simulation.process("pri_par", [] { pri_par([] {}, [] { Channel<int> e("e"); e.in().input(); }); });
-#line 204 "deadlock_test.cpp"
+#line 206 "deadlock_test.cpp"
     // clang-format on
     RunResult result = simulation.run();
     REQUIRE(result.deadlock);
@@ -215,7 +215,7 @@ TEST_CASE("a PAR of any form tells where in the program it stands") {
 
 namespace {
 
-/// Runs two processes that wait for each other, one that never ends, and `others`; stops the run after a while.
+/// Runs two processes that wait for each other, one that never ends, and `others`. Stops the run after a while.
 RunResult partly_stuck(const std::function<void(Simulation&)>& others) {
     Simulation simulation;
     Channel<int> a("a"), b("b"), tick("tick");
@@ -252,7 +252,7 @@ std::vector<std::string> paths(const Deadlock& deadlock) {
 
 } // namespace
 
-TEST_CASE("a part of a program is in a deadlock when the run is stopped") {
+TEST_CASE("a partial deadlock is reported when the run is stopped") {
     RunResult result = partly_stuck([](Simulation&) {});
     CHECK(result.ending == Ending::time_limit);
     REQUIRE(result.deadlock);
@@ -260,7 +260,7 @@ TEST_CASE("a part of a program is in a deadlock when the run is stopped") {
     CHECK(paths(*result.deadlock) == std::vector<std::string>{"left", "right"});
 }
 
-TEST_CASE("a process that waits for one in a deadlock is in it too, one with a timeout is not") {
+TEST_CASE("a process that waits for a deadlocked process is in the deadlock, and a process with a timeout is not") {
     Channel<int> more("more"), perhaps("perhaps");
     RunResult result = partly_stuck([&](Simulation& simulation) {
         simulation.process("starved", [&] { more.in().input(), more.in().input(); });
@@ -274,8 +274,8 @@ TEST_CASE("a process that waits for one in a deadlock is in it too, one with a t
     CHECK(paths(*result.deadlock) == std::vector<std::string>{"left", "right", "starved"});
 }
 
-TEST_CASE("nothing that can go on is called a deadlock when the run is stopped") {
-    // A ring of processes over links is stopped at every microsecond: some process always waits, but never for ever.
+TEST_CASE("a process that can continue is not reported as deadlocked when the run is stopped") {
+    // A ring of processes over links is stopped at every microsecond. Some process always waits, but never for ever.
     for (int stop = 1; stop < 60; ++stop) {
         Simulation simulation;
         std::list<Channel<std::array<char, 4>>> ring;
@@ -294,7 +294,7 @@ TEST_CASE("nothing that can go on is called a deadlock when the run is stopped")
     }
 }
 
-TEST_CASE("STOP stops one process, others go on; who waits for it waits for ever, and all are named") {
+TEST_CASE("STOP stops one process while others continue, and the report names all that wait for it for ever") {
     Simulation simulation;
     auto& t800 = simulation.add<hardware::Processor>("t800");
     Channel<int> c("c");
@@ -321,7 +321,7 @@ TEST_CASE("STOP stops one process, others go on; who waits for it waits for ever
     CHECK(result.deadlock->text().find("p/1                          has stopped") != std::string::npos);
 }
 
-TEST_CASE("who has stopped is named at a time limit, with those who wait for it; who waits for others is not") {
+TEST_CASE("at a time limit the report names a stopped process and those that wait for it, and no others") {
     Simulation simulation;
     auto& t800 = simulation.add<hardware::Processor>("t800");
     Channel<int> c("c"), d("d");

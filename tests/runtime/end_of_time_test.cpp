@@ -34,7 +34,7 @@ std::string error_of(Simulation& simulation) {
 
 } // namespace
 
-TEST_CASE("a computation that goes beyond the end of time ends the run, and names its process") {
+TEST_CASE("a computation beyond the end of virtual time ends the run with an error that names its process") {
     Simulation simulation;
     Processor& slow = simulation.add<Processor>("slow", 1);
     int rounds = 0;
@@ -50,7 +50,7 @@ TEST_CASE("a computation that goes beyond the end of time ends the run, and name
     CHECK(rounds == 1);
 }
 
-TEST_CASE("so does a delay, but only when everything before it has happened") {
+TEST_CASE("a delay beyond the end of virtual time ends the run after everything before it has happened") {
     Simulation simulation;
     Time last{};
     simulation.process("waits", [] { wait_for(Time::max() - Time{3}), wait_for(Time{3}); });
@@ -59,7 +59,7 @@ TEST_CASE("so does a delay, but only when everything before it has happened") {
     CHECK(last == Time::max() - Time{1});
 }
 
-TEST_CASE("so does a message over a link that is too slow for it") {
+TEST_CASE("a message that a link would finish beyond the end of virtual time ends the run") {
     Simulation simulation;
     Channel<LongMessage> c("c");
     c.put_on(simulation.add<Link>(LinkTiming{.bits_per_second = 1, .wire_delay = std::chrono::microseconds{5}})
@@ -69,7 +69,7 @@ TEST_CASE("so does a message over a link that is too slow for it") {
     CHECK(error_of(simulation).find("a message on a link would pass that end") != std::string::npos);
 }
 
-TEST_CASE("processes of both priorities, timeslices, timers and links just before the end") {
+TEST_CASE("processes of both priorities, timeslices, timers and links work just before the end of virtual time") {
     Simulation simulation;
     Processor& slow = simulation.add<Processor>("slow", 1);
     Processor& t800 = simulation.add<Processor>("t800");
@@ -97,7 +97,7 @@ TEST_CASE("processes of both priorities, timeslices, timers and links just befor
     CHECK(error_of(simulation).starts_with("virtual time lasts for 106 days"));
 }
 
-TEST_CASE("a limit on the run comes first") {
+TEST_CASE("a limit on the run ends it before the end of virtual time") {
     Simulation simulation;
     simulation.process("waits", [] { wait_for(Time::max()); });
     RunResult result = simulation.run(Time::max() - Time{1});

@@ -1,4 +1,4 @@
-// Tests that every process's stack is unwound however a simulation ends, and that another simulation can follow.
+// Tests that the stacks of all processes are unwound however a simulation ends, and that another simulation can follow.
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"
@@ -31,7 +31,7 @@ struct Counted {
     int& alive;
 };
 
-/// Processes in every kind of wait, each with an object on its stack, and a process that calls `last` at 5 us.
+/// Processes in every kind of wait, each with an object on its stack. Another process calls `last` at 5 us.
 class Waiters {
 public:
     explicit Waiters(std::function<void()> last) {
@@ -81,14 +81,14 @@ private:
 
 } // namespace
 
-TEST_CASE("unwound when stuck") {
+TEST_CASE("processes are unwound when the run is stuck") {
     Waiters waiters([] {});
     CHECK(waiters.simulation.run().ending == Ending::stuck);
     CHECK(waiters.started == 8);
     CHECK(waiters.alive == 0);
 }
 
-TEST_CASE("unwound at the time limit, at which virtual time stands then") {
+TEST_CASE("processes are unwound at the time limit, which is then the virtual time") {
     Waiters waiters([] {});
     RunResult result = waiters.simulation.run(microseconds{4});
     CHECK(result.ending == Ending::time_limit);
@@ -96,19 +96,19 @@ TEST_CASE("unwound at the time limit, at which virtual time stands then") {
     CHECK(waiters.alive == 0);
 }
 
-TEST_CASE("unwound when a process throws, and the run rethrows it") {
+TEST_CASE("processes are unwound when a process throws, and the run rethrows the exception") {
     Waiters waiters([] { throw std::runtime_error("the pump is dry"); });
     CHECK_THROWS_WITH_AS(waiters.simulation.run(), "the pump is dry", std::runtime_error);
     CHECK(waiters.alive == 0);
 }
 
-TEST_CASE("unwound when a component of a PAR throws on a processor") {
+TEST_CASE("processes are unwound when a component of a PAR throws on a processor") {
     Waiters waiters([] { par([] { wait_for(microseconds{1}); }, [] { throw std::runtime_error("component"); }); });
     CHECK_THROWS_WITH_AS(waiters.simulation.run(), "component", std::runtime_error);
     CHECK(waiters.alive == 0);
 }
 
-TEST_CASE("unwound when interrupted") {
+TEST_CASE("processes are unwound when the run is interrupted") {
     Waiters* self = nullptr;
     Waiters waiters([&self] { self->simulation.interrupt(), wait_for(microseconds{1}); });
     self = &waiters;
@@ -116,7 +116,7 @@ TEST_CASE("unwound when interrupted") {
     CHECK(waiters.alive == 0);
 }
 
-TEST_CASE("a destructor may read the clock, also when the run has just been interrupted, and while it is unwound") {
+TEST_CASE("a destructor may read the clock after an interruption and during unwinding") {
     struct Watch {
         std::vector<Time>& ends;
         ~Watch() { ends.push_back(now()); }
@@ -136,7 +136,7 @@ TEST_CASE("a destructor may read the clock, also when the run has just been inte
     CHECK(ends == std::vector<Time>{microseconds{1}, microseconds{1}});
 }
 
-TEST_CASE("unwound when the report at the end throws") {
+TEST_CASE("processes are unwound when the observer of the end throws") {
     Kernel kernel;
     int alive = 0;
     Channel<int> c("c");
@@ -195,7 +195,7 @@ TEST_CASE("a process that swallows its unwinding is unwound at its next wait") {
     CHECK(swallowed == 3);
 }
 
-TEST_CASE("a process that swallows its unwinding has no part in what links do any more") {
+TEST_CASE("a process that swallows its unwinding takes no further part in messages on links") {
     Simulation simulation;
     Link& link = simulation.add<Link>();
     int swallowed = 0;
@@ -207,7 +207,7 @@ TEST_CASE("a process that swallows its unwinding has no part in what links do an
                 ++swallowed;
             }
     };
-    SUBCASE("it would take a message of which the sender is gone") {
+    SUBCASE("it would take a message whose sender is gone") {
         Channel<std::uint8_t> c("c", link.from_a_to_b());
         simulation.process("takes", [&] {
             thrice([&, first = true]() mutable {
@@ -219,13 +219,13 @@ TEST_CASE("a process that swallows its unwinding has no part in what links do an
         simulation.process("sends", [&] { c.out().output(1); });
         CHECK(simulation.run(std::chrono::milliseconds{1}).ending == Ending::time_limit);
     }
-    SUBCASE("it would send while its last message is under way") {
+    SUBCASE("it would send while its last message is on the link") {
         Channel<std::array<std::uint8_t, 1000>> c("c", link.from_a_to_b());
         simulation.process("takes", [&] { c.in().input(); });
         simulation.process("sends", [&] { thrice([&] { c.out().output({}); }); });
         CHECK(simulation.run(microseconds{100}).ending == Ending::time_limit);
     }
-    SUBCASE("it would send to one that waits no more") {
+    SUBCASE("it would send to a process that no longer waits") {
         Channel<int> c("c");
         simulation.process("takes", [&] { c.in().input(); });
         simulation.process("sends", [&] {
@@ -267,7 +267,7 @@ TEST_CASE("processes that never had a turn are not started to be unwound") {
     CHECK_FALSE(started);
 }
 
-TEST_CASE("a simulation that never runs can be destroyed, and one runs only once, not within another") {
+TEST_CASE("a simulation can be destroyed without a run, runs only once, and does not run within another") {
     {
         Simulation unused;
         unused.process("never", [] {});
@@ -287,7 +287,7 @@ TEST_CASE("a simulation that never runs can be destroyed, and one runs only once
     CHECK_THROWS_AS(simulation.run(), std::logic_error);
 }
 
-TEST_CASE("a hundred simulations one after the other, and one on each of two threads, agree") {
+TEST_CASE("a hundred simulations in sequence, and one on each of two threads, have the same fingerprint") {
     auto fingerprint = [] {
         Waiters waiters([] {});
         return waiters.simulation.run().fingerprint;

@@ -1,4 +1,4 @@
-// Tests that the future gives its events in the order stated in kernel.hpp, whatever is cancelled meanwhile.
+// Tests that the event queue gives its events in the order stated in kernel.hpp, also after cancellations.
 
 #include "runtime/event.hpp"
 #include "runtime/random.hpp"
@@ -24,7 +24,7 @@ struct Noted final : Event {
     std::size_t number;
 };
 
-/// A queue and an ordered set of its expected events.
+/// A queue, with an ordered set of the events expected from it.
 class Pair {
 public:
     explicit Pair(std::size_t events) : keys_(events) {
@@ -32,7 +32,7 @@ public:
             events_.push_back(std::make_unique<Noted>(happened_, n));
     }
     bool scheduled(std::size_t n) const { return events_[n]->scheduled(); }
-    /// Schedules event n. Events of low priority values also have a rank, which is n.
+    /// Schedules event n. With a priority below `turn`, the event also has a rank, which is n.
     void schedule(std::size_t n, Time time, EventQueue::Priority priority) {
         bool again = scheduled(n);
         forget(n);
@@ -88,8 +88,7 @@ private:
 
 } // namespace
 
-TEST_CASE("events happen by time, priority, and rank or insertion, whatever is cancelled, moved, destroyed or added "
-          "meanwhile") {
+TEST_CASE("events happen by time, priority, and rank or insertion, also after changes of the queue") {
     for (std::uint32_t events : {1u, 2u, 5u, 30u, 400u}) {
         RandomStream random(events, "future");
         Pair both(events);

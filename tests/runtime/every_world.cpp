@@ -12,11 +12,11 @@ namespace {
 
 constexpr std::size_t processes = 3;
 
-/// The processes in the order of their new names.
+/// An order of the processes, for naming them anew.
 using Order = std::array<std::size_t, processes>;
 
 /// Describes a world independently of the names of its channels. The least description over all orders of the processes
-/// identifies it.
+/// identifies the world.
 class Description {
 public:
     Description(const SmallWorld& world, const Order& order)
@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    /// Names the channels of each pair of processes in the order of first use.
+    /// Names the channels of each pair of processes in the order of their first use.
     void name_channels() {
         std::array<std::array<char, processes>, processes> next{};
         for (std::size_t process : order_)
@@ -70,7 +70,8 @@ private:
     std::vector<std::string> names_;
 };
 
-/// Calls `is_it` with the description for each order of the processes, beginning with their own, until it returns true.
+/// Calls `is_it` with the description for each order of the processes, beginning with the given order, until `is_it`
+/// returns true.
 bool any_description(const SmallWorld& world, const std::function<bool(const std::string&)>& is_it) {
     Order order{0, 1, 2};
     do
@@ -86,7 +87,8 @@ bool is_first_of_its_kind(const SmallWorld& world) {
 }
 
 /// Generates worlds by adding an action where an execution reaches the end of a process. The first use of a channel
-/// creates it. The next place to grow does not depend on channel names, so each world is generated in only one way.
+/// creates the channel. The next place to grow does not depend on the names of channels, so each world is generated in
+/// only one way.
 class Worlds {
 public:
     Worlds(const Bounds& bounds, const std::function<void(const SmallWorld&)>& check)
@@ -110,7 +112,7 @@ private:
     bool may_grow(std::size_t process) const {
         return !ended_[process] && world_.processes[process].size() < bounds_.longest;
     }
-    /// Returns the first process that may grow and whose last action is passed in some execution.
+    /// Returns the first process that may grow and whose last action some execution passes.
     std::optional<std::size_t> asked_for_more() const {
         const auto states = Interpreter(world_).reachable();
         for (std::size_t process = 0; process < processes; ++process)
@@ -163,7 +165,7 @@ private:
         set_guards(ends.inputter, bit, 0);
         world_.channels.pop_back();
     }
-    /// Returns a bit for each action of the process that is an alternation.
+    /// Returns a bit for each action of the process; it is 1 if the action is an alternation.
     std::uint32_t alternations(std::size_t process) const {
         std::uint32_t bits = 0;
         for (std::size_t i = 0; i < world_.processes[process].size(); ++i)
@@ -185,7 +187,7 @@ private:
                 inputs |= std::uint32_t{1} << i;
         for_each_choice(inputs, [&](std::uint32_t chosen) { grow_by(process, {kind, 0, chosen}); });
     }
-    /// Calls `choice` with all bits set or, if any guards are allowed, with every subset of them.
+    /// Calls `choice` with all bits set. If any guards are allowed, calls it with every subset of them.
     template <class Choice>
     void for_each_choice(std::uint32_t bits, Choice choice) {
         choice(bits);

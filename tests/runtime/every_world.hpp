@@ -8,18 +8,18 @@
 
 namespace placedpar::test {
 
-/// Limits the worlds to generate.
+/// Limits of the worlds to generate.
 struct Bounds {
-    std::size_t longest;     ///< most actions of a process
-    bool polls = false;      ///< includes alternations with a SKIP
-    bool any_guards = false; ///< alternations may use any subset of the channels that lead to the process, not only all
-                             ///< of them
+    std::size_t longest;     ///< largest number of actions of a process
+    bool polls = false;      ///< includes alternations with SKIP
+    bool any_guards = false; ///< true: alternations may use any subset of the channels that lead to the process; false:
+                             ///< all of them
 };
 
-/// Calls `check` once for every world within the bounds: all networks, all programs. Worlds that differ only in the
-/// names of processes and channels count as one. So do worlds that differ only in actions that no execution reaches: a
-/// process gets a further action only if an execution leads to it. Every channel is used by a process at some end, and
-/// every alternation has a guard. REQUIRES: longest <= 15.
+/// Calls `check` once for every world within the bounds, with all networks and all programs. Worlds that differ only in
+/// the names of processes and channels count as one. Worlds that differ only in actions that no execution reaches also
+/// count as one: a process gets a further action only if an execution leads to it. Every channel has an end that a
+/// process uses, and every alternation has a guard. REQUIRES: longest <= 15.
 void for_every_world(const Bounds&, const std::function<void(const SmallWorld&)>& check);
 
 /// Returns the same text for all worlds that differ only in the names of processes and channels.

@@ -22,8 +22,8 @@ using std::chrono::microseconds;
 
 namespace {
 
-/// Executes one process at a time until it waits, in the order in which they become ready. A cycle takes a microsecond,
-/// priorities are ignored, and the clock ticks every millisecond.
+/// Executes one process until it waits, then the next, in the order in which they become ready. A cycle takes a
+/// microsecond, priorities are ignored, and the clock ticks every millisecond.
 class Clerk final : public Executive {
 public:
     Clerk(Kernel& kernel, std::string name, const OperationCosts& costs)
@@ -94,8 +94,7 @@ constexpr OperationCosts costs_of_a_clerk{
 
 using Spent = std::vector<std::int64_t>;
 
-/// Runs a process as the only one on a Clerk. Returns the cycles of its computations and of the operations that it
-/// calls.
+/// Runs a process alone on a Clerk. Returns the cycles of its computations and of its operations, in order.
 Spent spent_by(Process::Body body) {
     Simulation simulation;
     auto& clerk = simulation.add<Clerk>("clerk", costs_of_a_clerk);
@@ -106,7 +105,7 @@ Spent spent_by(Process::Body body) {
 
 } // namespace
 
-TEST_CASE("an executive shares itself out by its own rules, in cycles of its own length") {
+TEST_CASE("an executive divides its time by its own rules, in cycles of its own length") {
     Simulation simulation;
     auto& clerk = simulation.add<Clerk>("clerk", costs_of_a_clerk);
     std::string order;
@@ -122,7 +121,7 @@ TEST_CASE("an executive shares itself out by its own rules, in cycles of its own
     CHECK(order == "aabb");
 }
 
-TEST_CASE("each operation costs what the executive says") {
+TEST_CASE("each operation costs what the executive states") {
     CHECK(spent_by([] { compute(Cycles{42}); }) == Spent{42});
     CHECK(spent_by([] { par([] {}, [] {}); }) == Spent{3, 4, 4});
     CHECK(spent_by([] { Timer().read(); }) == Spent{5});
@@ -134,7 +133,8 @@ TEST_CASE("each operation costs what the executive says") {
     CHECK(spent_by([&] { alt(when(false, skip([] {})), skip([] {})); }) == Spent{10 + 15 + 20, 8, 200 + 200 + 1000});
 }
 
-TEST_CASE("both ends of a soft channel pay, and the second to arrive for the copy in words of the executive") {
+TEST_CASE(
+    "both ends of a soft channel pay, and the second to arrive also pays for the copy in words of the executive") {
     struct FiveBytes {
         char bytes[5];
     };
@@ -143,7 +143,7 @@ TEST_CASE("both ends of a soft channel pay, and the second to arrive for the cop
           Spent{3, 1, 1, 3 * 100, 4, 4});
 }
 
-TEST_CASE("an output of one byte or one word costs the same at either moment, and its copy nothing more") {
+TEST_CASE("an output of one byte or one word costs the same for the first and the second process, without a copy") {
     auto spent = [](auto message, bool input_first) {
         Channel<decltype(message)> c("c");
         auto outputs = [&] { c.out().output(message); };
@@ -156,13 +156,13 @@ TEST_CASE("an output of one byte or one word costs the same at either moment, an
     CHECK(spent(std::int32_t{}, true) == Spent{3, 1, 1, 2 * 100, 4, 4}); // two words of this executive
 }
 
-TEST_CASE("its clock is its own") {
+TEST_CASE("a process reads the clock of its executive") {
     Time woken{};
     spent_by([&] { Timer().wait_after(2), woken = now(); });
     CHECK(woken == std::chrono::milliseconds{3});
 }
 
-TEST_CASE("it communicates with a transputer over a link") {
+TEST_CASE("a process on an executive communicates with a transputer over a link") {
     Simulation simulation;
     auto& clerk = simulation.add<Clerk>("clerk", costs_of_a_clerk);
     auto& t800 = simulation.add<Processor>("t800");
@@ -180,7 +180,7 @@ TEST_CASE("it communicates with a transputer over a link") {
     CHECK(clerk.spent() == Spent{2, 2});
 }
 
-TEST_CASE("a simulation that ends stuck unwinds its processes too") {
+TEST_CASE("a simulation with its own executive unwinds its processes when it ends stuck") {
     Simulation simulation;
     auto& clerk = simulation.add<Clerk>("clerk", costs_of_a_clerk);
     Channel<int> c("c");

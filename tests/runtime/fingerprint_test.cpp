@@ -1,4 +1,4 @@
-// Tests that runs have different fingerprints if they differ in a communication's partners, time or order.
+// Tests that two runs have different fingerprints if a communication differs in its partners, time or order.
 
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
@@ -10,7 +10,7 @@ using std::chrono::nanoseconds;
 
 namespace {
 
-/// Returns the fingerprint of a run with two messages at these times, each on its own channel.
+/// Returns the fingerprint of a run with two messages at these times, on two channels.
 std::uint64_t fingerprint(Time first, Time second) {
     Simulation simulation;
     Channel<int> a("a"), b("b");
@@ -23,19 +23,19 @@ std::uint64_t fingerprint(Time first, Time second) {
 
 } // namespace
 
-TEST_CASE("the same run has the same fingerprint, which is a constant on every machine") {
+TEST_CASE("the same run has the same fingerprint, a constant on every machine") {
     CHECK(fingerprint(nanoseconds{1}, nanoseconds{2}) == fingerprint(nanoseconds{1}, nanoseconds{2}));
     CHECK(fingerprint(nanoseconds{1}, nanoseconds{2}) == 13611305818607772799u);
 }
 
-TEST_CASE("another moment, or another order, is another fingerprint") {
+TEST_CASE("another time or another order of messages gives another fingerprint") {
     std::uint64_t one = fingerprint(nanoseconds{1}, nanoseconds{2});
     CHECK(fingerprint(nanoseconds{1}, nanoseconds{2} + Time{1}) != one);
     CHECK(fingerprint(nanoseconds{2}, nanoseconds{1}) != one);
     CHECK(fingerprint(nanoseconds{1}, nanoseconds{1}) != one);
 }
 
-TEST_CASE("processes created in another order are other processes") {
+TEST_CASE("processes created in another order give another fingerprint") {
     auto run = [](bool swapped) {
         Simulation simulation;
         Channel<int> c("c");

@@ -1,4 +1,4 @@
-// Tests that operations on eight numbers at once give the bits of each alone, in every vector width.
+// Tests that operations on eight numbers at once give the bits of single operations, in every vector width.
 
 #include "runtime/lanes.hpp"
 #include "runtime/random.hpp"
@@ -29,12 +29,12 @@ Eight some_numbers(RandomStream& random) {
     return numbers;
 }
 
-/// Compares numbers by their bits, but takes all NaNs as equal: no standard says which one an operation returns.
+/// Compares numbers by their bits, but takes all NaNs as equal. No standard states which NaN an operation returns.
 bool same(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
 }
 
-/// A formula for doubles and for Lanes.
+/// Checks a formula for doubles and for Lanes.
 template <class Formula>
 void check(const char* name, const Formula& formula) {
     CAPTURE(name);
@@ -52,7 +52,7 @@ void check(const char* name, const Formula& formula) {
 
 } // namespace
 
-TEST_CASE("arithmetic of eight lanes") {
+TEST_CASE("arithmetic of eight lanes gives the bits of single doubles") {
     check("sum", [](const auto& a, const auto& b) { return a + b; });
     check("difference", [](const auto& a, const auto& b) { return a - b; });
     check("product", [](const auto& a, const auto& b) { return a * b; });
@@ -67,7 +67,7 @@ TEST_CASE("arithmetic of eight lanes") {
     });
 }
 
-TEST_CASE("functions of eight lanes") {
+TEST_CASE("functions of eight lanes give the bits of single doubles") {
     using std::abs, std::sqrt, std::max, std::min, std::sin, std::cos, std::exp, std::log;
     check("max", [](const auto& a, const auto& b) { return max(a, b); });
     check("min", [](const auto& a, const auto& b) { return min(a, b); });
@@ -77,7 +77,7 @@ TEST_CASE("functions of eight lanes") {
     check("exp, log", [](const auto& a, const auto& b) { return exp(a) + log(b); });
 }
 
-TEST_CASE("a vector width that the processor has not is refused") {
+TEST_CASE("a vector width that the processor does not have is refused") {
     CHECK_THROWS_WITH_AS(use_vector_width(3), doctest::Contains("vectors of 3 doubles, expected 2, 4 or 8"),
                          std::invalid_argument);
     CHECK_THROWS_AS(use_vector_width(16), std::invalid_argument);

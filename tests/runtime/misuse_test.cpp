@@ -1,4 +1,4 @@
-// Tests that a program's misuse of the library is reported at once.
+// Tests that misuse of the library is reported at once.
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"
@@ -33,7 +33,7 @@ constexpr const char* used_up =
     " has used up its stack of 256 Kbyte: it calls itself without end, or has large arrays, "
     "which belong on the heap (std::vector)\n";
 
-/// Returns the message that a simulation of this process alone throws.
+/// Returns the message that a simulation of only this process throws.
 std::string refusal_of(Process::Body body) {
     Simulation simulation;
     simulation.process("p", std::move(body));
@@ -45,9 +45,9 @@ std::string refusal_of(Process::Body body) {
     return "";
 }
 
-/// The end of a program in an operating-system process of its own.
+/// The end of a program that ran in its own operating-system process.
 struct Death {
-    int signal = 0; ///< 0 if none
+    int signal = 0; ///< 0 if no signal ended it
     std::string errors;
 };
 
@@ -90,7 +90,7 @@ void overflow_a_little() {
         large[i] = 1;
 }
 
-/// Writes only to the two ends of an array, since other stacks may lie between them. The pointer is volatile, so that
+/// Writes only to the two ends of an array, because other stacks may lie between them. The pointer is volatile, so that
 /// the optimiser cannot remove the writes.
 void (*volatile write_ends)(char*, std::size_t) = [](char* array, std::size_t bytes) {
     array[0] = array[bytes - 1] = 1;
@@ -110,7 +110,7 @@ struct LargeArray {
     const char* what;
     void (*write)();
 };
-/// Arrays that end in the guard zone or beyond it, where the process of the next stack has its variables.
+/// Arrays that end in the guard zone or beyond it. Beyond it are the variables of the process on the next stack.
 constexpr LargeArray large_arrays[] = {
     {"the zone's", [] { write_local<Stack::usual_bytes + 1000>(); }},
     {"beyond the zone", [] { write_local<stack_and_zone + 12'000>(); }},
@@ -123,7 +123,7 @@ constexpr LargeArray large_arrays[] = {
 
 } // namespace
 
-TEST_CASE("outside a run nobody communicates, computes or waits") {
+TEST_CASE("outside of a run, communicating, computing and waiting are refused") {
     Channel<int> c("c");
     CHECK_THROWS_WITH_AS(c.out().output(1), no_process, std::logic_error);
     CHECK_THROWS_WITH_AS(c.in().input(), no_process, std::logic_error);
@@ -134,33 +134,33 @@ TEST_CASE("outside a run nobody communicates, computes or waits") {
     CHECK_THROWS_WITH_AS(Timer().read(), no_process, std::logic_error);
 }
 
-TEST_CASE("the observer of the end of the work is no process") {
+TEST_CASE("the observer of the end of the work cannot compute, because it is not a process") {
     Simulation simulation;
     simulation.process("p", [] {});
     CHECK_THROWS_WITH_AS(simulation.run(Time::max(), [] { compute(Cycles{1}); }), no_process, std::logic_error);
 }
 
-TEST_CASE("an end of no channel") {
+TEST_CASE("an end that belongs to no channel is refused") {
     constexpr const char* message = "an end that belongs to no channel is used";
     CHECK(refusal_of([] { Input<int>().input(); }) == message);
     CHECK(refusal_of([] { Output<int>().output(1); }) == message);
     CHECK(refusal_of([] { alt(on(Input<int>(), [](int) {})); }) == message);
 }
 
-TEST_CASE("a link without speed") {
+TEST_CASE("a link without speed or with a negative delay is refused") {
     Simulation simulation;
     CHECK_THROWS_AS(simulation.add<Link>(LinkTiming{.bits_per_second = 0}), std::logic_error);
     CHECK_THROWS_AS(simulation.add<Link>(LinkTiming{.bits_per_second = -1}), std::logic_error);
     CHECK_THROWS_AS(simulation.add<Link>(LinkTiming{.wire_delay = Time{-1}}), std::logic_error);
 }
 
-TEST_CASE("a part of a message that is too long for its count") {
+TEST_CASE("a part of a message that is too long for its count is refused") {
     CHECK(WireForm(4u, std::int64_t{4'294'967'295}).total() == 4'294'967'299);
     CHECK_THROWS_AS(WireForm(4u, std::int64_t{5'000'000'000}), std::length_error);
     CHECK_THROWS_AS(WireForm(-1), std::length_error);
 }
 
-TEST_CASE("an outputter whom the carrier refused has left the channel") {
+TEST_CASE("an outputter that the carrier refused has left the channel") {
     struct Nothing {
         WireForm wire_form() const { return WireForm(0); }
     };
@@ -180,7 +180,7 @@ TEST_CASE("an outputter whom the carrier refused has left the channel") {
     CHECK(!c.output_waits());
 }
 
-TEST_CASE("a soft channel does not join processors") {
+TEST_CASE("a soft channel between two processors is refused") {
     for (bool outputter_first : {true, false}) {
         Simulation simulation;
         auto& a = simulation.add<Processor>("a");
@@ -196,7 +196,7 @@ TEST_CASE("a soft channel does not join processors") {
     }
 }
 
-TEST_CASE("each end of a channel has one owner") {
+TEST_CASE("an end of a channel has one owner, and other users are refused") {
     Simulation simulation;
     Channel<int> c("c"), go("go");
     SUBCASE("an end that two processes declare") {
@@ -255,7 +255,7 @@ TEST_CASE("each end of a channel has one owner") {
     }
 }
 
-TEST_CASE("a component of a PAR does not use an end while one within another component is at it") {
+TEST_CASE("a component of a PAR may not use an end while a process of another component uses it") {
     Simulation simulation;
     Channel<int> c("c");
     SUBCASE("it outputs") {
@@ -302,7 +302,7 @@ TEST_CASE("a component of a PAR does not use an end while one within another com
     }
 }
 
-TEST_CASE("computing for ever in no time" * doctest::skip(test::sanitized)) {
+TEST_CASE("computing for ever in no time is an error that names the process" * doctest::skip(test::sanitized)) {
     Simulation simulation;
     SUBCASE("not placed") {
         simulation.process("p", [] {
@@ -316,7 +316,7 @@ TEST_CASE("computing for ever in no time" * doctest::skip(test::sanitized)) {
                 ;
         });
     }
-    SUBCASE("by asking for the time") {
+    SUBCASE("reading the virtual time") {
         simulation.process("p", [] {
             while (now() < microseconds{1})
                 ;
@@ -347,7 +347,7 @@ TEST_CASE("computing in no time can be interrupted") {
     other.join();
 }
 
-TEST_CASE("a process that catches everything does not hang the end") {
+TEST_CASE("a process that catches all exceptions ends the program with a message instead of hanging it") {
     Death death = die([] {
         Simulation simulation;
         Channel<int> c("c");
@@ -364,7 +364,7 @@ TEST_CASE("a process that catches everything does not hang the end") {
     CHECK(death.errors == "process p catches every exception, also the one that ends it: let Unwinding pass\n");
 }
 
-TEST_CASE("a stack that the thread has kept of an earlier run is as any other, and guarded") {
+TEST_CASE("a stack that the thread kept from an earlier run is zeroed and guarded as any other") {
     if (SwitchedStack::is_watched())
         return; // no stacks are kept in this case
     std::byte* kept = StackArena().allocate().bottom;
@@ -388,7 +388,7 @@ TEST_CASE("a stack that the thread has kept of an earlier run is as any other, a
     CHECK(death.errors.starts_with("process recursive has used up its stack"));
 }
 
-TEST_CASE("who overflows the stack is named") {
+TEST_CASE("a stack overflow is reported with the name of its process") {
     if (SwitchedStack::is_watched())
         return; // AddressSanitizer prints its own report
     SUBCASE("a process") {
@@ -409,7 +409,7 @@ TEST_CASE("who overflows the stack is named") {
         CHECK(death.signal == SIGSEGV);
         CHECK(death.errors == std::string("a component of process recursive") + used_up);
     }
-    SUBCASE("one of so many that before Linux 6.13 not all stacks are guarded") {
+    SUBCASE("one of so many stacks that before Linux 6.13 not all are guarded") {
         StackArena arena;
         Stack last;
         for (int i = 0; i <= 16'000; ++i)
@@ -425,7 +425,7 @@ TEST_CASE("who overflows the stack is named") {
         CHECK(death.signal == (last.guarded ? SIGSEGV : SIGABRT)); // at once, or when the process waits
         CHECK(death.errors == std::string("process recursive") + used_up);
     }
-    SUBCASE("one of so many that calls itself without end, through the stacks of others") {
+    SUBCASE("one of so many stacks, which a recursion overflows through the others") {
         Death death = die([] {
             Simulation simulation;
             for (int i = 0; i < 16'010; ++i)
@@ -436,7 +436,7 @@ TEST_CASE("who overflows the stack is named") {
         CHECK(death.signal == SIGSEGV);
         CHECK(death.errors == std::string("process recursive") + used_up);
     }
-    SUBCASE("another fault is none") {
+    SUBCASE("another fault is not reported as an overflow") {
         Death death = die([] {
             Simulation simulation;
             simulation.process("careless", [] { *static_cast<volatile int*>(nullptr) = 1; });
@@ -447,7 +447,7 @@ TEST_CASE("who overflows the stack is named") {
     }
 }
 
-TEST_CASE("who overflows the stack by an array larger than what guards the stack of another process is named") {
+TEST_CASE("a stack overflow by an array larger than the guard zone is reported with the name of its process") {
     if (SwitchedStack::is_watched())
         return; // AddressSanitizer prints its own report
     for (const LargeArray& large : large_arrays) {
@@ -464,7 +464,7 @@ TEST_CASE("who overflows the stack by an array larger than what guards the stack
     }
 }
 
-TEST_CASE("who failed, when and where") {
+TEST_CASE("a failed run names the process, the time and the place") {
     Simulation simulation;
     Channel<int> c("c");
     simulation.process("cluster[0].p", [&] {

@@ -18,7 +18,7 @@ using namespace placedpar::hardware;
 using std::chrono::microseconds;
 using test::cycle;
 
-TEST_CASE("a PAR ends when its last component has, and starts them in order") {
+TEST_CASE("a PAR starts its components in order and ends when its last component ends") {
     Simulation simulation;
     std::string order;
     Time ended{};
@@ -32,7 +32,7 @@ TEST_CASE("a PAR ends when its last component has, and starts them in order") {
     CHECK(ended == microseconds{7});
 }
 
-TEST_CASE("components of a nested PAR are named by the way to them") {
+TEST_CASE("components of a nested PAR are named by their path") {
     Simulation simulation;
     std::string path;
     simulation.process("cluster[1].master", [&] {
@@ -43,7 +43,7 @@ TEST_CASE("components of a nested PAR are named by the way to them") {
     CHECK(path == "cluster[1].master/1/2");
 }
 
-TEST_CASE("a PAR of nothing ends at once") {
+TEST_CASE("a PAR without components ends at once") {
     Simulation simulation;
     bool after = false;
     simulation.process("parent", [&] { par_for(0, [](std::size_t) {}), after = true; });
@@ -51,7 +51,7 @@ TEST_CASE("a PAR of nothing ends at once") {
     CHECK(after);
 }
 
-TEST_CASE("PRI PAR: the high component computes first, the low one when it waits") {
+TEST_CASE("in PRI PAR the high component computes first, and the low one while it waits") {
     Simulation simulation;
     Processor& t800 = simulation.add<Processor>("t800");
     Time high_done{}, low_done{}, high_again{};
@@ -69,13 +69,14 @@ TEST_CASE("PRI PAR: the high component computes first, the low one when it waits
         },
         &t800);
     simulation.run();
-    Time start_up = (10 + 19) * cycle; // runp of the high process, which interrupts its parent, now the low process
+    Time start_up = (10 + 19) * cycle; // runp starts the high process, which interrupts its parent, now the low process
     CHECK(high_done == start_up + microseconds{100});
     CHECK(high_again == start_up + microseconds{160} + 19 * cycle);      // it interrupts the low process
-    CHECK(low_done == start_up + microseconds{210} + (19 + 13) * cycle); // and has ended with endp
+    CHECK(low_done == start_up + microseconds{210} + (19 + 13) * cycle); // the low process has ended with endp
 }
 
-TEST_CASE("on a processor a PAR starts all but the last, runs that one first, and each pays for its end when it ends") {
+TEST_CASE(
+    "on a processor a PAR starts all but the last component, runs the last first, and each pays for its own end") {
     Simulation simulation;
     Processor& t800 = simulation.add<Processor>("t800");
     std::string order;
@@ -93,14 +94,14 @@ TEST_CASE("on a processor a PAR starts all but the last, runs that one first, an
     CHECK(ended == std::vector<Time>{363 * cycle});
 }
 
-TEST_CASE("a PAR of one on a processor costs its end alone") {
+TEST_CASE("a PAR of one component on a processor costs only the end of the component") {
     Simulation simulation;
     simulation.process(
         "parent", [&] { par([] {}); }, &simulation.add<Processor>("t800"));
     CHECK(simulation.run().time == 13 * cycle);
 }
 
-TEST_CASE("the last component of a PAR goes on as its parent, before others that are ready") {
+TEST_CASE("the last component of a PAR continues as its parent, before other ready processes") {
     Simulation simulation;
     Processor& t800 = simulation.add<Processor>("t800");
     std::string order;
@@ -118,7 +119,7 @@ TEST_CASE("the last component of a PAR goes on as its parent, before others that
     CHECK(order == "po");
 }
 
-TEST_CASE("ten thousand processes live at once") {
+TEST_CASE("ten thousand processes exist at once") {
     Simulation simulation;
     std::size_t ran = 0;
     simulation.process("parent",

@@ -1,4 +1,4 @@
-// Tests the sizes of messages by the channel's type.
+// Tests the lengths of messages, which follow from the channel's type.
 
 #include "runtime/channel.hpp"
 #include "runtime/hardware/link.hpp"
@@ -46,14 +46,14 @@ std::uint64_t bytes_on_a_link(const std::vector<Measurements>& messages) {
 
 } // namespace
 
-TEST_CASE("a counted array is its count and its bytes") {
+TEST_CASE("a counted array consists of its count and its bytes") {
     WireForm form = wire_form(std::vector<Sample>(3));
     CHECK(form.parts() == 2);
     CHECK(form[0] == 4);
     CHECK(form[1] == 48);
 }
 
-TEST_CASE("a variant is a tag of a byte, and what it is itself") {
+TEST_CASE("a variant consists of a tag of one byte and the alternative's own parts") {
     CHECK(wire_form(Measurements(Stop())).total() == 1);
     CHECK(wire_form(Measurements(Stop())).parts() == 1);
     CHECK(wire_form(Measurements(Sample())).total() == 1 + 16);
@@ -64,6 +64,6 @@ TEST_CASE("a variant is a tag of a byte, and what it is itself") {
     CHECK_THROWS_AS(wire_form(std::variant<int, FourParts>(FourParts())), std::length_error);
 }
 
-TEST_CASE("variants travel over a link at their own weight") {
+TEST_CASE("variants of different lengths travel over a link with their own numbers of bytes") {
     CHECK(bytes_on_a_link({Sample(), std::vector<Sample>(2), std::vector<Sample>(0), Stop()}) == 17 + 37 + 5 + 1);
 }

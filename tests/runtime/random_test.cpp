@@ -8,7 +8,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("a stream depends on seed and path alone") {
+TEST_CASE("a random stream depends only on seed and path") {
     RandomStream a(1, "cluster[0].master"), b(1, "cluster[0].master"), c(1, "cluster[1].master"),
         d(2, "cluster[0].master");
     auto first = a();
@@ -17,7 +17,7 @@ TEST_CASE("a stream depends on seed and path alone") {
     CHECK(d() != first);
 }
 
-TEST_CASE("Philox 4x32-10 gives the known answer of Random123's kat_vectors for key 0, counter 0") {
+TEST_CASE("Philox 4x32-10 gives the known answer of Random123's kat_vectors for key 0 and counter 0") {
     r123::Philox4x32 philox;
     auto block = philox({{0, 0, 0, 0}}, {{0, 0}});
     CHECK(block[0] == 0x6627e8d5);
@@ -26,7 +26,7 @@ TEST_CASE("Philox 4x32-10 gives the known answer of Random123's kat_vectors for 
     CHECK(block[3] == 0x9b00dbd8);
 }
 
-TEST_CASE("filling takes the numbers that so many calls would give, from any place in a block") {
+TEST_CASE("fill() gives the numbers of single calls, from any position in a block") {
     for (std::size_t before : {0u, 1u, 5u, 63u, 64u, 65u})
         for (std::size_t count : {0u, 1u, 2u, 63u, 64u, 65u, 200u}) {
             RandomStream one(3, "fill"), all(3, "fill");

@@ -17,7 +17,7 @@
 using namespace placedpar;
 using namespace std::chrono_literals;
 
-TEST_CASE("an output and an input with a time-out fail when no partner comes, at the deadline") {
+TEST_CASE("an output and an input with a time-out fail at the deadline if no partner comes") {
     Simulation simulation;
     Channel<int> nobody("nobody"), never("never");
     int message = 7;
@@ -37,7 +37,7 @@ TEST_CASE("an output and an input with a time-out fail when no partner comes, at
     CHECK(message == 7);
 }
 
-TEST_CASE("a message that comes in time comes, and what is given up leaves nothing behind") {
+TEST_CASE("a message that comes in time is received, and a message that was given up leaves nothing behind") {
     Simulation simulation;
     Channel<int> c("c");
     std::vector<int> received;
@@ -60,7 +60,7 @@ TEST_CASE("a message that comes in time comes, and what is given up leaves nothi
     CHECK(received == std::vector{2, 3});
 }
 
-TEST_CASE("a message on the failure channel ends an attempt and is input; else it stays where it is") {
+TEST_CASE("a message on the failure channel ends an attempt and is input; otherwise it stays in its channel") {
     for (bool soon : {false, true}) {
         Simulation simulation;
         Channel<int> out("out"), in("in"), kill("kill");
@@ -88,7 +88,7 @@ TEST_CASE("a message on the failure channel ends an attempt and is input; else i
     }
 }
 
-TEST_CASE("an alternation that an output woke sleeps again when the message has been given up") {
+TEST_CASE("an alternation that an output woke sleeps again if the message has been given up") {
     Simulation simulation;
     auto& t800 = simulation.add<hardware::Processor>("t800");
     Channel<int> c("c");
@@ -105,8 +105,7 @@ TEST_CASE("an alternation that an output woke sleeps again when the message has 
     CHECK(chosen == 1);
 }
 
-TEST_CASE("an attempt costs a placed process the communication, startp, tin and endp, a reset resetch; the library "
-          "call each") {
+TEST_CASE("an attempt costs the communication, startp, tin and endp, a reset costs resetch, and each a library call") {
     for (int call : {0, 201}) {
         Simulation simulation;
         auto& t800 = simulation.add<hardware::Processor>("t800", 20'000'000, Cycles{call});
@@ -131,7 +130,7 @@ TEST_CASE("an attempt costs a placed process the communication, startp, tin and 
     }
 }
 
-TEST_CASE("what has no link of its own cannot be given up") {
+TEST_CASE("attempts are refused on channels that do not have a link of their own") {
     Simulation simulation;
     auto& link = simulation.add<hardware::Link>();
     auto& a = simulation.add<hardware::Router>(nullptr);
@@ -145,7 +144,7 @@ TEST_CASE("what has no link of its own cannot be given up") {
         std::logic_error);
 }
 
-TEST_CASE("an end is reset by its owner, when nobody is in it") {
+TEST_CASE("an end can be reset only by its owner, and not while a process is in it") {
     Simulation simulation;
     Channel<int> c("c");
     simulation.process("outputs", [&] { c.out().output(1); });

@@ -1,5 +1,5 @@
 // Checks at compile time that programs which occam's compiler refuses do not compile, as far as types can express it.
-// Types cannot express the ownership of ends: its misuse is reported at run time (misuse_test.cpp).
+// Types cannot express the ownership of ends. Its misuse is reported at run time (misuse_test.cpp).
 
 #include "runtime/alternation.hpp"
 #include "runtime/channel.hpp"
@@ -66,7 +66,7 @@ static_assert(!std::is_copy_assignable_v<Channel<int>> && !std::is_move_assignab
 static_assert(!std::copy_constructible<std::array<Channel<int>, 2>>);
 static_assert(!std::move_constructible<std::pair<Channel<int>, int>>);
 
-// The channel of such an end would be destroyed at the end of the statement.
+// An end of a temporary channel is refused, because the channel would be destroyed at the end of the statement.
 template <class C>
 concept HasEnds = requires(C&& channel) {
     std::forward<C>(channel).out();
@@ -91,12 +91,12 @@ static_assert(!Outputs<Output<int>, double> && !Outputs<Output<std::int64_t>, fl
 static_assert(!Outputs<Output<bool>, const char*> && !Outputs<Output<bool>, int*>);
 static_assert(!Outputs<Output<int>, Sample> && !Outputs<Output<Sample>, int> && !Outputs<Output<int>, std::string>);
 
-// A message of a variant protocol is one of its alternatives, and must be unambiguous.
+// A message of a variant protocol must be one of the alternatives, without ambiguity.
 static_assert(Outputs<Output<Measurements>, Stop> && Outputs<Output<Measurements>, std::vector<Sample>>);
 static_assert(!Outputs<Output<Measurements>, double> && !Outputs<Output<Measurements>, Sample>);
 static_assert(!Outputs<Output<Measurements>, std::vector<int>>);
 
-// A guard is an input, a time-out or SKIP, but not an output, nor a channel.
+// A guard is an input, a time-out or SKIP. It cannot be an output or a channel.
 struct Take {
     void operator()(int) const {}
 };
@@ -156,7 +156,7 @@ concept Computes = requires(Work work) {
 };
 static_assert(Computes<Cycles> && !Computes<int> && !Computes<Time>);
 
-// The condition before a guard is a Boolean; an end is not.
+// The condition of a guard is a Boolean and not an end.
 template <class Condition>
 concept IsCondition = requires(Condition condition, InputGuard guard) {
     when(condition, guard);
@@ -187,7 +187,7 @@ static_assert(InPriorities<Nothing, Nothing>);
 static_assert(!InPriorities<Nothing> && !InPriorities<Nothing, Take>);
 static_assert(!InPriorities<Nothing, Nothing, Nothing>); // occam's PRI PAR has two
 
-// A communication that may be given up needs an end and a message of its protocol, and only ends can be reset.
+// An attempt needs an end, and a message of the end's protocol. Only ends can be reset.
 template <class End, class Message>
 concept OutputsOrFails = requires(End end, Message message) {
     output_or_fail(end, message, Time{5});

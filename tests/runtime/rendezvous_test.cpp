@@ -20,7 +20,7 @@ using namespace placedpar;
 using namespace placedpar::hardware;
 using test::cycle;
 
-TEST_CASE("the second to arrive goes on, the first goes to the back of the ready queue") {
+TEST_CASE("the process that arrives second continues, and the first goes to the back of the ready queue") {
     Simulation simulation;
     Channel<int> c("c");
     std::string order;
@@ -42,7 +42,7 @@ TEST_CASE("an outputter that arrives first waits as an inputter does") {
     CHECK(order == "iro");
 }
 
-TEST_CASE("neither end goes on before the other has come") {
+TEST_CASE("neither end continues before the other has come") {
     Simulation simulation;
     Channel<int> c("c");
     Time output_ended{}, input_ended{};
@@ -58,7 +58,7 @@ TEST_CASE("neither end goes on before the other has come") {
     CHECK(input_ended == std::chrono::microseconds{7});
 }
 
-TEST_CASE("messages arrive once each and in order, whoever is late") {
+TEST_CASE("messages arrive once and in order, whichever end is late") {
     for (std::uint64_t seed : test::seeds(20)) {
         INFO(test::replay(seed));
         Simulation simulation;
@@ -87,7 +87,7 @@ struct Owned {
     WireForm wire_form() const { return WireForm(4); }
 };
 
-TEST_CASE("a message is moved, never copied") {
+TEST_CASE("a message is moved and never copied") {
     Simulation simulation;
     Channel<Owned> c("c");
     int received = 0;
@@ -119,7 +119,7 @@ TEST_CASE("a second user of an end is refused by name, also while the first wait
     }
 }
 
-TEST_CASE("the first to arrive goes to the back of the queue when the copy is done, not before") {
+TEST_CASE("the process that arrived first goes to the back of the queue after the copy, not before") {
     Simulation simulation;
     Processor& t800 = simulation.add<Processor>("t800");
     Channel<std::array<char, 4000>> c("c"); // 2000 cycles, 100 us
@@ -134,7 +134,8 @@ TEST_CASE("the first to arrive goes to the back of the queue when the copy is do
     CHECK(order == "omi");
 }
 
-TEST_CASE("on a processor the second to arrive pays 2 cycles a word for the copy, both pay 19 for the instruction") {
+TEST_CASE(
+    "on a processor the second process pays 2 cycles for each word of the copy, and both pay 19 for the instruction") {
     Simulation simulation;
     Processor& t800 = simulation.add<Processor>("t800");
     Channel<std::array<char, 10>> c("c"); // three words

@@ -1,4 +1,4 @@
-// Tests recording a run's processes, and repeating them with other messages and no machine.
+// Tests the recording of a run's processes, and their replay with other messages and without a machine.
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"
@@ -49,9 +49,9 @@ struct Histories {
     std::list<ReplayLog> histories;
 };
 
-/// Sources, mergers that alternate between their sources, and a sink that alternates between the mergers. Each runs on
-/// its own processor, with links between them, or all without processors. One seed decides what they do, another what
-/// their messages contain. Optionally the actions depend on a message.
+/// Sources, mergers that alternate between their sources, and a sink that alternates between the mergers. Each process
+/// runs on its own processor, with links between them, or all run without processors. One seed determines their
+/// actions, another the content of their messages. If `depends`, the actions depend on a message.
 class MergingProgram {
 public:
     MergingProgram(std::uint64_t seed, std::uint64_t says, bool on_machine, bool depends)
@@ -85,7 +85,7 @@ public:
         });
     }
 
-    /// What each process has computed from its messages and observations, and the fingerprint.
+    /// The values that each process computed from its messages and observations, and the fingerprint.
     struct Result {
         std::vector<std::uint64_t> computed;
         std::uint64_t fingerprint = 0;
@@ -144,7 +144,7 @@ private:
             node.processor, random_.chance(0.3) ? Priority::high : Priority::low));
     }
 
-    /// Mixes a number into the running process's state, which decides what it computes.
+    /// Mixes a number into the running process's state, which determines what the process computes.
     static void learn(std::uint64_t& knows, std::uint64_t what) { knows = mixed(knows, what); }
 
     void send(Channel<Saying>& to, std::size_t count, RandomStream& random) {
@@ -209,7 +209,7 @@ private:
     Result result_;
 };
 
-/// A process that performs one action after another, on a processor or on none.
+/// A recorded process that performs one action after another, on a processor or without one.
 struct Recorded {
     template <class Body>
     explicit Recorded(Body body) {
@@ -221,7 +221,7 @@ struct Recorded {
             .keep(history);
         CHECK(simulation.run().ending == Ending::completed);
     }
-    /// Repeats the process. Returns false if it departs from the record.
+    /// Replays the process. Returns false if it departs from the record.
     template <class Body>
     bool repeats(Body body) const {
         ReplaySession again;
@@ -239,7 +239,7 @@ struct Recorded {
     ReplayLog history{course, 0};
 };
 
-/// Runs a PAR of one process that outputs this many bytes and one that inputs them.
+/// Runs a PAR of a process that outputs this many bytes and a process that inputs them.
 void communicate(std::uint32_t bytes) {
     Channel<Saying> channel("c");
     par([&] { channel.out().output({0, bytes}); }, [&] { channel.in().input(); });
@@ -247,7 +247,7 @@ void communicate(std::uint32_t bytes) {
 
 } // namespace
 
-TEST_CASE("what a program does once more with other messages is what it would have done on the machine") {
+TEST_CASE("a program replayed with other messages does what it would have done on the machine") {
     std::size_t repeated = 0, has_diverged = 0;
     for (std::uint64_t seed : test::seeds(400, 1))
         for (bool depends : {false, true}) {
@@ -272,7 +272,7 @@ TEST_CASE("what a program does once more with other messages is what it would ha
     CHECK(has_diverged > 50);
 }
 
-TEST_CASE("keeping a history changes nothing") {
+TEST_CASE("keeping a history does not change the run") {
     for (std::uint64_t seed : test::seeds(100, 1)) {
         Histories histories;
         MergingProgram::Result recorded = MergingProgram(seed, 1, true, true).record(histories);
@@ -282,7 +282,7 @@ TEST_CASE("keeping a history changes nothing") {
     }
 }
 
-TEST_CASE("who does something else than he did departs") {
+TEST_CASE("a process that acts differently departs from its history") {
     auto work = [](Cycles cycles, Time delay, std::uint32_t bytes) {
         compute(cycles, {.between_points = Cycles{5}});
         wait_for(delay);
@@ -305,7 +305,7 @@ TEST_CASE("who does something else than he did departs") {
     }
 }
 
-TEST_CASE("who alternates between other guards departs, and who does not chooses as he did") {
+TEST_CASE("a process that alternates between other guards departs, and with the same guards chooses as before") {
     std::optional<std::size_t> chosen;
     auto alternate = [&](bool on_another, Time due) {
         Channel<int> never("never"), other("other");
@@ -327,7 +327,7 @@ TEST_CASE("who alternates between other guards departs, and who does not chooses
     }));
 }
 
-TEST_CASE("who has other components departs") {
+TEST_CASE("a process with other components departs from its history") {
     auto nothing = [] {};
     auto computes = [] { compute(Cycles{3}); };
     Recorded recorded([&] { pri_par(computes, nothing); });
@@ -338,7 +338,7 @@ TEST_CASE("who has other components departs") {
     CHECK_FALSE(recorded.repeats([&] { pri_par(computes, nothing), pri_par(computes, nothing); }));
 }
 
-TEST_CASE("clocks show what they showed") {
+TEST_CASE("replayed clocks show the recorded times") {
     std::vector<std::int64_t> readings;
     auto read = [&] {
         compute(Cycles{3'000});
@@ -354,7 +354,7 @@ TEST_CASE("clocks show what they showed") {
     CHECK(readings == then);
 }
 
-TEST_CASE("who asks for something else than he did departs: at another moment, another thing, once more, not at all") {
+TEST_CASE("a process departs if it reads a clock at another point, reads another one, once more, or not at all") {
     auto ask = [](int before, int between, bool again) {
         compute(Cycles{before});
         Time first = now();
@@ -371,7 +371,7 @@ TEST_CASE("who asks for something else than he did departs: at another moment, a
     CHECK_FALSE(once.repeats([&] { compute(Cycles{5}), compute(Cycles{7}); }));
 }
 
-TEST_CASE("an alternation is told no choice but one that it made") {
+TEST_CASE("an alternation is given only a choice that it made itself") {
     std::vector<Guard> guards{{Guard::skip}, {Guard::skip}};
     Recorded recorded([&] { now(), select(guards); });
     std::size_t chosen = 0;
@@ -381,7 +381,7 @@ TEST_CASE("an alternation is told no choice but one that it made") {
     CHECK(chosen == 0);
 }
 
-TEST_CASE("channels of one name are told apart") {
+TEST_CASE("channels of the same name are distinguished") {
     auto use_two = [](bool swapped) {
         Channel<int> a("c"), b("c");
         auto outputs = [&] { (swapped ? b : a).out().output(1), (swapped ? a : b).out().output(2); };
@@ -393,7 +393,7 @@ TEST_CASE("channels of one name are told apart") {
     CHECK_FALSE(recorded.repeats([&] { use_two(true); }));
 }
 
-TEST_CASE("a departure that the program swallows is one all the same") {
+TEST_CASE("a departure counts even if the program swallows its exception") {
     Recorded recorded([] { compute(Cycles{5}); });
     CHECK_FALSE(recorded.repeats([] {
         try {
@@ -403,7 +403,7 @@ TEST_CASE("a departure that the program swallows is one all the same") {
     }));
 }
 
-TEST_CASE("destructors may read the clock where they did not") {
+TEST_CASE("destructors may read the clock where the original did not") {
     struct ReadsClock {
         ~ReadsClock() { now(); }
     };
@@ -414,7 +414,7 @@ TEST_CASE("destructors may read the clock where they did not") {
     }));
 }
 
-TEST_CASE("who waits for the clock by asking departs in the end") {
+TEST_CASE("a process that waits by reading the clock in a loop departs in the end") {
     Recorded recorded([] {
         while (now() < microseconds{5})
             compute(Cycles{20});
@@ -425,7 +425,7 @@ TEST_CASE("who waits for the clock by asking departs in the end") {
     }));
 }
 
-TEST_CASE("what is noted has an end: then it is not repeated") {
+TEST_CASE("a run with too many readings is not replayed") {
     Recorded recorded([] {
         for (std::size_t i = 0; i <= ReplaySession{}.room; ++i) {
             now();
@@ -436,7 +436,7 @@ TEST_CASE("what is noted has an end: then it is not repeated") {
     CHECK_FALSE(recorded.course.can_be_repeated);
 }
 
-TEST_CASE("what may be given up cannot be repeated") {
+TEST_CASE("a communication that may be given up cannot be replayed") {
     auto try_input = [] {
         Channel<int> c("c");
         int message = 0;
@@ -451,7 +451,7 @@ TEST_CASE("what may be given up cannot be repeated") {
     CHECK_FALSE(Recorded([] {}).repeats(reset_one));
 }
 
-TEST_CASE("a process that departs may read the clock as it goes") {
+TEST_CASE("a process that departs may read the clock while it is unwound") {
     struct ReadsClock {
         ~ReadsClock() { read = now(); }
         Time& read;
@@ -465,7 +465,7 @@ TEST_CASE("a process that departs may read the clock as it goes") {
     CHECK(read == Time{0});
 }
 
-TEST_CASE("a process that still waits when another departs may read the clock as it is unwound") {
+TEST_CASE("a process that still waits when another departs may read the clock while it is unwound") {
     Channel<int> never("never");
     struct ReadsClock {
         ~ReadsClock() { read = now(); }

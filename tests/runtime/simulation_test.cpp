@@ -13,7 +13,7 @@
 using namespace placedpar;
 using namespace placedpar::hardware;
 
-TEST_CASE("a message passes from one process to the other") {
+TEST_CASE("a message passes from one process to another") {
     Simulation simulation;
     Channel<int> c("c");
     int received = 0;
@@ -45,7 +45,7 @@ TEST_CASE("a message over a link takes its time on the wire") {
     CHECK(at == 3 * std::chrono::nanoseconds{560} + std::chrono::nanoseconds{550});
 }
 
-TEST_CASE("devices of any class are destroyed after the processes, the last one first") {
+TEST_CASE("devices of any class are destroyed after the processes, the last device first") {
     struct Recorder {
         Recorder(Kernel&, std::string& l, std::string n) : log(l), name(std::move(n)) {}
         ~Recorder() { log += name; }

@@ -17,7 +17,7 @@ struct Action {
         alternate, ///< on the channels of `guards`
         poll       ///< like `alternate`, with SKIP as the last guard
     } kind;
-    std::size_t channel = 0;  ///< of an output or input
+    std::size_t channel = 0;  ///< for an output or input
     std::uint32_t guards = 0; ///< for an alternation: a bit for each channel
 
     bool is_alternation() const { return kind == alternate || kind == poll; }
@@ -39,8 +39,8 @@ struct SmallWorld {
     static SmallWorld of(const std::string& text);
 };
 
-/// Finds what CSP allows a world to do, by exploring all of its states. A state is the number of actions that each
-/// process has done. Sets of states are needed, since a poll cannot be seen from outside.
+/// Finds what CSP allows in a world, by exploring all of its states. A state is the number of actions that each process
+/// has done. Sets of states are needed because a poll cannot be seen from outside.
 class Interpreter {
 public:
     using State = std::array<std::uint8_t, 3>;
@@ -49,14 +49,14 @@ public:
     explicit Interpreter(const SmallWorld& world) : world_(world) {}
 
     States start() const { return after_polls({State{}}); }
-    /// Returns the possible states after a communication on the channel; none if it cannot happen.
+    /// Returns the possible states after a communication on the channel; empty if it cannot happen.
     States after(const States&, std::size_t channel) const;
-    /// Whether nothing more can happen in some of the states, such that the world may be called completed, or
-    /// deadlocked.
+    /// Returns whether in some of the states nothing more can happen, and the world may be called completed (or
+    /// deadlocked).
     bool can_end(const States&, bool completed) const;
     /// Returns all reachable states. REQUIRES: no process has more than 15 actions.
     std::vector<State> reachable() const;
-    /// Returns all traces from start to end.
+    /// Returns all traces from the start to an end.
     std::set<std::string> traces() const;
 
 private:

@@ -1,5 +1,5 @@
-// Tests every network of three processes with a few actions each: the runtime does exactly what CSP allows, wherever
-// the processes are placed.
+// Tests every network of three processes with a few actions each. In every placement the runtime does only what CSP
+// allows.
 
 #include "tests/runtime/every_world.hpp"
 #include "tests/sanitized.hpp"
@@ -25,21 +25,21 @@ using namespace placedpar::test;
 namespace {
 
 struct Course {
-    std::string trace; ///< the channels on which messages passed, in order
+    std::string trace; ///< channels on which messages passed, in order
     bool completed;
 };
 
-/// The processor of each process; nullopt: none of them has one. Channels between processors have links of their own,
-/// the others are soft.
+/// The processor of each process; nullopt if no process has a processor. Channels between processors have their own
+/// links; other channels are soft.
 using Placement = std::optional<std::array<unsigned, 3>>;
 
 enum Where : std::size_t { nowhere, together, apart, in_pairs };
 
-/// From in_pairs on, there is one placement for each pair of processes.
+/// The placements. From in_pairs on, there is one placement for each pair of processes.
 constexpr std::array<Placement, 6> placements{std::nullopt,           std::array{0u, 0u, 0u}, std::array{0u, 1u, 2u},
                                               std::array{0u, 0u, 1u}, std::array{0u, 1u, 0u}, std::array{0u, 1u, 1u}};
 
-/// Runs the world with its ready queue in order or, with a seed, shuffled.
+/// Runs the world with its ready queue in order, or shuffled by a seed.
 class WorldRun {
 public:
     explicit WorldRun(const SmallWorld& world, const Placement& placement = std::nullopt)
@@ -98,7 +98,7 @@ private:
         if (chosen < channels_.size())
             note(chosen, channels_[chosen]->in().input());
     }
-    /// The first partner to continue records that message `number` has passed.
+    /// Records that message `number` has passed. The first partner to continue does so.
     void note(std::size_t channel, int number) {
         if (passed_[channel].noted == number)
             return;
@@ -132,9 +132,9 @@ void check_course(const SmallWorld& world, std::size_t where, std::optional<std:
              " test_runtime -tc='the world that is asked for*'");
 }
 
-/// Checks all worlds and returns how many there are. Each world runs without processors and unshuffled, then in every
-/// placement; of the placements in pairs it runs in only one, in rotation. With `in_turns` it runs in two placements
-/// instead of all, in rotation.
+/// Checks all worlds and returns their number. Each world runs without processors and unshuffled, then in every
+/// placement. Only one of the placements in pairs is used, in rotation. With `in_turns` the world runs in only two
+/// placements, in rotation.
 std::size_t check_all(const Bounds& bounds, bool in_turns = false) {
     std::size_t worlds = 0;
     for_every_world(bounds, [&](const SmallWorld& world) {
@@ -150,8 +150,8 @@ std::size_t check_all(const Bounds& bounds, bool in_turns = false) {
     return worlds;
 }
 
-/// Finds the kinds of worlds independently: all programs with this many channels for each pair of processes, whether or
-/// not every action is reached.
+/// Finds the kinds of worlds independently. Generates all programs with the given number of channels for each pair of
+/// processes, whether or not every action is reached.
 class AllPrograms {
 public:
     AllPrograms(std::size_t longest, std::size_t channels_alike) : longest_(longest) {
@@ -228,29 +228,31 @@ std::size_t most_channels_alike(const SmallWorld& world) {
 
 } // namespace
 
-TEST_CASE("every world of up to three actions a process: its course is one that CSP allows") {
+TEST_CASE("every world of up to three actions a process takes a course that CSP allows") {
     if (test::sanitized)
         CHECK(check_all({2}) == 1233);
     else
         CHECK(check_all({3}, true) == 65824);
 }
 
-TEST_CASE("every world of up to two actions, with polls and alternations on any channels") {
+TEST_CASE(
+    "every world of up to two actions with polls and alternations on any channels takes a course that CSP allows") {
     if (!test::sanitized)
         CHECK(check_all({.longest = 2, .polls = true, .any_guards = true}) == 6503);
 }
 
 // This takes half an hour: ctest -C studies -L studies
-TEST_CASE("all worlds of up to four actions, wherever they are placed" * doctest::skip()) {
+TEST_CASE("all worlds of up to four actions take a course that CSP allows, in every placement" * doctest::skip()) {
     CHECK(check_all({4}) == 4258915);
 }
 
-TEST_CASE("all worlds of up to three actions, with polls or alternations on any channels" * doctest::skip()) {
+TEST_CASE("all worlds of up to three actions with polls or alternations on any channels take a course that CSP allows" *
+          doctest::skip()) {
     CHECK(check_all({.longest = 3, .polls = true}) == 406867);
     CHECK(check_all({.longest = 3, .any_guards = true}) == 564472);
 }
 
-TEST_CASE("the world that is asked for, wherever it is placed" *
+TEST_CASE("the world in PLACEDPAR_WORLD takes a course that CSP allows, in every placement" *
           doctest::skip(std::getenv("PLACEDPAR_WORLD") == nullptr)) {
     SmallWorld world = SmallWorld::of(std::getenv("PLACEDPAR_WORLD"));
     for (std::size_t where = nowhere; where < placements.size(); ++where) {
@@ -260,7 +262,7 @@ TEST_CASE("the world that is asked for, wherever it is placed" *
     }
 }
 
-TEST_CASE("the text of a world makes it again") {
+TEST_CASE("a world is rebuilt from its text") {
     for_every_world({.longest = 2, .polls = true}, [](const SmallWorld& world) {
         if (std::string text = world.text(); SmallWorld::of(text).text() != text)
             FAIL(text);
@@ -268,7 +270,7 @@ TEST_CASE("the text of a world makes it again") {
     CHECK_THROWS_AS(SmallWorld::of("0>1 | X0 | ?0 |"), std::invalid_argument);
 }
 
-TEST_CASE("the worlds are all there are, each once") {
+TEST_CASE("the generated worlds are all worlds, each once") {
     for (auto [longest, channels_alike] : {std::pair(1u, 2u), std::pair(2u, 1u)}) {
         std::size_t worlds = 0;
         std::set<std::string> kinds;
@@ -281,7 +283,7 @@ TEST_CASE("the worlds are all there are, each once") {
     }
 }
 
-TEST_CASE("who waits for ever does not get to its second action") {
+TEST_CASE("worlds in which a process waits for ever have no second action of this process") {
     std::set<std::string> worlds;
     for_every_world({2}, [&](const SmallWorld& world) {
         if (world.channels.size() == 1)

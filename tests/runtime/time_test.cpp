@@ -1,4 +1,4 @@
-// Tests how long cycles last, to the picosecond.
+// Tests the lengths of cycles, to the picosecond.
 
 #include "runtime/time.hpp"
 
@@ -12,7 +12,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("a clock knows how long cycles last, as the division of 128 bits does") {
+TEST_CASE("a Clock gives the lengths that a division of 128 bits gives") {
     constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
     RandomStream random(1, "clocks");
     for (std::int64_t hertz : {1l, 3l, 7'000'000l, 17'500'000l, 20'000'000l, 22'500'000l, 30'000'000l, 999'999'999'989l,

@@ -1,4 +1,4 @@
-// Tests TIMERs: a tick is a microsecond at high priority, 64 at low priority.
+// Tests TIMERs. A tick is a microsecond at high priority and 64 microseconds at low priority.
 
 #include "runtime/hardware/processor.hpp"
 #include "runtime/simulation.hpp"
@@ -13,7 +13,7 @@ using namespace placedpar::hardware;
 using std::chrono::microseconds;
 using std::chrono::nanoseconds;
 
-TEST_CASE("a high-priority clock ticks every microsecond, a low-priority one every 64") {
+TEST_CASE("a high-priority clock ticks every microsecond, a low-priority clock every 64") {
     for (Priority priority : {Priority::high, Priority::low}) {
         Simulation simulation;
         Processor& t800 = simulation.add<Processor>("t800");
@@ -22,7 +22,7 @@ TEST_CASE("a high-priority clock ticks every microsecond, a low-priority one eve
             "reader",
             [&] {
                 Timer timer;
-                wait_until(microseconds{640} - nanoseconds{101}); // reading takes two cycles, 100 ns
+                wait_until(microseconds{640} - nanoseconds{101}); // a reading takes two cycles, 100 ns
                 early = timer.read();
                 wait_until(microseconds{640});
                 late = timer.read();
@@ -34,7 +34,7 @@ TEST_CASE("a high-priority clock ticks every microsecond, a low-priority one eve
     }
 }
 
-TEST_CASE("AFTER waits until the clock reads more than the time given") {
+TEST_CASE("AFTER waits until the clock reads more than the given time") {
     Simulation simulation;
     Processor& t800 = simulation.add<Processor>("t800");
     Time high{}, low{}, past{};
@@ -54,10 +54,10 @@ TEST_CASE("AFTER waits until the clock reads more than the time given") {
     CHECK(high == microseconds{6});
     CHECK(low == microseconds{256});
     CHECK(reading == 4);
-    CHECK(past == microseconds{256} + nanoseconds{(2 + 4) * 50}); // it does not wait, but costs its cycles
+    CHECK(past == microseconds{256} + nanoseconds{(2 + 4) * 50}); // the process does not wait, but pays the cycles
 }
 
-TEST_CASE("the clock has 32 bits: PLUS, MINUS and AFTER count on through its end") {
+TEST_CASE("the clock has 32 bits, and PLUS, MINUS and AFTER wrap round") {
     constexpr std::int32_t last = std::numeric_limits<std::int32_t>::max(),
                            first = std::numeric_limits<std::int32_t>::min();
     static_assert(plus(last, 1) == first && minus(first, last) == 1);
@@ -99,7 +99,7 @@ constexpr Memory memory_of_t2{.access = Cycles{1}, .bytes_in_a_word = 2};
 
 } // namespace
 
-TEST_CASE("a T2's clock has 16 bits and wraps round where a T8's goes on") {
+TEST_CASE("a T2's clock has 16 bits and wraps round where a T8's continues") {
     for (Priority priority : {Priority::high, Priority::low})
         for (bool is_t2 : {true, false}) {
             CAPTURE(is_t2);
@@ -140,8 +140,7 @@ TEST_CASE("a T2's clock has 16 bits and wraps round where a T8's goes on") {
         }
 }
 
-TEST_CASE(
-    "on a T2 a time more than half of a round ahead has passed, as occam says; of a longer number 16 bits count") {
+TEST_CASE("on a T2 a time more than half a round ahead has passed, and a longer number is reduced to 16 bits") {
     Simulation simulation;
     Processor& t2 = simulation.add<Processor>("t2", 20'000'000, Cycles{0}, memory_of_t2);
     Time passed{}, half{}, longer{};
@@ -163,7 +162,7 @@ TEST_CASE(
     CHECK(longer == microseconds{65'536 + 41});
 }
 
-TEST_CASE("delays of one moment end in the order in which they began") {
+TEST_CASE("delays that end at the same time end in the order in which they began") {
     Simulation simulation;
     std::string order;
     simulation.process("a", [&] { wait_for(nanoseconds{1}), wait_until(nanoseconds{9}), order += "a"; });
@@ -173,7 +172,7 @@ TEST_CASE("delays of one moment end in the order in which they began") {
     CHECK(order == "bca");
 }
 
-TEST_CASE("a wait beyond the end of time does not come back, one for the past does at once") {
+TEST_CASE("a wait beyond the end of time never returns, and a wait for a past time returns at once") {
     Simulation simulation;
     bool returned = false;
     Time after_past{};
@@ -187,7 +186,7 @@ TEST_CASE("a wait beyond the end of time does not come back, one for the past do
     CHECK_FALSE(returned);
 }
 
-TEST_CASE("times are printed in the unit that suits them") {
+TEST_CASE("times are printed in a unit that suits their size") {
     CHECK(to_string(Time{999}) == "999 ps");
     CHECK(to_string(Time{999'999}) == "999.999 ns");
     CHECK(to_string(microseconds{1}) == "1.000000 us");
@@ -195,7 +194,7 @@ TEST_CASE("times are printed in the unit that suits them") {
     CHECK(to_string(std::chrono::seconds{90}) == "90.000000 s");
 }
 
-TEST_CASE("who waits for no time at all lets happen first what is to happen at this moment") {
+TEST_CASE("a process that waits for no time lets everything else of the same instant happen first") {
     Simulation simulation;
     bool at_once = false, same_moment = false;
     int polls = 0;
@@ -213,7 +212,7 @@ TEST_CASE("who waits for no time at all lets happen first what is to happen at t
     CHECK(polls < 10);
 }
 
-TEST_CASE("a placed process that waits for no time uses its processor's: it is timesliced") {
+TEST_CASE("a placed process that waits for no time uses its processor and is timesliced") {
     Simulation simulation;
     Processor& t800 = simulation.add<Processor>("t800");
     Time stopped{};
@@ -233,7 +232,7 @@ TEST_CASE("a placed process that waits for no time uses its processor's: it is t
     CHECK(stopped < 2 * Processor::timeslice);
 }
 
-TEST_CASE("who polls for ever can be interrupted") {
+TEST_CASE("a process that polls for ever can be interrupted") {
     for (bool placed : {false, true}) {
         Simulation simulation;
         int polls = 0;

@@ -1,4 +1,4 @@
-// Tests how long processes have waited, for the report.
+// Tests the waiting times of processes, which reports use.
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/hardware/processor.hpp"
@@ -14,7 +14,7 @@ using namespace placedpar::hardware;
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-TEST_CASE("a process whose components compute does not wait; it does when all of them do") {
+TEST_CASE("a process waits only if all its components wait") {
     Simulation simulation;
     constexpr Cycles one_millisecond{20'000};
     Process& works = simulation.process(
@@ -32,7 +32,7 @@ TEST_CASE("a process whose components compute does not wait; it does when all of
     CHECK(sleeps.time_waited() == milliseconds{6});
 }
 
-TEST_CASE("a wait that is not over when the run is counts up to then; one who has ended waits no more") {
+TEST_CASE("a wait that outlasts the run counts until the end, and a process that has ended waits no more") {
     for (bool limited : {false, true}) {
         Simulation simulation;
         Channel<int> c("c");
@@ -54,8 +54,7 @@ TEST_CASE("a wait that is not over when the run is counts up to then; one who ha
     }
 }
 
-TEST_CASE(
-    "who communicates over a link waits while its bytes travel, not while its processor begins the communication") {
+TEST_CASE("a process waits while its bytes travel over a link, not while its processor begins the communication") {
     Simulation simulation;
     Link& link = simulation.add<Link>();
     Channel<int> c("c", link.from_a_to_b());
@@ -70,8 +69,8 @@ TEST_CASE(
     Process& receives = simulation.process(
         "receives", [&] { c.in().input(), c.in().input(); }, &simulation.add<Processor>("b"));
     simulation.run();
-    // Four bytes take 560 ns each. For the sender, the last one lasts until the end of its acknowledge, which begins
-    // after 260 ns and takes 100. For the receiver it lasts 550 ns (LinkTiming).
+    // Four bytes take 560 ns each. For the sender, the last byte lasts until the end of its acknowledge, which begins
+    // after 260 ns and takes 100 ns. For the receiver it lasts 550 ns (LinkTiming).
     constexpr Time sent = 3 * nanoseconds{560} + nanoseconds{360}, received = 3 * nanoseconds{560} + nanoseconds{550};
     CHECK(sends.time_waited() == 2 * sent);
     CHECK(receives.time_waited() == received + sent + milliseconds{1});

@@ -31,7 +31,7 @@ private:
 
 } // namespace
 
-TEST_CASE("what is bound comes back to the last bit") {
+TEST_CASE("bound values are read back exactly") {
     ScratchFile file;
     store::Database database(file.path());
     database.run("CREATE TABLE t(a INTEGER, b REAL, c TEXT, d REAL)");
@@ -47,7 +47,7 @@ TEST_CASE("what is bound comes back to the last bit") {
     CHECK_FALSE(row.step());
 }
 
-TEST_CASE("rubbish is damage, a wrong statement is not") {
+TEST_CASE("a corrupt file is reported as damage, a wrong statement is not") {
     ScratchFile file;
     std::ofstream(file.path()) << std::string(5000, 'x');
     store::Database database(file.path());
@@ -66,13 +66,13 @@ TEST_CASE("rubbish is damage, a wrong statement is not") {
     }
 }
 
-TEST_CASE("a lock is had once, and says who else wants it") {
+TEST_CASE("a second lock is refused with the name of the user") {
     ScratchFile file;
     std::ofstream(file.path()) << "content";
     std::optional<store::FileLock> first(std::in_place, file.path(), "the file", "test");
     CHECK(first->beginning(4) == "cont");
     CHECK(first->size() == 7);
-    CHECK_THROWS_WITH(store::FileLock(file.path(), "the file", "test"), "the file: another test is using it");
+    CHECK_THROWS_WITH(store::FileLock(file.path(), "the file", "test"), "the file: another test is using the file");
     first.reset();
     CHECK_NOTHROW(store::FileLock(file.path(), "the file", "test"));
 }

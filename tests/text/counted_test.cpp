@@ -4,13 +4,13 @@
 
 using namespace placedpar;
 
-TEST_CASE("one of a thing is not many") {
+TEST_CASE("one thing is counted in the singular") {
     CHECK(counted(1, "generation") == "1 generation");
     CHECK(counted(0, "generation") == "0 generations");
     CHECK(counted(2, "process", "processes") == "2 processes");
 }
 
-TEST_CASE("a unit that is a word in the plural is one for 1") {
+TEST_CASE("a plural unit is singular for 1") {
     CHECK(with_unit(1, "individuals") == "1 individual");
     CHECK(with_unit(2, "individuals") == "2 individuals");
     CHECK(with_unit(0.5, "metres") == "0.5 metres");

@@ -16,7 +16,7 @@ Diagnostic error(const Location& location) { return {.message = "this is wrong",
 
 } // namespace
 
-TEST_CASE("a diagnostic as compilers print it, with its hint and its second places") {
+TEST_CASE("a diagnostic is printed as compilers do, with hint and notes") {
     auto source = file("first a\n\tsecond a\n");
     Diagnostic diagnostic = error({source, 2, 9});
     diagnostic.hint = "say b";
@@ -30,14 +30,14 @@ TEST_CASE("a diagnostic as compilers print it, with its hint and its second plac
                                 "          ^\n");
 }
 
-TEST_CASE("a whole file, and no place at all") {
+TEST_CASE("a diagnostic may concern a whole file or no file") {
     CHECK(render(error({file(""), 0, 0})) == "a.txt: error: this is wrong\n");
     CHECK(render(error({})) == "error: this is wrong\n");
     CHECK(render(warning_at(3, 4, "this is odd")) == "warning: this is odd\n");
     CHECK(render(std::vector{error_at(0, 0, "one"), error_at(0, 0, "two")}) == "error: one\nerror: two\n");
 }
 
-TEST_CASE("the caret takes characters for columns, and a terminal gets nothing to act on") {
+TEST_CASE("the caret counts characters, and control characters are escaped") {
     CHECK(render(error({file("\xc3\xa4\xc3\xb6 @"), 1, 6})) == "a.txt:1:6: error: this is wrong\n"
                                                                "    \xc3\xa4\xc3\xb6 @\n"
                                                                "       ^\n");
@@ -55,7 +55,7 @@ TEST_CASE("a long line is shown around the caret") {
     CHECK(text.find('^') - caret_line < 100);
 }
 
-TEST_CASE("control characters of a message are shown, not obeyed") {
+TEST_CASE("control characters of a message are escaped") {
     auto diagnostic = error({file("a"), 1, 1});
     diagnostic.message = "there is no \"\x1b[31m\nx\"";
     diagnostic.hint = "say \x7f";
@@ -67,7 +67,7 @@ TEST_CASE("control characters of a message are shown, not obeyed") {
                                 "note: \\xc2\\x9b\n");
 }
 
-TEST_CASE("a reporter keeps one error a place, and no more than twenty, and counts the rest") {
+TEST_CASE("a reporter keeps one error for each place, at most twenty, and counts the rest") {
     Reporter reporter;
     auto source = file("a");
     reporter.warning({source, 1, 1}, "odd");
@@ -77,7 +77,7 @@ TEST_CASE("a reporter keeps one error a place, and no more than twenty, and coun
     CHECK(reporter.failed());
     for (std::size_t line = 2; line < 100; ++line)
         reporter.error({source, line, 1}, "wrong");
-    CHECK(reporter.not_shown() == "... 79 further errors not shown\n");
+    CHECK(reporter.not_shown() == "... 79 more errors not shown\n");
     auto fill = [&] {
         for (std::size_t line = 100; line < 5000; ++line)
             reporter.error({source, line, 1}, "wrong");
@@ -89,7 +89,7 @@ TEST_CASE("a reporter keeps one error a place, and no more than twenty, and coun
     CHECK(has_errors(diagnostics));
 }
 
-TEST_CASE("a diagnostic in an included file says where that is included, each file on the way once") {
+TEST_CASE("a diagnostic in an included file names each include on the way once") {
     Reporter reporter;
     auto outer = file("outer"), inner = file("inner");
     Location main{file("main"), 1, 1};
@@ -104,7 +104,7 @@ TEST_CASE("a diagnostic in an included file says where that is included, each fi
     CHECK(diagnostics[1].others.empty());
 }
 
-TEST_CASE("errors at one place come to an end, too") {
+TEST_CASE("repeated errors at one place end the reading") {
     Reporter reporter;
     auto repeat = [&, source = file("a")] {
         for (int i = 0; i < 1000; ++i)

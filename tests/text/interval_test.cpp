@@ -4,7 +4,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("intervals of a probability that are in the tables of statisticians") {
+TEST_CASE("intervals of a probability agree with published tables") {
     Interval none = success_interval(0, 20), half = success_interval(10, 20), all = success_interval(20, 20);
     CHECK(none.low == 0);
     CHECK(none.high == doctest::Approx(16.84).epsilon(0.001)); // Clopper and Pearson

@@ -4,7 +4,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("single letters left out, put in, replaced or swapped") {
+TEST_CASE("a missing, extra, replaced or swapped letter is one difference") {
     CHECK(edit_distance("", "") == 0);
     CHECK(edit_distance("", "abc") == 3);
     CHECK(edit_distance("master", "master") == 0);
@@ -15,7 +15,7 @@ TEST_CASE("single letters left out, put in, replaced or swapped") {
     CHECK(edit_distance("slave", "master") == 5);
 }
 
-TEST_CASE("the nearest name, if one is near enough to be meant") {
+TEST_CASE("the nearest name is found if it is near enough") {
     const std::vector<std::string> names{"slave", "master", "Host", "ga.master"};
     CHECK(nearest_name("mastr", names) == "master");
     CHECK(nearest_name("MASTER", names) == "master");
@@ -31,7 +31,7 @@ TEST_CASE("the nearest name, if one is near enough to be meant") {
     CHECK(nearest_name(std::string(1000, 'x'), {std::string(1001, 'x')}).empty());
 }
 
-TEST_CASE("a word that is cut short means the only name that begins with it") {
+TEST_CASE("an abbreviation means the only name that begins with it") {
     const std::vector<std::string> kinds{"csp.fork", "csp.prefix", "csp.producer"};
     CHECK(nearest_name("csp.prod", kinds) == "csp.producer"); // csp.fork is nearer, but not near enough
     CHECK(nearest_name("CSP.Prod", kinds) == "csp.producer");
@@ -42,7 +42,13 @@ TEST_CASE("a word that is cut short means the only name that begins with it") {
     CHECK(nearest_name("exc", {"excavator", "excavator"}) == "excavator");
 }
 
-TEST_CASE("as a hint") {
+TEST_CASE("a name without its group means the name with it") {
+    CHECK(nearest_name("worker", {"csp.coworker", "works", "csp.worker", "ga.worker"}) == "csp.worker");
+    CHECK(nearest_name("orker", {"csp.worker"}).empty());
+    CHECK(nearest_name("", {"csp."}).empty());
+}
+
+TEST_CASE("a nearest name is printed as a hint") {
     CHECK(did_you_mean("mastr", {"slave", "master"}) == "did you mean \"master\"?");
     CHECK(did_you_mean("island", {"slave", "master"}).empty());
     CHECK(unknown_name("kind", "mastr", {"slave", "master"}, "ask again") ==

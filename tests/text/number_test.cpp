@@ -6,7 +6,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("a whole text is a number, or none is") {
+TEST_CASE("a number must be the whole text") {
     CHECK(parse_number<double>("-2.5e-3") == -2.5e-3);
     CHECK(parse_number<std::uint64_t>("18446744073709551615") == 18446744073709551615u);
     CHECK(parse_number<std::uint64_t>("ff", 16) == 255);

@@ -10,7 +10,7 @@ std::string printed(Paint paint, const char* text) { return escaped_but_paint(pa
 
 } // namespace
 
-TEST_CASE("nothing is coloured until the program says that its stream is") {
+TEST_CASE("no colours are printed until the program enables them") {
     CHECK(printed(Paint::error, "error:") == "error:");
     set_painted(PaintedStream::errors, true);
     CHECK(printed(Paint::error, "error:") == "\033[1;31merror:\033[0m");
@@ -24,7 +24,7 @@ TEST_CASE("nothing is coloured until the program says that its stream is") {
     CHECK(printed(Paint::heading, "ports") == "ports");
 }
 
-TEST_CASE("what is printed keeps its lines, and no colours but its own") {
+TEST_CASE("printed text keeps its lines and no foreign colours") {
     const std::string hostile = "a\n\033[1mb\033[1;31mc\033[0m\033[2J\xff\033",
                       shown = "a\n\\x1b[1mb\\x1b[1;31mc\\x1b[0m\\x1b[2J\\xff\\x1b";
     CHECK(escaped_but_paint(hostile) == shown);
@@ -34,7 +34,7 @@ TEST_CASE("what is printed keeps its lines, and no colours but its own") {
     set_painted(PaintedStream::errors, false);
 }
 
-TEST_CASE("what is kept has no marks of colours, and all else") {
+TEST_CASE("removing colours leaves all other text") {
     set_painted(PaintedStream::errors, true);
     CHECK(unpainted("mm " + painted(Paint::place, "a:1:2:") + " " + painted(Paint::error, "m\033[1m\n") + "m") ==
           "mm a:1:2: m\033[1m\nm");

@@ -4,7 +4,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("median") {
+TEST_CASE("the median of an even number of values is their middle mean") {
     CHECK(median({3}) == 3);
     CHECK(median({4, 1}) == 2.5);
     CHECK(median({9, 1, 5}) == 5);
@@ -27,9 +27,9 @@ TEST_CASE("a quantile is one of the values, by nearest rank") {
     CHECK(quantile({5, 1, 4, 2, 3}, 0) == 1);
 }
 
-TEST_CASE("percentage of a sample within a bound") { CHECK(percent_within({5, 1, 4, 2, 3}, 2) == 40); }
+TEST_CASE("the percentage of a sample within a bound is counted") { CHECK(percent_within({5, 1, 4, 2, 3}, 2) == 40); }
 
-TEST_CASE("mean and deviation of a sample") {
+TEST_CASE("mean and standard deviation agree with a hand computation") {
     std::vector<double> values{2, 4, 4, 4, 5, 5, 7, 9};
     CHECK(mean(values) == 5);
     CHECK(deviation(values) == doctest::Approx(2.13809)); // sqrt(32 / 7)

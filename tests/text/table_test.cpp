@@ -33,7 +33,7 @@ double number(std::string text, std::string* message = nullptr) {
 
 } // namespace
 
-TEST_CASE("cells, comments, description, and where each cell stands") {
+TEST_CASE("a table has cells with places, comments and a description") {
     std::vector<Diagnostic> faults;
     TextTable table =
         split_table("# one\n#two \n\n a , b\t,c\n# not a description\n1, 2 ,\"x, \"\"y\"\"\"\n\n4,,6", faults);
@@ -51,7 +51,7 @@ TEST_CASE("cells, comments, description, and where each cell stands") {
     CHECK(table.rows[1].cells[1].text.empty());
 }
 
-TEST_CASE("CR LF, a byte order mark, and no last line end") {
+TEST_CASE("CR LF, a byte order mark, and a missing last line end are accepted") {
     std::vector<Diagnostic> faults;
     TextTable table = split_table("\xef\xbb\xbf# d\r\na,b\r\n1,2\r\n3,4", faults);
     CHECK(faults.empty());
@@ -60,7 +60,7 @@ TEST_CASE("CR LF, a byte order mark, and no last line end") {
     CHECK(table.rows[0].cells[1].text == "2");
 }
 
-TEST_CASE("nothing at all") {
+TEST_CASE("an empty text is an empty table") {
     std::vector<Diagnostic> faults;
     for (const char* text : {"", "\n\n", "# only this\n", "\xef\xbb\xbf", "\r\n"}) {
         TextTable table = split_table(text, faults);
@@ -70,16 +70,16 @@ TEST_CASE("nothing at all") {
     CHECK(faults.empty());
 }
 
-TEST_CASE("what is wrong with a row") {
+TEST_CASE("a wrong row is reported") {
     CHECK(only_fault("a,b\n1,2\n1,2,3\n") == "3:5: 3 values, expected 2");
     CHECK(only_fault("a,b\n1\n") == "2:1: 1 values, expected 2");
-    CHECK(only_fault("a,b\n1,\"2\n3,4\n") == "2:3: the quote is not closed");
+    CHECK(only_fault("a,b\n1,\"2\n3,4\n") == "2:3: a quoted value has no closing quote");
     CHECK(only_fault("a,b\r1,2\r") == "1:4: a carriage return within a line");
     CHECK(only_fault("time [s];boom.spool [in]\n0,1;0,2\n") == "1:9: the columns are separated by semicolons");
     CHECK(only_fault("time\tspool\n0\t1\n") == "1:5: the columns are separated by tabs");
 }
 
-TEST_CASE("numbers") {
+TEST_CASE("cells are read as numbers") {
     CHECK(number("1830.5") == 1830.5);
     CHECK(number("-2e-3") == -2e-3);
     CHECK(number("+4") == 4);

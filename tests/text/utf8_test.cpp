@@ -6,7 +6,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("the first character of a text, and what is none") {
+TEST_CASE("the first character of a text is found, or invalid bytes") {
     auto first = [](std::string_view text) {
         return std::pair(first_character(text).code, first_character(text).bytes);
     };
@@ -21,21 +21,21 @@ TEST_CASE("the first character of a text, and what is none") {
     }
 }
 
-TEST_CASE("what a terminal would act on is escaped, every byte of it") {
+TEST_CASE("bytes that a terminal would act on are escaped") {
     CHECK(escaped("a\tb\x1b\n\x7f\xc3\xa4\xff\xc2\x9b") == "a\tb\\x1b\\x0a\\x7f\xc3\xa4\\xff\\xc2\\x9b");
 }
 
-TEST_CASE("what XML and HTML would act on is written as they want it") {
+TEST_CASE("characters special to XML and HTML are escaped") {
     CHECK(as_markup("a < b > \"c\" & d\x1b\x7f") == "a &lt; b &gt; &quot;c&quot; &amp; d??");
     CHECK(as_markup("\xc3\xa4 \xdf") == "\xc3\xa4 \xc3\x9f"); // Latin-1
 }
 
-TEST_CASE("control characters of two bytes, and what is not a character, are none in XML, HTML and JSON") {
+TEST_CASE("control characters of two bytes and invalid characters are replaced in XML, HTML and JSON") {
     CHECK(as_markup("\xc2\x9b\x9b\t\n\xef\xbf\xbe") == "?????");
     CHECK(as_json("{\"a\": \"\xc2\x9b\x7f\xff\xc3\xa4\"}\n") == "{\"a\": \"\\u009b\\u007f\xc3\xbf\xc3\xa4\"}\n");
 }
 
-TEST_CASE("one is counted without a plural") {
+TEST_CASE("a count of one has no plural") {
     CHECK(counted(1, "link") == "1 link");
     CHECK(counted(0, "link") == "0 links");
     CHECK(counted(2, "process", "processes") == "2 processes");

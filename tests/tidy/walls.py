@@ -40,7 +40,7 @@ BELOW = {
     "monitor/service": ["monitor/memory"],
     "picture": ["netlist"],
     "report": ["gaprocs/processes", "picture"],
-    "observe/trace": ["netlist"],
+    "observe/trace": ["netlist", "picture"],
     "observe/critical_path": ["observe/trace"],
     "observe/page": ["observe/trace", "report"],
     "explore/generate": ["netlist"],

@@ -90,7 +90,8 @@ def usable(path, columns):
         if valve_of(fields) and "inlet_psi" in fields and "angle_deg" in fields:
             taken |= {(symbol, field) for field in ("inlet_psi", "angle_deg", *valve_of(fields))}
     if taken == {"time"}:
-        raise Refused(f"{path}: no link has inlet_pressure, angle and one of spool, servo, inlet_area with bypass_area")
+        raise Refused(f"{path}: no link has all readings that identification needs: inlet_pressure, angle, "
+                      "and spool or servo or (inlet_area and bypass_area)")
     return [(what, scale) if what in taken else (None, 1) for what, scale in columns]
 
 

@@ -26,8 +26,8 @@ struct BoomData {
 };
 
 /// A step of the boom to 4 deg/s. The machine is that of excavator.csv, except for the values set here. A spool offset
-/// does not change the motion: readings and A.1 have the same error, so the controller asks for the voltage that moves
-/// the spool to the right place.
+/// does not change the motion. The readings and A.1 have the same error, so the controller's voltage moves the spool to
+/// the right place.
 struct BoomMotion {
     BoomPlant plant = BoomPlant::simple;
     hydraulics::MeasurementNoise noise = hydraulics::no_noise;

@@ -12,8 +12,8 @@ namespace placedpar {
 /// Throws UserError if no a_0 between half the machine's own and four times as much gives it.
 double lag_that_finds(double compliance_in3_per_psi, const BoomData& data);
 
-/// Returns the offset of the spool, below 0, with which least squares over the rising samples gives this compliance if
-/// it is left in the readings. Throws UserError if no offset down to -.015 in gives it.
+/// Returns the negative spool offset that makes least squares over the rising samples give this compliance if the
+/// readings are not corrected. Throws UserError if no offset down to -.015 in does.
 double offset_that_finds(double compliance_in3_per_psi, const BoomData& data);
 
 /// Plots the compliance over the assumed a_0 for two machines, with the thesis's two compliances.

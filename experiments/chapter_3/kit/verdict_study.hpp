@@ -25,8 +25,9 @@ struct TestedFault {
     identification::AlarmKind called; ///< the right alarm for the boom
     bool from_first_day = false;      ///< if false, the fault begins after three sound movements
     double units = 1;                 ///< size in WayUnits
-    /// Required percentages: of machines whose fault is found, unless the theoretical limit may be lower by its 95 %
-    /// interval, and of those found whose fault is named correctly. A share misses if its whole 95 % interval does.
+    /// Required percentages of machines. least_found is the share whose fault is found; it is not required if the 95 %
+    /// interval of the theoretical limit goes below it. least_called is the share of the found faults with the right
+    /// name. A share misses its bound only if its whole 95 % interval does.
     double least_found = 90, least_called = 95;
     /// The allowed percentage of found faults that are left undecided; nullopt if the records do not allow a limit.
     std::optional<double> most_undecided = 10;

@@ -2,6 +2,7 @@
 
 #include "experiments/chapter_5/kit/plant_islands.hpp"
 #include "experiments/chapter_5/kit/tracking.hpp"
+#include "experiments/kit/claims.hpp"
 #include "experiments/kit/experiment.hpp"
 #include "experiments/kit/seed_runs.hpp"
 
@@ -53,19 +54,6 @@ PlantStudy study_pole(const ReplayContext& context, std::string name, const Plan
 /// the same record.
 std::vector<double> less(const std::vector<double>& one, const std::vector<double>& other);
 std::vector<double> ratio(const std::vector<double>& one, const std::vector<double>& other);
-
-/// A statement of the thesis as a number: the median over seeds is at least or at most a bound.
-struct Claim {
-    std::string text, unit;
-    std::vector<double> values;
-    std::optional<double> at_least, at_most;
-
-    std::optional<double> bound() const { return at_least ? at_least : at_most; }
-};
-/// Returns "holds" if the whole interval is on the claimed side, "does not hold" if none of it is.
-std::string verdict(const Claim& claim);
-/// Returns the medians with their intervals as cells, and the verdicts as notes.
-Comparison claims_comparison(std::string name, const std::vector<Claim>& claims);
 
 /// A row in a table of tracks: the study and the index of its track.
 struct TrackRow {

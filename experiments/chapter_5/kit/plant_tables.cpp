@@ -1,6 +1,4 @@
 #include "experiments/chapter_5/kit/plant_study.hpp"
-#include "experiments/kit/bootstrap.hpp"
-#include "text/interval.hpp"
 #include "text/statistics.hpp"
 
 #include <fmt/format.h>
@@ -13,45 +11,6 @@
 namespace placedpar {
 
 namespace {
-
-/// Returns whether a value is on the claimed side.
-bool agrees(const Claim& claim, double value) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    return value >= claim.at_least.value_or(-infinity) && value <= claim.at_most.value_or(infinity);
-}
-
-std::string bound_of(const Claim& claim) {
-    std::string bound;
-    if (claim.at_least)
-        bound = fmt::format("at least {:g}", *claim.at_least);
-    if (claim.at_most)
-        bound += fmt::format("{}at most {:g}", bound.empty() ? "" : " and ", *claim.at_most);
-    return bound;
-}
-
-/// Returns the number of decimals, from 2 to 6, that prints the bounds exactly.
-int decimals_of(const Claim& claim) {
-    auto fits = [](std::optional<double> bound, int decimals) {
-        double shifted = bound.value_or(0) * std::pow(10, decimals);
-        return std::abs(shifted - std::round(shifted)) < 1e-6;
-    };
-    int decimals = 2;
-    while (decimals < 6 && !(fits(claim.at_least, decimals) && fits(claim.at_most, decimals)))
-        ++decimals;
-    return decimals;
-}
-
-void add_interval(Comparison& comparison, const Claim& claim) {
-    Interval interval = median_interval(claim.values);
-    int decimals = decimals_of(claim);
-    Cell median =
-        cell_of(claim.text, "median", claim.unit, claim.bound(), placedpar::median(claim.values), {}, decimals);
-    if (claim.at_least && claim.at_most)
-        median.reference_to = claim.at_most;
-    comparison.add(median);
-    comparison.add(plain_cell(claim.text, "95 % from", claim.unit, interval.low, decimals));
-    comparison.add(plain_cell(claim.text, "to", claim.unit, interval.high, decimals));
-}
 
 struct TrackColumn {
     const char* name;
@@ -152,23 +111,6 @@ Panel panel_of(std::string title, const std::vector<TrackRow>& rows, PoleAt pole
 }
 
 } // namespace
-
-std::string verdict(const Claim& claim) {
-    Interval interval = median_interval(claim.values);
-    bool low = agrees(claim, interval.low), high = agrees(claim, interval.high);
-    if (low && high)
-        return "holds";
-    return low || high || agrees(claim, median(claim.values)) ? "undecided" : "does not hold";
-}
-
-Comparison claims_comparison(std::string name, const std::vector<Claim>& claims) {
-    Comparison comparison{.name = std::move(name), .against = "claim"};
-    for (const Claim& claim : claims) {
-        add_interval(comparison, claim);
-        comparison.notes += fmt::format("{}: claimed {}: {}\n", claim.text, bound_of(claim), verdict(claim));
-    }
-    return comparison;
-}
 
 TrackRow answer_row(const PlantStudy& study, const std::string& choice) {
     return {choice, &study, study.answer(choice)};

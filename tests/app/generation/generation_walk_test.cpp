@@ -28,7 +28,7 @@ TEST_CASE("the walk makes the generations of the search, bit for bit") {
         }
 }
 
-TEST_CASE("what the walk says was drawn leads to what it says came of it") {
+TEST_CASE("the numbers that the walk reports as drawn lead to the offspring that it reports") {
     GenerationWalk walk({.population = 6, .seed = 3});
     for (int generation = 0; generation < 20; ++generation) {
         WalkedGeneration walked = walk.next();
@@ -68,7 +68,7 @@ TEST_CASE("the text has every string and every schema, and four frames are drawn
         CHECK(svg.find(words) != std::string::npos);
 }
 
-TEST_CASE("a hypercube that cannot be drawn, and a walk that cannot be gone") {
+TEST_CASE("a hypercube that cannot be drawn and impossible walk settings are refused") {
     CHECK_THROWS_AS(draw_hypercubes("", {{.title = "", .dimensions = 5}}, 1, {}), std::invalid_argument);
     CHECK_THROWS_AS(GenerationWalk({.population = 1}), UserError);
     CHECK_THROWS_AS(GenerationWalk({.mutation_probability = 2}), UserError);

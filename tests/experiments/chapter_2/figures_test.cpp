@@ -44,11 +44,10 @@ TEST_CASE("Table 2.6: the spool for three flows at three pressures, and back") {
     }
 }
 
-TEST_CASE(
-    "an error of the spool makes half or a fifth more flow, as the thesis says, the more the less flow there is") {
+TEST_CASE("an error of the spool raises the flow by a half or a fifth, as in the thesis, and more at smaller flows") {
     const Replay replay = test::replay_named("table-2-6");
     const Comparison& table = replay.comparisons.at(0);
-    for (const char* error : {"more flow for +0.02 in", "more flow for +0.01 in"})
+    for (const char* error : {"increase of flow for +0.02 in", "increase of flow for +0.01 in"})
         for (std::size_t i = 0; i < 3; ++i) {
             auto at = [&](int flow) {
                 return test::row_named(table, fmt::format("{} at {} in^3/s", error, flow)).at(i).simulated;
@@ -59,14 +58,15 @@ TEST_CASE(
         }
     for (int flow : {40, 50, 60}) // a step of .01 in: by the slope, and by the difference of flows
         for (std::size_t i = 0; i < 3; ++i) {
-            const double
-                slope = test::row_named(table, fmt::format("dQ_i/dx at {} in^3/s", flow)).at(i).simulated,
-                more = test::row_named(table, fmt::format("more flow for +0.01 in at {} in^3/s", flow)).at(i).simulated;
+            const double slope = test::row_named(table, fmt::format("dQ_i/dx at {} in^3/s", flow)).at(i).simulated,
+                         more = test::row_named(table, fmt::format("increase of flow for +0.01 in at {} in^3/s", flow))
+                                    .at(i)
+                                    .simulated;
             CHECK(more == doctest::Approx(100 * 0.01 * slope / flow).epsilon(0.01));
         }
 }
 
-TEST_CASE("oil with air in it is as soft as volumes that are compressed beside each other") {
+TEST_CASE("the stiffness of oil with air is that of separate volumes of both") {
     const Replay replay = test::replay_named("figure-2-3");
     const Comparison& table = replay.comparisons.at(0);
     for (double percent : {0.1, 1.0, 5.0}) {
@@ -79,7 +79,7 @@ TEST_CASE("oil with air in it is as soft as volumes that are compressed beside e
         }
     }
     for (double percent : {1.0, 2.0, 5.0, 10.0}) { // the compliance is V divided by the modulus
-        const auto row = test::row_named(table, fmt::format("C over that of oil, {:g} % air", percent));
+        const auto row = test::row_named(table, fmt::format("C divided by C of oil alone, {:g} % air", percent));
         REQUIRE(row.size() == 4);
         CHECK(row[0].simulated == doctest::Approx(220'000 / isothermal_modulus_psi(percent / 100, 100)).epsilon(1e-9));
         for (std::size_t i = 1; i < 4; ++i)
@@ -105,4 +105,28 @@ TEST_CASE("the P-D loop: its margin falls as the compliance grows, and at the li
     }
     CHECK(damping[3].simulated == doctest::Approx(0));
     CHECK(test::row_named(loop, "overshoot").size() == 3); // a loop that does not settle has none
+}
+
+namespace {
+
+std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++found;
+    return found;
+}
+
+} // namespace
+
+TEST_CASE("the circuits: each configuration has four cylinders, two pumps, and a way out for the oil of each pump") {
+    const std::vector<NamedDrawing> drawings = test::replay_named("circuits").drawings;
+    REQUIRE(drawings.size() == 3);
+    CHECK(drawings[0].name == "figure-2-11");
+    CHECK(count(drawings[0].svg, "class=\"cylinder\"") == 5 * 4);
+    CHECK(count(drawings[0].svg, "class=\"pump\"") == 5 * 2);
+    CHECK(count(drawings[0].svg, ">tank<") == 6); // two in a, one in each other configuration
+    CHECK(count(drawings[0].svg, ">shut<") == 2); // the bucket in b, the swing in c
+    CHECK(count(drawings[1].svg, "class=\"cylinder\"") == 2);
+    CHECK(count(drawings[1].svg, "class=\"pump\"") == 1);
+    CHECK(count(drawings[2].svg, "class=\"cylinder\"") == 1);
 }

@@ -167,7 +167,7 @@ void check_said(const TestedKind& kind, std::size_t machines, std::uint64_t firs
 
 } // namespace
 
-TEST_CASE("what the monitor says over its socket is so: some machines of either plant") {
+TEST_CASE("verdicts over the monitor's socket are right for some machines of each plant") {
     check_said({{"scenario-a", "high", false}, AreasFrom::spool}, 2, 31'000);
     check_said({{"excavator", "mid", true}, AreasFrom::spool}, 2, 32'000);
     check_said({{"excavator", "low", true}, AreasFrom::servo}, 2, 33'000);
@@ -175,7 +175,7 @@ TEST_CASE("what the monitor says over its socket is so: some machines of either 
 
 // This takes most of an hour: ctest -C studies -R studies/verdicts. For one of the nine: --no-skip --subcase="excavator
 // by spool*mid*"
-TEST_CASE("what the monitor says over its socket is so: 200 machines of each fault" * doctest::skip()) {
+TEST_CASE("verdicts over the monitor's socket are right for 200 machines of each fault" * doctest::skip()) {
     for (const char* noise : {"low", "mid", "high"}) {
         const TestedKind kinds[]{{{"scenario-a", noise, false}, AreasFrom::spool},
                                  {{"excavator", noise, true}, AreasFrom::spool},
@@ -221,11 +221,11 @@ void check_sound(std::size_t movements, std::size_t machines, std::uint64_t firs
 
 } // namespace
 
-TEST_CASE("over the socket no sound machine is accused because its logger is quick: two of either plant") {
+TEST_CASE("a fast logger causes no false alarm over the socket, for two machines of each plant") {
     check_sound(3, 2, 51'000);
 }
 
 // This takes an hour: ctest -C studies -R studies/rates
-TEST_CASE("over the socket no sound machine is accused because its logger is quick: 200 of either" * doctest::skip()) {
+TEST_CASE("a fast logger causes no false alarm over the socket, for 200 machines of each plant" * doctest::skip()) {
     check_sound(8, 200, 52'000);
 }

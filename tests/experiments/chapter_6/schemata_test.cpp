@@ -26,7 +26,7 @@ std::string row_of_length(int length) {
 
 } // namespace
 
-TEST_CASE("equation 6.2 leaves (1 - .8 d / 7) .99^n of schemata of defining length d and order n") {
+TEST_CASE("by equation 6.2 a share (1 - .8 d / 7) .99^n of schemata of defining length d and order n survives") {
     const Replay replay = test::replay_named("schemata", 20);
     const Comparison& survival = replay.comparisons.at(2);
     for (int length = 0; length <= 7; ++length) {
@@ -39,7 +39,7 @@ TEST_CASE("equation 6.2 leaves (1 - .8 d / 7) .99^n of schemata of defining leng
           cell_in(survival, row_of_length(1), "rates .8 and .01").simulated);
 }
 
-TEST_CASE("reproduction alone makes of schemata what it is expected to, whatever their defining length") {
+TEST_CASE("reproduction alone gives the expected number of strings of a schema, whatever its defining length") {
     const Replay replay = test::replay_named("schemata", 20);
     for (const Comparison* table : {&replay.comparisons.at(0), &replay.comparisons.at(1)}) // the fit schema, the others
         for (int length = 0; length <= 7; ++length)

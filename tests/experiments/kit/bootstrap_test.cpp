@@ -5,7 +5,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("the interval of a median holds it, and narrows with more values") {
+TEST_CASE("the interval of a median contains it, and narrows with more values") {
     std::vector<double> few, many;
     for (int i = 0; i < 1000; ++i) {
         double value = (i * 7919) % 1000;
@@ -22,7 +22,7 @@ TEST_CASE("the interval of a median holds it, and narrows with more values") {
     CHECK(of_many.high - of_many.low == doctest::Approx(62).epsilon(0.15));
 }
 
-TEST_CASE("the interval of a quotient is of the sums, and is none where all runs have the same") {
+TEST_CASE("the interval of a quotient of sums has width 0 if all runs are equal") {
     Interval same = quotient_interval({2, 4, 6}, {1, 2, 3});
     CHECK(same.low == 2);
     CHECK(same.high == 2);

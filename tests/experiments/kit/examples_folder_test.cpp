@@ -46,11 +46,11 @@ TEST_CASE("a program in its build folder finds the examples that the build names
     CHECK(examples_folder(program, nullptr) == source);
 }
 
-TEST_CASE("without examples it says where it looked") {
+TEST_CASE("the message about missing examples names the folders that were searched") {
     Scratch scratch;
     fs::path program = scratch.folder / "bin" / "placedpar";
-    std::string said = "cannot find the examples; looked in\n  " + (scratch.folder / "mine").string() + "\n  " +
-                       (scratch.folder / "share/placedpar/examples").string() +
-                       "\nset PLACEDPAR_EXAMPLES to their folder";
+    std::string said = "cannot find the folder of examples; looked in\n  " + (scratch.folder / "mine").string() +
+                       "\n  " + (scratch.folder / "share/placedpar/examples").string() +
+                       "\nset PLACEDPAR_EXAMPLES to that folder";
     CHECK_THROWS_WITH_AS(examples_folder(program, (scratch.folder / "mine").c_str()), said.c_str(), std::runtime_error);
 }

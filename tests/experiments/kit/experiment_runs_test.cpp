@@ -26,7 +26,7 @@ Ending ending_of(const test::ReplayInMemory& replay, const char* netlist) {
 
 } // namespace
 
-TEST_CASE("a run that comes to its end is reported, one that is stuck or interrupted is not") {
+TEST_CASE("a completed run is reported; a stuck or interrupted run is not") {
     test::ReplayInMemory replay(0);
     CHECK(ending_of(replay, "csp/commstime/commstime.cfs") == Ending::completed);
     CHECK(ending_of(replay, "csp/deadlock/ring.cfs") == Ending::stuck);
@@ -35,7 +35,7 @@ TEST_CASE("a run that comes to its end is reported, one that is stuck or interru
     CHECK(replay.warned.empty());
 }
 
-TEST_CASE("a netlist that is refused with a setting throws what is wrong with it") {
+TEST_CASE("a setting that the netlist refuses throws the refusal") {
     test::ReplayInMemory replay(0);
     CHECK_THROWS_WITH_AS(run_to_the_end(own_examples / "csp/commstime/commstime.cfs", {{"cuont", "5"}}, replay.context),
                          doctest::Contains("\"cuont\""), RefusedInput);

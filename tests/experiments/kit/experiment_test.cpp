@@ -9,7 +9,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("the experiments come by chapter and number, appendices and the machine last") {
+TEST_CASE("experiments are listed by chapter and number, with appendices and the machine last") {
     Experiment second{"second", "", "2", 2, nullptr}, third{"third", "", "3", 1, nullptr},
         appendix{"appendix", "", "E", 1, nullptr}, machine{"machine", "", "machine", 1, nullptr},
         first{"first", "", "2", 1, nullptr};
@@ -19,7 +19,7 @@ TEST_CASE("the experiments come by chapter and number, appendices and the machin
     CHECK(names == std::vector<std::string_view>{"first", "second", "third", "appendix", "machine"});
 }
 
-TEST_CASE("every experiment has a name, a place of its own, a line about it, and can be run") {
+TEST_CASE("every experiment has a name, a distinct place, a description, and a function to run") {
     std::set<std::string_view> names;
     std::set<std::pair<std::string_view, int>> places;
     for (const Experiment& each : experiments()) {

@@ -21,12 +21,12 @@ TEST_CASE("studies of 100 seeds have no record in common") {
     CHECK(all.size() == 100 * 50);
 }
 
-TEST_CASE("more records leave the first ones as they are") {
+TEST_CASE("more records do not change the first ones") {
     auto few = record_seeds(7, 3), many = record_seeds(7, 200);
     CHECK(few == std::vector<std::uint64_t>(many.begin(), many.begin() + 3));
 }
 
-TEST_CASE("a study of the last seed has all its records, and so has one whose records' seeds are the last") {
+TEST_CASE("a study at the greatest seeds has all its records") {
     constexpr std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
     CHECK(record_seeds(last, 50).size() == 50);
     const std::vector<std::uint64_t> seeds{last, 0};

@@ -7,7 +7,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("a claim of two bounds has both in the document, one of one bound has no other") {
+TEST_CASE("in the document a claim has exactly its one or two bounds") {
     Comparison comparison{.name = "shares", .against = "claim"};
     comparison.cells = {cell_of("share", "of two", "", 0.67, 0.7, {}, 2),
                         cell_of("share", "of one", "", 0.5, 0.7, {}, 2)};
@@ -32,7 +32,7 @@ Replay of_two_tables() {
 
 } // namespace
 
-TEST_CASE("for people a replay is its tables, its constants, its fingerprint, and the verdict at the end") {
+TEST_CASE("the printed replay has tables, constants, fingerprint, and the verdict at the end") {
     Replay replay = of_two_tables();
     replay.constant_table = {{"link", "bits of a byte", 11, "bit", {}, "databook"},
                              {"link", "bits of an acknowledge", 2, "bit", {}, "databook"},
@@ -48,7 +48,7 @@ TEST_CASE("for people a replay is its tables, its constants, its fingerprint, an
     CHECK(text.ends_with("k  read off\nfingerprint: 0000000000000abc\na cell misses its tolerance\n"));
 }
 
-TEST_CASE("for machines the first table is the reading, the others stand beside it, each with its verdict") {
+TEST_CASE("the JSON document has the first table as its reading, and the others with their verdicts") {
     boost::json::object json = replay_json(of_two_tables(), "pga-1", 7, "replay pga-1 --seed 7");
     CHECK(json.at("experiment") == "pga-1");
     CHECK(json.at("seed") == 7);

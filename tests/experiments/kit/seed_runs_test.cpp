@@ -64,7 +64,7 @@ struct SmallReplay {
 
 } // namespace
 
-TEST_CASE("figures come in the order of the seeds, to the last bit") {
+TEST_CASE("figures are in the order of the seeds, exact to the last bit") {
     SmallReplay replay;
     StudyResults results(source_named("mine"));
     std::vector<Figures> runs = replay.run(9, results);
@@ -75,7 +75,7 @@ TEST_CASE("figures come in the order of the seeds, to the last bit") {
     CHECK(replay.made == 9);
 }
 
-TEST_CASE("runs that a file has are not made again") {
+TEST_CASE("runs in the file are not repeated") {
     RunsFile file;
     SmallReplay replay;
     std::vector<Figures> first, more;
@@ -90,7 +90,7 @@ TEST_CASE("runs that a file has are not made again") {
     CHECK(replay.made == 18);
 }
 
-TEST_CASE("what a run throws ends the experiment, and what has been made is kept") {
+TEST_CASE("an exception of a run ends the experiment, and finished runs are kept") {
     RunsFile file;
     SmallReplay replay;
     StudyResults kept = file.open();
@@ -118,7 +118,7 @@ TEST_CASE("an interrupted replay keeps the runs that ended") {
     CHECK(kept.count() < 1000);
 }
 
-TEST_CASE("a file of another replay, of an earlier PlacedPar, damaged or cut off is refused and stays as it is") {
+TEST_CASE("a file of another replay or version, or a damaged one, is refused and not changed") {
     RunsFile file;
     SmallReplay replay;
     {
@@ -131,17 +131,17 @@ TEST_CASE("a file of another replay, of an earlier PlacedPar, damaged or cut off
         CHECK_THROWS_WITH_AS(file.open(whose), doctest::Contains(why), UserError);
         CHECK(file.bytes() == bytes);
     };
-    refused(good, "yours", "with other options (mine, not yours); name another file, or move this one away");
+    refused(good, "yours", "with other options (mine, not yours); name another file, or move this file away");
     refused("checked runs of mine\na\t1\t0.5\t0123456789abcdef\n", "mine", "name another file");
     std::string damaged = good;
     damaged[damaged.find("E0,\"\"")] ^= 1;
-    refused(damaged, "mine", "it is damaged (row ");
-    refused(good.substr(0, good.size() / 2), "mine", "malformed): name another file, or move this one away");
+    refused(damaged, "mine", "the file is damaged (row ");
+    refused(good.substr(0, good.size() / 2), "mine", "malformed): name another file, or move this file away");
     file.write(good);
     CHECK(file.open().count() == 5);
 }
 
-TEST_CASE("progress is told by what is run, with what a file had counted in") {
+TEST_CASE("progress names the runs and includes those of the file") {
     SmallReplay replay;
     StudyResults results(source_named("mine"));
     replay.run(2, results);

@@ -76,7 +76,7 @@ TEST_CASE("a replay has the tables and notes of its study, with the figures of i
     CHECK_FALSE(replay.within_tolerance());
 }
 
-TEST_CASE("a replay's fingerprint is that of all its runs in their order") {
+TEST_CASE("a replay's fingerprint covers all its runs in order") {
     const EditedStudy file(of_two_counts);
     test::ReplayInMemory in_memory(0, file.folder());
     const StudyReplay study(in_memory.context, "edited.toml");
@@ -86,7 +86,7 @@ TEST_CASE("a replay's fingerprint is that of all its runs in their order") {
     CHECK(study.replay().fingerprint == both.value());
 }
 
-TEST_CASE("runs that were made before are not made again") {
+TEST_CASE("earlier runs are not repeated") {
     const EditedStudy file(of_two_counts);
     test::ReplayInMemory in_memory(0, file.folder());
     const StudyReplay first(in_memory.context, "edited.toml");
@@ -96,7 +96,7 @@ TEST_CASE("runs that were made before are not made again") {
     CHECK(again.replay().fingerprint == first.replay().fingerprint);
 }
 
-TEST_CASE("the number in a name is its first, with its fraction") {
+TEST_CASE("the number in a name is the first one, with its fraction") {
     const EditedStudy file(of_two_counts);
     test::ReplayInMemory in_memory(0, file.folder());
     const StudyReplay study(in_memory.context, "edited.toml");
@@ -104,50 +104,47 @@ TEST_CASE("the number in a name is its first, with its fraction") {
     CHECK(study.number_in("0.25 of 3") == 0.25);
     CHECK(study.number_in("7") == 7);
     for (const char* name : {"", "no slaves", "1.2.3 slaves"})
-        CHECK_THROWS_WITH_AS(study.number_in(name), doctest::Contains("the replay needs a number in \""), UserError);
+        CHECK_THROWS_WITH_AS(study.number_in(name), doctest::Contains("the replay needs a number in the name \""),
+                             UserError);
 }
 
 TEST_CASE("a study without tables, with seeds of its own, or with figures that no run can have is refused") {
-    check_refused("measure = \"time\"\n[set]\ncount = 3\n",
-                  "the study has no table, and a replay is made of tables: [[table]]");
+    check_refused("measure = \"time\"\n[set]\ncount = 3\n", "the study has no [[table]], which a replay needs");
     for (const char* seeds : {"seeds = 2\n", "first_seed = 7\n"})
-        check_refused(seeds + of_two_counts,
-                      "a replay runs its study with the seed that --seed says: leave out seeds and first_seed");
+        check_refused(seeds + of_two_counts, "the seed of a replay comes from --seed: leave out seeds and first_seed");
     check_refused("measure = [\"time\", \"consumer.rte\"]\n" + of_two_counts.substr(of_two_counts.find('\n') + 1),
                   "unknown measure \"consumer.rte\"; did you mean \"consumer.rate\"?");
 }
 
-TEST_CASE("what a replay shows beside its study's tables has to be in the study") {
+TEST_CASE("a replay refuses a study that lacks a run or figure to be shown") {
     const EditedStudy file(of_two_counts);
     test::ReplayInMemory in_memory(0, file.folder());
     const StudyReplay study(in_memory.context, "edited.toml");
     Replay replay = study.replay();
     CHECK_THROWS_WITH_AS(
         study.table(replay, "parcels"),
-        (file.path() + ": the study has no table \"parcels\", which the replay shows; it has \"packets\"").c_str(),
+        (file.path() + ": the replay needs a table \"parcels\", but the study has only \"packets\"").c_str(),
         UserError);
     CHECK_THROWS_WITH_AS(study.measured({{"count", "30"}}, "time"),
-                         (file.path() + ": the study has no run with count = 30, which the replay shows").c_str(),
+                         (file.path() + ": the replay needs a run with count = 30, which the study lacks").c_str(),
                          UserError);
     CHECK_THROWS_WITH_AS(study.measured({{"count", "10"}}, "tim"),
                          doctest::Contains("unknown measure \"tim\"; did you mean \"time\"?"), UserError);
 }
 
-TEST_CASE("a replay whose machine is stuck has nothing to show") {
+TEST_CASE("a replay whose machine deadlocks is refused") {
     const std::string table = "[[table]]\nname = \"ring\"\ncolumns = [{name = \"all\", set = {n = 3}}]\n"
                               "rows = [{name = \"time\", figure = \"time\"}]\n";
     const EditedStudy stuck("measure = \"time\"\n" + table, "csp/deadlock/ring.cfs");
     test::ReplayInMemory in_memory(0, stuck.folder());
     CHECK_THROWS_WITH_AS(StudyReplay(in_memory.context, "edited.toml").replay(),
-                         doctest::Contains("did not come to its end: placedpar run shows where it stands"),
-                         UnfinishedRun);
+                         doctest::Contains("did not complete: placedpar run shows where it stopped"), UnfinishedRun);
 }
 
-TEST_CASE("an interruption ends a replay without a table") {
+TEST_CASE("an interrupted replay has no table") {
     const EditedStudy file(of_two_counts);
     test::ReplayInMemory in_memory(0, file.folder());
     in_memory.interruption.request();
     CHECK_THROWS_WITH_AS(StudyReplay(in_memory.context, "edited.toml"),
-                         "interrupted: the experiment is not complete, and no table or plot of it was made",
-                         UnfinishedRun);
+                         "interrupted: the experiment is incomplete, so no table or plot was made", UnfinishedRun);
 }

@@ -9,7 +9,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("links carry what the databook says, in Kbyte/s") {
+TEST_CASE("links have the databook's data rates") {
     const Replay replay = test::replay_named("links");
     const std::map<std::string, double> databook{{"5 Mbit/s, one way", 450},   {"5 Mbit/s, both ways", 670},
                                                  {"10 Mbit/s, one way", 910},  {"10 Mbit/s, both ways", 1250},
@@ -22,7 +22,7 @@ TEST_CASE("links carry what the databook says, in Kbyte/s") {
     }
 }
 
-TEST_CASE("switches slow a link down, the more the more there are, and no link is quicker than its bits") {
+TEST_CASE("each switch slows a link down, and no link exceeds its bit rate") {
     const Replay replay = test::replay_named("links");
     auto rate = [&](const char* row) { return test::row_named(replay.comparisons.at(1), row).at(0).simulated; };
     CHECK(rate("direct") > rate("through one C004"));

@@ -8,7 +8,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("a farm takes longer where its routers wait for their turn, or where a packet costs more") {
+TEST_CASE("a farm takes longer with low-priority routers or costlier packets") {
     const Replay farm = test::replay_named("ray-farm");
     auto seconds = [&](int workers, const std::string& routers) {
         const auto cells = test::row_named(farm.comparisons.at(0),

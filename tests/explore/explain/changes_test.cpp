@@ -61,7 +61,7 @@ const Change* find_change(const std::vector<Change>& changes, const std::string&
 
 } // namespace
 
-TEST_CASE("processors are asked about together, by array and alone, at three speeds") {
+TEST_CASE("the changes include faster processors: all, each array and each alone, at three speeds") {
     const std::vector<Change> changes = changes_of_text(two_processors);
     const Change* both = find_change(changes, "all processors", "twice as fast");
     REQUIRE(both);
@@ -74,14 +74,14 @@ TEST_CASE("processors are asked about together, by array and alone, at three spe
     CHECK(most->set == Overrides{{"b.clock", "1000000000"}});
 }
 
-TEST_CASE("each change is asked about once") {
+TEST_CASE("each change is tried once") {
     const std::vector<Change> changes = changes_of_text(two_processors);
     for (std::size_t i = 0; i < changes.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             CHECK_FALSE((changes[i].what == changes[j].what && changes[i].change == changes[j].change));
 }
 
-TEST_CASE("every change sets something that there is, to a value that the netlist takes unless it is none") {
+TEST_CASE("every change sets an existing parameter to a value that the netlist accepts") {
     for (const Change& change : changes_of_text(two_processors)) {
         CAPTURE(change.what);
         CAPTURE(change.change);
@@ -91,7 +91,7 @@ TEST_CASE("every change sets something that there is, to a value that the netlis
     }
 }
 
-TEST_CASE("the answers come with the shortest run first, and what changes nothing takes as long") {
+TEST_CASE("the answers begin with the shortest run, and a change without effect leaves the time equal") {
     const Network network = network_with(two_processors);
     const Time now = run_netlist(network, all_kinds(), {}).result.time;
     const std::vector<Change> changes{

@@ -55,7 +55,7 @@ void check_same_tables(const CriticalPath& a, const CriticalPath& b) {
 
 } // namespace
 
-TEST_CASE("what the path can no longer lead over is forgotten, and the path is the same") {
+TEST_CASE("forgetting points that cannot be on the path leaves the path unchanged") {
     for (const auto& [name, most] :
          {std::pair("thesis/figure-e2/figure-e2.cfs", 32'000), std::pair("machine/busy-bus/busy-bus.cfs", 1000),
           std::pair("machine/through-routing/farm.cfs", 32'000)}) {
@@ -69,7 +69,7 @@ TEST_CASE("what the path can no longer lead over is forgotten, and the path is t
     }
 }
 
-TEST_CASE("a path that is too long is given up, and the tables stay") {
+TEST_CASE("a path that is too long is not kept, but the tables are") {
     for (const std::string name :
          {"thesis/figure-e2/figure-e2.cfs", "machine/busy-bus/busy-bus.cfs", "csp/commstime/commstime.cfs"}) {
         CAPTURE(name);
@@ -81,7 +81,7 @@ TEST_CASE("a path that is too long is given up, and the tables stay") {
     }
 }
 
-TEST_CASE("in the place of a path that was given up stands what to do") {
+TEST_CASE("the report of a run whose path was not kept says what to do") {
     Network network = example("csp/commstime/commstime.cfs");
     Explanation explanation;
     explanation.path_too_long = true;
@@ -93,7 +93,7 @@ TEST_CASE("in the place of a path that was given up stands what to do") {
     CHECK(explanation_json(explanation, network).at("not_kept").as_string() == why);
 }
 
-TEST_CASE("points that nothing in use leads back to are forgotten") {
+TEST_CASE("points that no current point leads back to are forgotten") {
     PathPoints points(8);
     auto add = [&](PathPoints::Number before, int at) {
         return points.add({Time{at}, before, Activity::computing, 0, 0});

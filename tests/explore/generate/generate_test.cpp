@@ -174,7 +174,7 @@ bool says(const TopologyRequest& request, const std::string& reason) {
 
 } // namespace
 
-TEST_CASE("every topology has the processors, links, degree and diameter that are known of it") {
+TEST_CASE("every topology has its known number of processors and links, degree and diameter") {
     ProblemRegistry problems = known_problems(1);
     Catalogue catalogue = known_kinds(problems);
     for (const KnownMachine& known : all_known()) {
@@ -201,7 +201,7 @@ TEST_CASE("a farm and islands run to their end on every topology, at several siz
         }
 }
 
-TEST_CASE("a user's kind is connected with its neighbours along every wire, and hears from each") {
+TEST_CASE("processes of a user's kind are connected along every wire and receive from each neighbour") {
     Catalogue catalogue;
     catalogue.add(exchanger());
     for (KnownMachine known : all_known()) {
@@ -218,7 +218,7 @@ TEST_CASE("a user's kind is connected with its neighbours along every wire, and 
     }
 }
 
-TEST_CASE("a generated netlist is of another size with another val") {
+TEST_CASE("changing a val changes the size of a generated netlist") {
     ProblemRegistry problems = known_problems(1);
     Catalogue catalogue = known_kinds(problems);
     for (const char* job : {"farm", "islands"}) {
@@ -232,19 +232,19 @@ TEST_CASE("a generated netlist is of another size with another val") {
     }
 }
 
-TEST_CASE("what takes more than four links is refused, with the reason") {
+TEST_CASE("a topology that needs more than four links of a processor is refused with the reason") {
     for (auto [topology, size] : {std::pair("torus", "3x3"), {"torus", "4x4"}, {"hypercube", "16"}})
-        CHECK(says(sized(topology, size), "so none is left for a wire to the host; --host node"));
-    CHECK(says(sized("hypercube", "32"), "every processor needs 5 links, and a transputer has 4"));
-    CHECK(says(sized("star", "6"), "its centre needs 5 links, and a transputer has 4"));
+        CHECK(says(sized(topology, size), "so no link is left for a wire to the host; --host node"));
+    CHECK(says(sized("hypercube", "32"), "every processor needs 5 links, but a transputer has 4 links"));
+    CHECK(says(sized("star", "6"), "its centre needs 5 links, but a transputer has 4 links"));
     TopologyRequest request = sized("tree", "9");
     request.branches = 4;
-    CHECK(says(request, "needs 5 links, and a transputer has 4"));
+    CHECK(says(request, "needs 5 links, but a transputer has 4 links"));
     request = sized("chordal-ring", "12");
     request.degree = 4;
-    CHECK(says(request, "so none is left"));
+    CHECK(says(request, "so no link is left"));
     request.degree = 5;
-    CHECK(says(request, "3 or 4 links to others"));
+    CHECK(says(request, "expected 3 or 4, the links of a processor"));
 }
 
 TEST_CASE("sizes that a topology does not have are refused, with the reason") {
@@ -259,13 +259,13 @@ TEST_CASE("sizes that a topology does not have are refused, with the reason") {
     CHECK(says(sized("ring", "4097"), "at most 4096"));
     CHECK(says(sized("mesh", "1024x1024"), "at most 4096"));
     CHECK(says(sized("mesh", "16"), "expected two numbers"));
-    CHECK(says(sized("hypercube", "12"), "a power of two: 8 or 16"));
+    CHECK(says(sized("hypercube", "12"), "a power of two, such as 8 or 16"));
     CHECK(says(sized("cube-connected-cycles", "25"), "24, 64, 160"));
     CHECK(says(sized("chordal-ring", "15"), "even"));
     for (std::size_t chord : {0U, 1U, 15U, 16U, 99U}) {
         TopologyRequest request = sized("chordal-ring", "16");
         request.chord = chord;
-        CHECK(says(request, "leads to a neighbour, or beyond the ring"));
+        CHECK(says(request, "leads to a neighbour or around the whole ring"));
     }
 }
 
@@ -278,13 +278,14 @@ TEST_CASE("a machine whose routes are too long is refused with the size that it 
     CHECK(refusal_of(with_host_node("ring", "1000")) == "");
     CHECK(refusal_of(with_host_node("ring", "1189")) == "");
     CHECK(refusal_of(with_host_node("ring", "1300")) ==
-          "ring of size 1300: its channels pass through so many processors that written out it would have 20051793 "
-          "bytes, 16777216 are allowed; say fewer, or a topology of a smaller diameter");
+          "ring of size 1300: its channels pass through too many processors: written out it would have 20051793 "
+          "bytes, but at most 16777216 bytes are allowed; choose a smaller size, or a topology of a smaller diameter");
     CHECK(refusal_of(with_host_node("torus", "64x64")) == "");
-    CHECK(says(with_host_node("mesh", "2x2048"), "bytes, 16777216 are allowed; say fewer"));
+    CHECK(
+        says(with_host_node("mesh", "2x2048"), "bytes, but at most 16777216 bytes are allowed; choose a smaller size"));
 }
 
-TEST_CASE("what is not known is refused, with what is") {
+TEST_CASE("unknown topologies and jobs are refused with the known names") {
     CHECK(says(sized("moebius", "8"), "expected one of: pipeline, ring"));
     TopologyRequest request = sized("ring", "8");
     request.job = "ga.islnd";
@@ -293,5 +294,5 @@ TEST_CASE("what is not known is refused, with what is") {
     CHECK(says(request, "no output \"to_neighbours\""));
     request.job = "islands";
     request.branches = 2;
-    CHECK(says(request, "--branches is for tree"));
+    CHECK(says(request, "--branches works only with the topology tree"));
 }

@@ -22,7 +22,7 @@ generate::Distances distances_of(const std::string& netlist) {
 
 } // namespace
 
-TEST_CASE("statements stand a level further in with each loop around them, several of them in braces") {
+TEST_CASE("each loop indents its statements by one level; several statements have braces") {
     CHECK(generate::within({}, {"a;", "b;"}) == "a;\nb;\n");
     CHECK(generate::within({"rep i", "rep j"}, {"a;"}) == "rep i\n    rep j\n        a;\n");
     CHECK(generate::within({"rep i", "rep j"}, {"a;", "b;"}) == "rep i\n    rep j {\n        a;\n        b;\n    }\n");
@@ -39,7 +39,7 @@ TEST_CASE("a wire is connected by its links, and carries a channel each way betw
           "}\n");
 }
 
-TEST_CASE("distances are between processors: a host and its wires do not count") {
+TEST_CASE("distances count processors only, not the host and its wires") {
     const generate::Distances line = distances_of("workstation sun; T800 a, b, c; connect sun.link[0] to a.link[0];"
                                                   "connect a.link[1] to b.link[0]; connect b.link[1] to c.link[0];");
     CHECK(line.processors == 3);
@@ -49,7 +49,7 @@ TEST_CASE("distances are between processors: a host and its wires do not count")
     CHECK(line.connected);
 }
 
-TEST_CASE("two wires between the same processors are two, and the way is as short as by one") {
+TEST_CASE("two wires between the same processors count twice but do not change distances") {
     const generate::Distances twice =
         distances_of("T800 a, b; connect a.link[0] to b.link[0]; connect a.link[1] to b.link[1];");
     CHECK(twice.links == 2);
@@ -57,7 +57,7 @@ TEST_CASE("two wires between the same processors are two, and the way is as shor
     CHECK(twice.diameter == 1);
 }
 
-TEST_CASE("processors that only a host joins are not connected, and the diameter is that of the larger part") {
+TEST_CASE("processors joined only by a host count as unconnected; the diameter is that of the larger part") {
     const generate::Distances apart =
         distances_of("workstation sun; T800 a, b, c; connect a.link[1] to b.link[0];"
                      "connect sun.link[0] to a.link[0]; connect sun.link[1] to c.link[0];");
@@ -66,7 +66,7 @@ TEST_CASE("processors that only a host joins are not connected, and the diameter
     CHECK(distances_of("T800 a;").connected);
 }
 
-TEST_CASE("a generated netlist begins with what it is, and the command that makes it again") {
+TEST_CASE("a generated netlist begins with its description and the command that makes it again") {
     ProblemRegistry problems = known_problems(1);
     generate::TopologyRequest request;
     request.topology = "tree";
@@ -75,8 +75,8 @@ TEST_CASE("a generated netlist begins with what it is, and the command that make
     request.job = "farm";
     request.host = "node";
     const std::string text = generate::generate(request, known_kinds(problems)).text;
-    CHECK(text.starts_with("/* A tree of 13, each with up to 3 below it: 13 processors, 12 links between them, at "
-                           "most 4 of one, diameter 4.\n   A farm: "));
+    CHECK(text.starts_with("/* A tree of 13, each with up to 3 children: 13 processors, 12 links between them, at "
+                           "most 4 at one processor, diameter 4.\n   A farm: "));
     CHECK(text.find("\n   placedpar generate tree --size 13 --branches 3 --job farm --host node */\n") != text.npos);
     CHECK(text.find("\nplace host on t[0];\n") != text.npos);
 }

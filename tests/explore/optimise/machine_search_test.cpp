@@ -60,7 +60,7 @@ TEST_CASE("a genome stands for every machine, and for no other") {
     CHECK(space.settings(7) == Overrides{{"v0", "1"}, {"v1", "2"}});
 }
 
-TEST_CASE("in small spaces it finds the optimum that the exhaustive search finds") {
+TEST_CASE("in small spaces the search finds the optimum of the exhaustive search") {
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         CAPTURE(seed);
         Scratch scratch;
@@ -72,7 +72,7 @@ TEST_CASE("in small spaces it finds the optimum that the exhaustive search finds
     }
 }
 
-TEST_CASE("it is better than as many machines drawn at random") {
+TEST_CASE("the search finds better machines than the same number of random ones") {
     int better = 0, worse = 0;
     for (std::uint64_t seed = 101; seed <= 120; ++seed) {
         Scratch scratch;
@@ -119,7 +119,7 @@ TEST_CASE("machines that the netlist or the condition refuses are neither simula
     for (std::uint64_t machine : genetic->machines)
         CHECK(can_be.contains(machine));
     CHECK(genetic->tried.size() > genetic->machines.size());
-    CHECK(genetic->why.contains("the study's condition does not hold"));
+    CHECK(genetic->why.contains("the study's condition \"where\" is not met"));
     tried.results().for_each([&](const StudyRun& run, const StudyOutcome& outcome) {
         int wanted = std::stoi(run.set.at("v0")) + std::stoi(run.set.at("v1"));
         CHECK((outcome.ended == "refused") == (wanted > 4));
@@ -127,7 +127,7 @@ TEST_CASE("machines that the netlist or the condition refuses are neither simula
     });
 }
 
-TEST_CASE("the course is the same however many run at once, and where it went on from an interruption") {
+TEST_CASE("the search's course does not depend on the number of workers or on interruptions") {
     const Landscape landscape{.vals = 5, .values = 5, .four_links = true};
     const StudySearch wanted = wanting({"time", "links"}, 20, 6, 7);
     Scratch whole, many, broken;
@@ -157,7 +157,7 @@ TEST_CASE("another seed draws another course") {
     CHECK(one->machines != other->machines);
 }
 
-TEST_CASE("what cannot be searched is refused") {
+TEST_CASE("studies that cannot be searched are refused") {
     Scratch scratch;
     const Landscape landscape{.vals = 2, .values = 4};
     LandscapeSearch no_such(folder_of(scratch), landscape, wanting({"tim"}, 8, 3));
@@ -172,7 +172,7 @@ TEST_CASE("what cannot be searched is refused") {
     CHECK_THROWS_AS(MachineSpace{fixed}, UserError);
 }
 
-TEST_CASE("what several ways found counts together: the best is that of whichever found it") {
+TEST_CASE("the results of several methods count together: the best machine may come from any of them") {
     auto costing = [](double cost) { return Merit{true, {cost}}; };
     Optimum optimum;
     optimum.courses = {{.way = "genetic", .machines = {1, 2}, .merits = {costing(5), costing(4)}},

@@ -50,7 +50,7 @@ std::vector<std::size_t> layers(const std::vector<Merit>& merits) {
 
 } // namespace
 
-TEST_CASE("a machine dominates one that is worse in something and better in nothing, and those that cannot be") {
+TEST_CASE("a machine dominates machines that are worse in some cost and better in none, and infeasible machines") {
     CHECK(dominates(costs({1, 2}), costs({1, 3})));
     CHECK_FALSE(dominates(costs({1, 2}), costs({1, 2})));
     CHECK_FALSE(dominates(costs({1, 3}), costs({2, 2})));
@@ -59,7 +59,7 @@ TEST_CASE("a machine dominates one that is worse in something and better in noth
     CHECK_FALSE(dominates(Merit{}, costs({9})));
 }
 
-TEST_CASE("the front is those whom none dominates") {
+TEST_CASE("the front consists of the machines that no other dominates") {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         CAPTURE(seed);
         auto merits = random_merits(1 + seed, 1 + seed % 2, seed);
@@ -86,7 +86,7 @@ TEST_CASE("the order goes front by front") {
     }
 }
 
-TEST_CASE("within a front the ends come first, then who stands most apart") {
+TEST_CASE("within a front the ends come first, then the machines farthest from their neighbours") {
     // The second merit's distance is (10 - 0) / 100 in each of its two costs, the third merit's (100 - 1) / 100.
     std::vector<Merit> merits{costs({0, 100}), costs({1, 99}), costs({10, 90}), costs({100, 0})};
     CHECK(order_of(merits) == std::vector<std::size_t>{0, 3, 2, 1});

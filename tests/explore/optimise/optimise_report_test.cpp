@@ -31,18 +31,18 @@ Optimum optimum_of(std::vector<std::string> measures, std::vector<SearchCourse> 
 
 } // namespace
 
-TEST_CASE("of one cost the best few are shown, the best first, and one of each cost") {
+TEST_CASE("with one cost the few best machines are shown, the best first, one for each value of the cost") {
     const SearchCourse course = course_of("genetic", {{5}, {3}, {}, {3}, {9}, {8}, {7}, {6}, {4}});
     CHECK(best_of(course) == std::vector<std::size_t>{1, 8, 0, 7, 6}); // 3, 4, 5, 6, 7
     CHECK(best_of(course_of("genetic", {{}, {}})).empty());
 }
 
-TEST_CASE("of two costs the front is shown") {
+TEST_CASE("with two costs the front is shown") {
     const SearchCourse course = course_of("genetic", {{1, 9}, {2, 2}, {9, 1}, {3, 3}, {2, 2}});
     CHECK(best_of(course) == std::vector<std::size_t>{0, 1, 2});
 }
 
-TEST_CASE("the comparison says what each way found and with how many machines") {
+TEST_CASE("the comparison states the result of each method and the machines it needed") {
     const std::string text = print_comparison(
         optimum_of({"time [ms]"}, {course_of("genetic", {{8}, {4}, {5}}), course_of("random", {{}, {7}})}));
     CHECK(text == "search        machines                 time [ms]      found with\n"
@@ -51,7 +51,7 @@ TEST_CASE("the comparison says what each way found and with how many machines") 
                   "random               2                         7               2\n");
 }
 
-TEST_CASE("a way that found nothing says so, and a start that cannot be built says why") {
+TEST_CASE("the comparison says that a method found nothing, and why the start cannot be built") {
     Optimum optimum = optimum_of({"time [ms]"}, {course_of("random", {{}, {}})});
     optimum.start = {.merit = {}, .why = "it deadlocks\nat 5 ms"};
     CHECK(print_comparison(optimum) == "search        machines                 time [ms]      found with\n"
@@ -59,7 +59,7 @@ TEST_CASE("a way that found nothing says so, and a start that cannot be built sa
                                        "random               2                      none\n");
 }
 
-TEST_CASE("of two measures each way has a front, and a part of that of all") {
+TEST_CASE("with two measures the comparison states each method's front and its part of the joint front") {
     const std::string text = print_comparison(optimum_of(
         {"time", "processors"}, {course_of("genetic", {{1, 9}, {9, 1}}), course_of("random", {{2, 8}, {9, 9}})}));
     CHECK(text == "search        machines                 its front   of all fronts\n"
@@ -67,7 +67,7 @@ TEST_CASE("of two measures each way has a front, and a part of that of all") {
                   "random               2                         1          0 of 2\n");
 }
 
-TEST_CASE("what several ways found is together one course, each machine once") {
+TEST_CASE("the machines of several methods form one course, each machine once") {
     const Optimum optimum =
         optimum_of({"time"}, {course_of("genetic", {{8}, {4}}), course_of("random", {{8}, {4}, {1}})});
     const SearchCourse together = optimum.together();
@@ -86,11 +86,11 @@ TEST_CASE("the command makes the run again, with each word as a shell takes it")
                          "--fault 't[0] halts (from = 1s)' --seed 7"));
 }
 
-TEST_CASE("why no machine can be built: the one reason in full, or the most frequent first") {
+TEST_CASE("if no machine can be built, a single reason is printed in full, several with the most frequent first") {
     SearchCourse course = course_of("random", {{}, {}, {}});
     course.why["short"] = {.machines = 3, .said = "short\nand in full"};
     CHECK(print_why_none(course) ==
-          "none of 3 machines that were tried can be built and completes its runs:\nshort\nand in full");
+          "of 3 machines that were tried, none can be built and completes its runs:\nshort\nand in full");
     course.why["other"] = {.machines = 5, .said = "other"};
     CHECK(print_why_none(course).ends_with(":\n     5  other\n     3  short"));
     for (char more = 'a'; more < 'f'; ++more)
@@ -99,7 +99,7 @@ TEST_CASE("why no machine can be built: the one reason in full, or the most freq
     CHECK(std::count(text.begin(), text.end(), '\n') == 5);
 }
 
-TEST_CASE("what is minimised is shown first, and nothing twice") {
+TEST_CASE("the minimised measures are shown first, and no measure twice") {
     Study study;
     study.measures = {"links", "time"};
     study.search = StudySearch{.minimise = {"time", "processors"}};

@@ -29,7 +29,7 @@ using Told = std::vector<std::string>;
 
 } // namespace
 
-TEST_CASE("settings are spelled as the study spells them, else as the first run does") {
+TEST_CASE("settings are spelled as in the study, otherwise as in the first run") {
     StudyResults results(StudySource{});
     keep_run(results, "4+4", 1, 1);
     Study study;
@@ -40,7 +40,7 @@ TEST_CASE("settings are spelled as the study spells them, else as the first run 
     CHECK(CanonicalSettings(results, nullptr).of({{"clock", "8.0"}}) == Overrides{{"clock", "8.0"}}); // no such val
 }
 
-TEST_CASE("of runs that are the same, the one that was made in the spelling of the study is told") {
+TEST_CASE("of runs with equal settings only the one in the study's spelling is passed on") {
     StudyResults results(StudySource{});
     keep_run(results, "8", 1, 1);
     keep_run(results, "8.0", 1, 2);

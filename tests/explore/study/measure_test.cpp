@@ -53,7 +53,7 @@ PossibleMeasures of_a_farm() {
 
 } // namespace
 
-TEST_CASE("a run's figures are its time, its machine, what was measured in numbers, and how busy processors were") {
+TEST_CASE("a run's figures are its time, the size of its machine, numeric measurements and the load of processors") {
     const StudyFigures figures = figures_of(quarter_busy(), Network());
     CHECK(names_in(figures) ==
           std::vector<std::string>{"links", "master.rate", "processors", "t[0].busy", "t[1].busy", "time"});
@@ -66,23 +66,23 @@ TEST_CASE("a run's figures are its time, its machine, what was measured in numbe
     CHECK(StudyMeasure("t.busy").of(figures)->value == 12.5);
 }
 
-TEST_CASE("in a deadlock no processor is said to be busy for a share of the time") {
+TEST_CASE("after a deadlock no load of processors is reported") {
     RunReport stuck = quarter_busy();
     stuck.result.ending = Ending::stuck;
     CHECK_FALSE(figures_of(stuck, Network()).contains("t[0].busy"));
 }
 
-TEST_CASE("what a table calls a measure is its last name, whatever is done with it and of which element") {
+TEST_CASE("a table names a measure by its last part, without aggregate and subscript") {
     CHECK(StudyMeasure("max(master[0].T_exe)").name_without_subscripts() == "master.T_exe");
     CHECK(StudyMeasure("max(master[0].T_exe)").last_name() == "T_exe");
     CHECK(StudyMeasure("cell[1][2].in.bytes").name_without_subscripts() == "cell.bytes");
     CHECK(StudyMeasure("time").last_name() == "time");
     for (const char* none : {"", "max()", "max(a,b)", "f(x)", "a)"})
-        CHECK_THROWS_WITH_AS(StudyMeasure{none}, doctest::Contains("is not a measure: it takes PROCESS.NAME or time"),
+        CHECK_THROWS_WITH_AS(StudyMeasure{none}, doctest::Contains("is not a measure: expected time, PROCESS.NAME"),
                              UserError);
 }
 
-TEST_CASE("figures that were not written as they are read are refused") {
+TEST_CASE("stored figures in another form than the written one are refused") {
     for (const char* wrong : {"", "{", "[1]", "{\"a\":1}", "{\"a\":[1]}", "{\"a\":[\"1\",\"ms\"]}", "{\"a\":[1,2]}",
                               "{\"a\":[1,\"\"],\"a\":[2,\"\"]}", "{\"a\":[1e999,\"\"]}"}) {
         CAPTURE(wrong);
@@ -91,7 +91,7 @@ TEST_CASE("figures that were not written as they are read are refused") {
     CHECK(figures_from("{}").empty());
 }
 
-TEST_CASE("what runs can measure is known before any is made: of the machine, of kinds, and of the problem") {
+TEST_CASE("the possible measures of machine, kinds and problem are known before any run") {
     const PossibleMeasures possible = of_a_farm();
     for (const char* measure :
          {"time", "processors", "links", "t.busy", "max(t[1].busy)", "master.T_exe", "master.C_BOi"})
@@ -102,18 +102,17 @@ TEST_CASE("what runs can measure is known before any is made: of the machine, of
           "unknown measure \"master.T_ex\"; did you mean \"master.T_exe\"?");
 }
 
-TEST_CASE("a measure that a run does not have is refused with the nearest, or with all that it has") {
+TEST_CASE("a measure that a run lacks is refused with the nearest name, or with all measures") {
     const StudyFigures figures = figures_of(quarter_busy(), Network());
     CHECK(there_is_no_measure(StudyMeasure("master.rates"), figures) ==
           "unknown measure \"master.rates\"; did you mean \"master.rate\"?");
     CHECK(there_is_no_measure(StudyMeasure("wall clock"), figures) ==
-          "unknown measure \"wall clock\"; the runs have links, master.rate, processors, t.busy, time");
+          "unknown measure \"wall clock\"; the runs have the measures links, master.rate, processors, t.busy, time");
 }
 
-TEST_CASE("a measure that a run can have, but has not come to, is said to be that, with what it is") {
+TEST_CASE("the message about a measure that the run ended before says so and describes the measure") {
     const StudyFigures host{{"host.estimates", {20, ""}}, {"host.response", {3, "ms"}}};
-    CHECK(
-        there_is_no_measure(StudyMeasure("host.accurate_after"), host) ==
-        "no run has measured \"host.accurate_after\": time after which the fittest estimate stays accurate; absent if "
-        "the last estimate is not accurate");
+    CHECK(there_is_no_measure(StudyMeasure("host.accurate_after"), host) ==
+          "no run measured \"host.accurate_after\": time after which the fittest estimate stays accurate; absent if "
+          "the last estimate is not accurate");
 }

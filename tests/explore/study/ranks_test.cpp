@@ -125,7 +125,7 @@ std::vector<RankMessage> answers_to(const std::vector<RankMessage>& messages, co
 
 } // namespace
 
-TEST_CASE("rank 0 hands out each run once, keeps what comes back, and says when there are no more") {
+TEST_CASE("rank 0 hands out each run once, keeps its outcome, and announces the end") {
     PlayedHelpers played;
     RankZero zero(played.rank);
     const LeavesAtTheEnd leaves{played};
@@ -156,7 +156,7 @@ TEST_CASE("rank 0 hands out each run once, keeps what comes back, and says when 
     CHECK(played.results.count() == 3);
 }
 
-TEST_CASE("a run of a helper that goes without having ended it stays in hand") {
+TEST_CASE("a run that a helper leaves unfinished remains counted as handed out") {
     PlayedHelpers played;
     RankZero zero(played.rank);
     const LeavesAtTheEnd leaves{played};
@@ -168,7 +168,7 @@ TEST_CASE("a run of a helper that goes without having ended it stays in hand") {
     CHECK(played.results.count() == 0);
 }
 
-TEST_CASE("when rank 0 is stopped it says so once, and hands out nothing more") {
+TEST_CASE("a stopped rank 0 announces it once and hands out no more runs") {
     PlayedHelpers played;
     RankZero zero(played.rank);
     const LeavesAtTheEnd leaves{played};
@@ -182,7 +182,7 @@ TEST_CASE("when rank 0 is stopped it says so once, and hands out nothing more") 
     CHECK_FALSE(zero.serve(true));
 }
 
-TEST_CASE("what a helper cannot go on for is said with its rank, and the others are stopped") {
+TEST_CASE("a helper's error is reported with its rank and stops the other helpers") {
     PlayedHelpers played;
     {
         RankZero zero(played.rank);
@@ -195,7 +195,7 @@ TEST_CASE("what a helper cannot go on for is said with its rank, and the others 
     CHECK(kinds_of(played.post.collect(1)) == std::vector{RankKind::begin, RankKind::stop});
 }
 
-TEST_CASE("a helper has one run more in hand than it makes at once, and tells what came of each") {
+TEST_CASE("a helper requests one run more than it makes at once and reports each outcome") {
     const Study study = three_runs();
     const RankMessage none{RankKind::none};
     const std::vector<RankMessage> said = answers_to({{RankKind::begin, digest_of(source_of_three())},
@@ -214,14 +214,15 @@ TEST_CASE("a helper has one run more in hand than it makes at once, and tells wh
     }
 }
 
-TEST_CASE("a helper that has other files than rank 0 says so, and goes when it is told to") {
+TEST_CASE("a helper with other files than rank 0 reports it and stops when told to") {
     const std::vector<RankMessage> said = answers_to({{RankKind::begin, "another digest"}, {RankKind::stop}});
     REQUIRE(kinds_of(said) == std::vector{RankKind::failed, RankKind::gone});
-    CHECK(said[0].text == "its netlist, its options or its PlacedPar are not those of rank 0; every machine has to "
-                          "have the same files");
+    CHECK(said[0].text ==
+          "its netlist, its options or its version of PlacedPar differ from those of rank 0; every machine "
+          "must have the same files");
 }
 
-TEST_CASE("a helper goes at once where there is nothing to do, and where it is interrupted") {
+TEST_CASE("a helper stops immediately if there is no work or if it is interrupted") {
     CHECK(kinds_of(answers_to({{RankKind::stop}})) == std::vector{RankKind::gone});
     Interruption interruption;
     interruption.request();
@@ -230,7 +231,7 @@ TEST_CASE("a helper goes at once where there is nothing to do, and where it is i
     CHECK(said == std::vector{RankKind::ask, RankKind::ask, RankKind::gone});
 }
 
-TEST_CASE("a sweep that is shared among ranks comes to the results of one that is not") {
+TEST_CASE("a sweep shared among ranks gives the results of an unshared sweep") {
     const Study study = three_runs();
     Interruption never;
     StudyResults alone{StudySource{}}, shared{StudySource{}};

@@ -42,7 +42,7 @@ std::vector<double> fitness_of_all(const SearchProblem& problem) {
 
 } // namespace
 
-TEST_CASE("each string is evaluated once in each coding, and worth what it is worth to the problem itself") {
+TEST_CASE("each string is evaluated once in each coding, with the fitness that the problem gives it") {
     CountedValley valley;
     auto plain = minimise(valley);
     RememberedProblem remembered(plain);
@@ -55,7 +55,7 @@ TEST_CASE("each string is evaluated once in each coding, and worth what it is wo
     }
 }
 
-TEST_CASE("strings with don't-care bits between the others are evaluated as one, and known from those without") {
+TEST_CASE("strings that differ only in don't-care bits are evaluated once") {
     CountedValley valley;
     RememberedProblem remembered(minimise(valley));
     fitness_of_all(*remembered.coded(Coding::gray));
@@ -71,7 +71,7 @@ TEST_CASE("strings with don't-care bits between the others are evaluated as one,
     }
 }
 
-TEST_CASE("what is remembered is bounded, of several problems together") {
+TEST_CASE("several problems share one bound on remembered strings") {
     CountedValley valley, other;
     auto room = std::make_shared<std::size_t>(10'000);
     {

@@ -176,7 +176,7 @@ TEST_CASE("with any bit of it flipped, a file of results is the same or refused:
     flip_bits(1, 1);
 }
 
-TEST_CASE("cut off anywhere, a file of results is refused, unless nothing of it is gone") {
+TEST_CASE("a file of results that is cut off anywhere is refused") {
     ResultsFile file;
     make_results(file);
     const std::string good = file.bytes(), whole = table_in(file);
@@ -190,37 +190,38 @@ TEST_CASE("cut off anywhere, a file of results is refused, unless nothing of it 
     CHECK(cut.refused > 9 * cut.same);
 }
 
-TEST_CASE("what is foreign in a file of results is refused") {
-    const std::string schema = "its tables are not as PlacedPar made them";
+TEST_CASE("foreign content in a file of results is refused") {
+    const std::string schema = "its tables differ from those that PlacedPar makes";
     check_refused("CREATE TRIGGER t AFTER INSERT ON runs BEGIN DELETE FROM runs; END", schema);
     check_refused("CREATE VIEW v AS SELECT * FROM runs", schema);
     check_refused("CREATE TABLE other(a)", schema);
     check_refused("CREATE INDEX i ON runs(ended)", schema);
     check_refused("ALTER TABLE runs ADD COLUMN more TEXT", schema);
     check_refused("ALTER TABLE runs RENAME COLUMN ended TO finished", schema);
-    check_refused("PRAGMA user_version = 1", "of an earlier PlacedPar; this one knows 2, whose rows have checksums: "
-                                             "report it with that one, or sweep again with another --results");
-    check_refused("PRAGMA user_version = 3", "of a later PlacedPar; this one knows 2");
+    check_refused("PRAGMA user_version = 1",
+                  "from an earlier version of PlacedPar; this version reads format 2: "
+                  "use the other version to report it, or sweep again with another --results");
+    check_refused("PRAGMA user_version = 3", "from a later version of PlacedPar; this version reads format 2");
 }
 
-TEST_CASE("rows that were changed, exchanged, taken away or put in are refused") {
+TEST_CASE("changed, exchanged, removed or added rows are refused") {
     check_refused("UPDATE runs SET ended = 'deadlock' WHERE seed = 2", "row 2 of table runs");
     check_refused("UPDATE runs SET figures = replace(figures, ',', '-')", "row 1 of table runs");
     check_refused("UPDATE runs SET seed = 9 WHERE seed = 3", "row 3 of table runs");
     check_refused("UPDATE runs SET seed = -seed WHERE seed < 3; UPDATE runs SET seed = 3 + seed WHERE seed < 0",
                   "of table runs");
     check_refused("UPDATE runs SET settings = '{}' WHERE seed = 1", "of table runs");
-    check_refused("DELETE FROM runs WHERE seed = 3", "table runs has 3 rows, and had 4");
+    check_refused("DELETE FROM runs WHERE seed = 3", "table runs has 3 rows, but should have 4");
     check_refused("INSERT INTO runs SELECT settings, 12, ended, time_ps, fingerprint, netlist_hash, version, refused, "
                   "figures, checksum FROM runs WHERE seed = 1",
                   "of table runs");
-    check_refused("DELETE FROM study", "the row of table study is gone");
+    check_refused("DELETE FROM study", "table study has no row");
     check_refused("DELETE FROM texts WHERE place = 1", "one of table texts");
     check_refused("UPDATE texts SET place = 7 - place", "one of table texts");
     check_refused("UPDATE study SET measures = '[]'", "the row of table study");
 }
 
-TEST_CASE("a row with a checksum that another program made is refused where it is no run") {
+TEST_CASE("a row that is not a run is refused even with a correct checksum") {
     for (const char* figures : {"", "{", "[]", "{\"a\":[1-2,\"s\"]}", "{\"a\":[1]}", "{\"a\":[1e999,\"s\"]}",
                                 "{\"a\":[\"1\",\"s\"]}", "{\"a\":[1,2]}", "{\"a\":[-,\"s\"]}", "{\"a\":[[3],\"s\"]}"}) {
         CAPTURE(figures);
@@ -248,6 +249,6 @@ TEST_CASE("a row with a checksum that another program made is refused where it i
             study.reset();
             store::Statement(database, "UPDATE study SET sum = ?1, checksum = ?2").run(sum, head);
         }
-        CHECK(refusal_of(file).find("a row is not as PlacedPar writes it") != std::string::npos);
+        CHECK(refusal_of(file).find("PlacedPar did not write this row") != std::string::npos);
     }
 }

@@ -35,7 +35,7 @@ bool is_drawn_by_decades_over(const std::vector<double>& values) {
 
 } // namespace
 
-TEST_CASE("a plot is by decades over what is multiplied, and not over what is added") {
+TEST_CASE("the axis of a plot is logarithmic for multiplied values and linear for added ones") {
     CHECK(is_drawn_by_decades_over({1, 2, 4, 8, 16, 32, 64}));
     CHECK(is_drawn_by_decades_over({5, 10, 20, 40, 1000}));
     CHECK(is_drawn_by_decades_over({10, 1000}));
@@ -44,7 +44,7 @@ TEST_CASE("a plot is by decades over what is multiplied, and not over what is ad
     CHECK_FALSE(is_drawn_by_decades_over({0, 1, 2, 4, 100}));
 }
 
-TEST_CASE("points of a study are where they were measured, with Student's intervals where runs differ") {
+TEST_CASE("points are plotted at the measured values, with Student's intervals if runs differ") {
     StudySummary summary{.netlist = "a.cfs", .version = "1", .axes = {"n", "k"}, .measures = {"time"}, .units = {"ms"}};
     add_curve(summary, "differ", {1, 3});
     add_curve(summary, "agree", {2, 2});

@@ -27,7 +27,7 @@ StudySummary of_two_lines() {
 
 } // namespace
 
-TEST_CASE("a table of a study has a line a combination, with the interval where there are several seeds") {
+TEST_CASE("a study's table has one line for each combination, with intervals if there are several seeds") {
     CHECK(print_summary(of_two_lines()) == "farm.cfs: 3 runs of 2 combinations\n"
                                            "all with samples = 12\n"
                                            "\n"
@@ -39,7 +39,7 @@ TEST_CASE("a table of a study has a line a combination, with the interval where 
     CHECK(print_summary(single).find("95 %") == std::string::npos);
 }
 
-TEST_CASE("for programs a figure that no run has is empty, and so is an interval of a single run") {
+TEST_CASE("in CSV a missing figure is empty, and so is the interval of a single run") {
     StudySummary summary = of_two_lines();
     summary.lines.push_back({.values = {"3"}, .runs = 1, .ended = {}, .cells = {test::cell_of({7.5})}});
     const std::string csv = summary_csv(summary);
@@ -48,22 +48,20 @@ TEST_CASE("for programs a figure that no run has is empty, and so is an interval
     CHECK(csv.ends_with(",4,6\n2,1,refused: too few,,,,\n3,1,,7.5,,7.5,7.5\n"));
 }
 
-TEST_CASE("what cannot be drawn is refused with the reason") {
+TEST_CASE("a study that cannot be drawn is refused with the reason") {
     StudySummary summary = of_two_lines();
     CHECK_THROWS_WITH_AS(summary_plot(summary, "samples"), "\"samples\" does not have several values in this study",
                          UserError);
     summary.lines.front().cells.front() = StudyCell();
-    CHECK_THROWS_WITH_AS(summary_plot(summary), "no run has what was to be measured, so there is nothing to draw",
-                         UserError);
+    CHECK_THROWS_WITH_AS(summary_plot(summary), "nothing to draw: no run has the measure", UserError);
     summary.lines.front().values = {"few"};
     CHECK_THROWS_WITH_AS(summary_plot(summary, "slaves"),
                          "\"slaves\" has values that are not numbers, so nothing can be drawn over it", UserError);
-    CHECK_THROWS_WITH_AS(summary_plot(summary),
-                         "nothing that this study sets has several values that are numbers, so there is no plot",
+    CHECK_THROWS_WITH_AS(summary_plot(summary), "no plot: no setting of this study has several values that are numbers",
                          UserError);
 }
 
-TEST_CASE("a plot is over the axis of most numbers, with a curve for each of the others, eight at most") {
+TEST_CASE("a plot is drawn over the axis with the most numbers, with at most eight curves for the other axes") {
     StudySummary summary{.netlist = "farm.cfs", .version = "1", .axes = {"kind", "n"}, .measures = {"time"}};
     summary.units = {""};
     auto add = [&](const std::string& kind, const std::string& n) {

@@ -108,13 +108,13 @@ TEST_CASE("equal values are one, spelled as the first, or as a whole number") {
     CHECK_FALSE(study.find("linkspeed", {"linkspeed", "6M"}));
 }
 
-TEST_CASE("ranges that hold nothing, or too much, are refused") {
+TEST_CASE("empty and too large ranges are refused") {
     for (const char* text : {"x=1..0", "x=0..4..0", "x=0..4..-1", "x=0..4..x2", "x=1..4..x1", "x=0..y", "x=0..1e300",
                              "x=", "x=1,", "=1", "x"})
         CHECK_THROWS_AS(read_axis(text), UserError);
 }
 
-TEST_CASE("a study is all combinations for which its condition holds, with each seed") {
+TEST_CASE("a study consists of all combinations that meet its condition, with each seed") {
     CHECK(count_runs(two_axes("")) == 12);
     CHECK(count_runs(two_axes("a > 0")) == 8);
     CHECK(count_runs(two_axes("a == 1 && c == 7M")) == 2);
@@ -125,7 +125,7 @@ TEST_CASE("a study is all combinations for which its condition holds, with each 
     CHECK_THROWS_AS(StudyExpression("a >"), RefusedInput);
 }
 
-TEST_CASE("a study knows its combinations without counting them up") {
+TEST_CASE("a study finds any combination without enumerating the earlier ones") {
     Study study = two_axes("a > 0");
     study.products.push_back({.axes = {read_axis("far=0..999999999999..3,x,0.1..0.3..0.1,1..64..x2")}});
     study.products.push_back({.axes = {read_axis("a=7.0"), read_axis("only=x")}});
@@ -156,13 +156,13 @@ TEST_CASE("a study knows its combinations without counting them up") {
         CHECK_FALSE(settings.has({{"far", value}}));
 }
 
-TEST_CASE("a study of more runs than 64 bits count is refused with what makes it so large") {
+TEST_CASE("a study whose number of runs exceeds 64 bits is refused with its largest settings") {
     Study study;
     study.products.push_back({{read_axis("a=0..65535"), read_axis("b=1..65536"), read_axis("once=1"),
                                read_axis("c=1..65536"), read_axis("d=1..65535,0")}}); // 2^64: none, in 64 bits
     CHECK_THROWS_WITH_AS(study.products[0].count(),
                          doctest::Contains("4 settings with several values (65536 of a, 65536 of b, 65536 of c, 65536 "
-                                           "of d), each with 1 seed, are more than 18446744073709551615"),
+                                           "of d), each run with 1 seed, are more than 18446744073709551615"),
                          UserError);
     CHECK_THROWS_AS(study.count(), UserError);
     study.products[0].axes.pop_back(); // 2^48
@@ -170,14 +170,14 @@ TEST_CASE("a study of more runs than 64 bits count is refused with what makes it
     CHECK(study.count() == 65535ULL << 48);
     study.products.push_back({{read_axis("a=1..65536"), read_axis("b=1..4294967296")}});
     study.seeds = 65536;
-    CHECK_THROWS_WITH_AS(study.count(), doctest::Contains("each with 65536 seeds, are more than"), UserError);
+    CHECK_THROWS_WITH_AS(study.count(), doctest::Contains("each run with 65536 seeds, are more than"), UserError);
     study.seeds = 32768;
     CHECK_THROWS_WITH_AS(study.count(), doctest::Contains("the 2 products of [set] and [[also]] together"), UserError);
 }
 
-TEST_CASE("values and seeds that 64 bits do not count are refused") {
+TEST_CASE("values and seeds whose number exceeds 64 bits are refused") {
     StudyAxis axis{"a", std::vector<StudyValues>(18'447, StudyValues("a", "1..1000000000000000"))};
-    CHECK_THROWS_WITH_AS(axis.count(), doctest::Contains("a: its 18447 ranges and values are more"), UserError);
+    CHECK_THROWS_WITH_AS(axis.count(), doctest::Contains("a: its 18447 ranges and values have too many"), UserError);
     axis.parts.pop_back();
     CHECK(axis.count() == 18'446'000'000'000'000'000U);
     constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
@@ -186,11 +186,11 @@ TEST_CASE("values and seeds that 64 bits do not count are refused") {
     study.seeds = most;
     CHECK(study.count() == most);
     study.first_seed = 2;
-    CHECK_THROWS_WITH_AS(study.count(), doctest::Contains("seeds from 2 on: the greatest seed is 18446744073709551615"),
-                         UserError);
+    CHECK_THROWS_WITH_AS(
+        study.count(), doctest::Contains("seeds from 2 on exceed the greatest seed, 18446744073709551615"), UserError);
 }
 
-TEST_CASE("a measure is one figure, or several in one") {
+TEST_CASE("a measure is one figure or an aggregate of several") {
     StudyFigures figures{{"time", {2, "ms"}}, {"m[0].T", {1, "ms"}}, {"m[1].T", {4, "ms"}}, {"n.T", {9, ""}}};
     auto value = [&](const char* text) { return StudyMeasure(text).of(figures).value().value; };
     CHECK(value("time") == 2);
@@ -233,7 +233,7 @@ TEST_CASE("an interval is Student's") {
     CHECK(single.half_width == 0);
 }
 
-TEST_CASE("a study whose headers break what the TOML parser asserts is refused, in builds with assertions, too") {
+TEST_CASE("a study whose headers violate an assertion of the TOML parser is refused in every build") {
     const auto path = std::filesystem::temp_directory_path() / "placedpar_study_test.toml";
     for (const char* text : {"[(set]\n", "[[(]]\n", "[set\n", "(a = 1\n", "a = (1\n", "x.( = 1\n", "a = {( = 1}\n"}) {
         INFO(text);

@@ -54,7 +54,7 @@ TEST_CASE("a mean of far numbers that lie close together keeps its digits") {
     CHECK(cell.half_width == doctest::Approx(4.302653 / std::sqrt(3)).epsilon(1e-6));
 }
 
-TEST_CASE("what differs is an axis, what does not is said once, and numbers come in their order") {
+TEST_CASE("settings that vary are axes in numerical order; constant settings are stated once") {
     StudyResults results(StudySource{});
     const StudySummary summary = summary_of(add_runs(results, {"10", "2", "1"}, 3), {"master.rate"});
     CHECK(summary.axes == std::vector<std::string>{"slaves"});
@@ -79,7 +79,7 @@ TEST_CASE("runs that did not complete are counted by how they ended, and a deadl
     CHECK(has_intervals(summary));
 }
 
-TEST_CASE("relative figures are those of the same seed, divided") {
+TEST_CASE("relative figures divide figures of the same seed") {
     StudyResults results(StudySource{});
     const StudySummary summary =
         summary_of(add_runs(results, {"1", "2"}, 2), {"master.rate"}, nullptr, {{"slaves", "1"}});
@@ -90,7 +90,7 @@ TEST_CASE("relative figures are those of the same seed, divided") {
     CHECK(summary.units == std::vector<std::string>{""});
 }
 
-TEST_CASE("what has nothing to be divided by is counted, and the sentence names what there is") {
+TEST_CASE("figures without a reference run are counted, and the message names the settings of the runs") {
     StudyResults results(StudySource{});
     const StudySummary summary =
         summary_of(add_runs(results, {"1", "2"}, 2), {"master.rate"}, nullptr, {{"slaves", "5"}});

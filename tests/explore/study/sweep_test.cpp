@@ -52,7 +52,8 @@ std::uint64_t check_worker(const Study& study) {
 
 } // namespace
 
-TEST_CASE("the runs of one combination come to what each comes to alone, and take the machine once") {
+TEST_CASE(
+    "repeated runs of one combination give the same outcomes as separate runs, with one simulation of the machine") {
     const std::uint64_t seeds = test::sanitized ? 2 : 3;
     for (const auto& each : std::vector<std::pair<std::string, std::vector<std::string>>>{
              {"thesis/figure-e2/figure-e2.cfs", {"slaves=0,2", "host.samples=12"}},
@@ -87,7 +88,7 @@ TEST_CASE("a worker reads the files of its netlist once") {
         CHECK(all_of(worker.outcome_of(*study.at(i), never)) == alone[i]);
 }
 
-TEST_CASE("what depends on how processes take turns is not repeated") {
+TEST_CASE("runs that depend on the order of processes are not repeated from a record") {
     CHECK(check_worker(
               study_of("examples/genetic/islands/islands.cfs", {"schedule=asynchronous", "host.samples=10"}, 2)) == 0);
     CHECK(check_worker(study_of("examples/machine/figure-d1/figure-e2-on-d1.cfs",
@@ -117,7 +118,7 @@ TEST_CASE("an interruption ends a run that is repeated") {
     CHECK(worker.repeated() == 1);
 }
 
-TEST_CASE("a netlist of a study is found wherever those that can be read lie, also where sizes are round") {
+TEST_CASE("a readable netlist of a study is found wherever it lies among the combinations") {
     const std::string netlist = "examples/thesis/figure-e2/figure-e2.cfs";
     // A population of 1 is refused, at every thousandth combination.
     CHECK_NOTHROW(
@@ -126,7 +127,7 @@ TEST_CASE("a netlist of a study is found wherever those that can be read lie, al
     CHECK_NOTHROW(readable_network(study_of(netlist, {"population=2..40", "slaves=0..999"}, 1)));
 }
 
-TEST_CASE("a study of which nothing can be read is refused as its first netlist is") {
+TEST_CASE("a study without a readable netlist is refused with the first netlist's refusal") {
     std::string said;
     try {
         readable_network(
@@ -138,7 +139,7 @@ TEST_CASE("a study of which nothing can be read is refused as its first netlist 
         said.starts_with("--set:1:1: error: the netlist has no val, attribute or parameter \"slavs\"\n    slavs=0\n"));
 }
 
-TEST_CASE("a measure that no run has is refused before the runs between the first and the last are made") {
+TEST_CASE("a measure that no run has is refused after the first and last runs") {
     Interruption never;
     Study study = study_of("examples/genetic/farms/farm.cfs", {"slaves=1..3", "samples=6"}, 1);
     study.measures = {"master.generation"};
@@ -151,7 +152,7 @@ TEST_CASE("a measure that no run has is refused before the runs between the firs
     CHECK_NOTHROW(require_possible({"max(t.busy)", "master.T_exe"}, study, readable_network(study)));
 }
 
-TEST_CASE("what is missing of a study is what it has not run yet, also after a part of it") {
+TEST_CASE("the missing runs of a study are those not made yet, also after an interrupted sweep") {
     Study study;
     study.products = {{.axes = {read_axis("n=1..10")}, .where = StudyExpression("n != 4")}};
     study.function = [](const StudyRun&) { return StudyFigures(); };

@@ -53,36 +53,36 @@ Comparison farm_table(const Study& study) {
 
 } // namespace
 
-TEST_CASE("tables, columns and rows have names, each its own") {
+TEST_CASE("tables, columns and rows need distinct names") {
     const std::string nameless = "netlist = \"any.cfs\"\nmeasure = \"m.rate\"\n[[table]]\n";
-    check_farm_refused(nameless + farm_columns + farm_rows(""), ":3:1: error: a table has a name");
+    check_farm_refused(nameless + farm_columns + farm_rows(""), ":3:1: error: the table lacks a name");
     check_farm_refused(farm_head + farm_columns + farm_rows("") + "[[table]]\nname = \"x\"\nlike = \"x\"\n",
-                       ":8:8: error: another table is called \"x\"");
+                       ":8:8: error: two tables have the name \"x\"");
     check_farm_refused(farm_head + "columns = [{set = {slaves = 1}}]\n" + farm_rows(""),
-                       ":5:12: error: a column has a name");
+                       ":5:12: error: the column lacks a name");
     check_farm_refused(farm_head + "columns = [{name = \"a\"}, {name = \"a\"}]\n" + farm_rows(""),
-                       "another column of the table is called \"a\"");
-    check_farm_refused(farm_head + farm_columns + "rows = [{figure = \"rate\"}]\n", "a row has a name");
+                       "two columns of the table have the name \"a\"");
+    check_farm_refused(farm_head + farm_columns + "rows = [{figure = \"rate\"}]\n", "the row lacks a name");
     check_farm_refused(farm_head + farm_columns +
                            "rows = [{name = \"a\", figure = \"rate\"},\n{name = \"a\", figure = \"rate\"}]\n",
-                       ":7:9: error: another row of the table is called \"a\"");
+                       ":7:9: error: two rows of the table have the name \"a\"");
 }
 
 TEST_CASE("a table is like another only where it says so") {
     check_farm_refused(farm_head + farm_columns + farm_rows("") + "[[table]]\nname = \"y\"\n" + farm_rows(""),
-                       ":7:1: error: a table has columns and rows");
+                       ":7:1: error: the table lacks columns or rows");
 }
 
-TEST_CASE("a name in an expression stands for one thing, which is known when the file is read") {
+TEST_CASE("an ambiguous or unknown name in an expression is refused when the file is read") {
     auto rows = [](const std::string& text) { return farm_head + farm_columns + "rows = [" + text + "]\n"; };
     check_farm_refused(rows("{name = \"a\", figure = \"rat\"}"),
                        ":6:31: error: the name \"rat\" is undefined; did you mean \"rate\"?");
     check_farm_refused(rows("{name = \"a\", figure = \"2 * busy\"}"),
-                       "\"busy\" stands for the measure max(t.busy) and for the measure min(t.busy)");
+                       "\"busy\" is ambiguous: it stands for the measure max(t.busy) and for the measure min(t.busy)");
     check_farm_refused(rows("{name = \"rate\", figure = \"2 * rate\"}, {name = \"b\", figure = \"rate + 1\"}"),
-                       "\"rate\" stands for the measure m.rate and for the row above");
+                       "\"rate\" is ambiguous: it stands for the measure m.rate and for the row above");
     check_farm_refused(rows("{name = \"slaves\", figure = \"rate\"}, {name = \"b\", figure = \"slaves\"}"),
-                       "\"slaves\" stands for the row above and for the setting slaves");
+                       "\"slaves\" is ambiguous: it stands for the row above and for the setting slaves");
     check_farm_refused(rows("{name = \"b\", figure = \"a\"}, {name = \"a\", figure = \"rate\"}"),
                        "the name \"a\" is undefined");
     check_farm_refused(farm_head + farm_columns + farm_rows("known = \"rate\""), "the name \"rate\" is undefined");
@@ -91,7 +91,7 @@ TEST_CASE("a name in an expression stands for one thing, which is known when the
                        "did you mean \"known\"?");
     check_farm_refused(farm_head + "set = {\"a.clock\" = 1, \"b.clock\" = 2}\n" + farm_columns +
                            farm_rows("known = \"clock\""),
-                       "\"clock\" stands for the setting a.clock and for the setting b.clock");
+                       "\"clock\" is ambiguous: it stands for the setting a.clock and for the setting b.clock");
 }
 
 TEST_CASE("without a measure figures are made of the time") {
@@ -100,11 +100,11 @@ TEST_CASE("without a measure figures are made of the time") {
     CHECK(study.figures == std::vector<std::string>{"time"});
 }
 
-TEST_CASE("lists have a value for each column, also those of a table that is like another") {
+TEST_CASE("lists need a value for each column, also in a table that copies another") {
     for (const char* name : {"known", "tolerance", "origin"}) {
         check_farm_refused(farm_head + farm_columns + farm_rows(std::string(name) + " = [\"1\"]"),
-                           "the list has fewer values than the table has columns: 1, not 2");
-        check_farm_refused(farm_head + farm_columns + farm_rows(std::string(name) + " = []"), "0, not 2");
+                           "the list has fewer values than the table has columns: 1 value, 2 columns");
+        check_farm_refused(farm_head + farm_columns + farm_rows(std::string(name) + " = []"), "0 values, 2 columns");
     }
     const std::string first = farm_head + farm_columns + farm_rows("known = 8, tolerance = 1");
     Study study = farm_study(first +
@@ -116,7 +116,7 @@ TEST_CASE("lists have a value for each column, also those of a table that is lik
     CHECK(study.tables.at(1).rows.at(0).tolerances.size() == 3);
 }
 
-TEST_CASE("where columns or rows are no tables, that is all that is said") {
+TEST_CASE("columns or rows that are not tables give one error only") {
     auto said = [](const std::string& text) {
         try {
             farm_study(text);
@@ -125,7 +125,7 @@ TEST_CASE("where columns or rows are no tables, that is all that is said") {
         }
         return std::string("nothing");
     };
-    const std::string rows = farm_rows("known = [1, 2, 3]"), form = "it takes a list of tables";
+    const std::string rows = farm_rows("known = [1, 2, 3]"), form = "expected a list of tables";
     for (const std::string& text : {farm_head + "columns = [1, 2]\n" + rows, farm_head + "columns = []\n" + rows,
                                     farm_head + farm_columns + "rows = [1]\n"}) {
         const std::string all = said(text);
@@ -134,17 +134,17 @@ TEST_CASE("where columns or rows are no tables, that is all that is said") {
         CHECK(all.find("error:") == all.rfind("error:"));
     }
     const std::string all = said(farm_head + rows);
-    CHECK(all.find("a table has columns and rows") != std::string::npos);
+    CHECK(all.find("the table lacks columns or rows") != std::string::npos);
     CHECK(all.find("error:") == all.rfind("error:"));
 }
 
-TEST_CASE("a tolerance is a number that is not negative") {
+TEST_CASE("a negative tolerance is refused") {
     for (const char* tolerance : {"-1", "\"-3 %\"", "\"2 - known\""})
         check_farm_refused(farm_head + farm_columns + farm_rows(std::string("known = 8, tolerance = ") + tolerance),
-                           "a tolerance is 0 or more: this is -");
+                           "the tolerance is -");
     for (const char* tolerance : {"\"\"", "\"%\""})
         check_farm_refused(farm_head + farm_columns + farm_rows(std::string("known = 8, tolerance = ") + tolerance),
-                           "it takes a number or an expression");
+                           "expected a number or an expression");
     CHECK_FALSE(farm_study(farm_head + farm_columns + farm_rows("known = 8, tolerance = [1, nan]"))
                     .tables.at(0)
                     .rows.at(0)
@@ -152,15 +152,16 @@ TEST_CASE("a tolerance is a number that is not negative") {
                     .amount);
 }
 
-TEST_CASE("what does not go together with tables is refused") {
+TEST_CASE("keys that cannot be combined with tables are refused") {
     const std::string table = farm_columns + farm_rows("");
-    check_farm_refused("where = \"slaves > 0\"\n" + farm_head + table, ":1:9: error: a condition leaves out");
-    check_farm_refused(farm_head + table + "[search]\nminimise = \"time\"\n", ":7:1: error: a search makes no tables");
+    check_farm_refused("where = \"slaves > 0\"\n" + farm_head + table, ":1:9: error: \"where\" selects combinations");
+    check_farm_refused(farm_head + table + "[search]\nminimise = \"time\"\n",
+                       ":7:1: error: a study with [search] cannot have [[table]]");
     check_farm_refused(farm_head + "against = \"databook\"\n" + table, ":5:11: error: \"databook\" is too long");
     CHECK(farm_study(farm_head + "against = \"(4.9) ä\"\n" + table).tables.at(0).against == "(4.9) ä");
 }
 
-TEST_CASE("a figure may be a measure as the study names it, and a row above") {
+TEST_CASE("a figure may be a measure of the study or a row above") {
     const Comparison table = farm_table(
         farm_study(farm_head + "columns = [{name = \"two\", set = {slaves = 2}}]\n" +
                    "rows = [{name = \"least\", figure = \"min(t.busy)\"}, {name = \"most\", figure = \"max(t.busy)\"}, "
@@ -170,13 +171,13 @@ TEST_CASE("a figure may be a measure as the study names it, and a row above") {
     CHECK(table.cells.at(2).simulated == 30);
 }
 
-TEST_CASE("a run that did not come to its end leaves its cell without a figure") {
+TEST_CASE("the cell of a run that did not complete has no figure") {
     const Comparison table = farm_table(farm_study(farm_head + farm_columns + farm_rows("known = 8, tolerance = 1")));
     CHECK(table.cells.at(0).simulated == 8);
     CHECK(table.cells.at(0).within_tolerance());
     CHECK(std::isnan(table.cells.at(1).simulated));
     CHECK_FALSE(table.cells.at(1).within_tolerance());
-    CHECK(table.notes == "-: no figure of the run with slaves = 1: deadlock\n");
+    CHECK(table.notes == "-: the run with slaves = 1 has no figure: deadlock\n");
     const std::string printed = print_comparison(table), row = printed.substr(printed.find("\na "));
     CHECK(row.find(" -       8!") != std::string::npos);
 }

@@ -66,7 +66,7 @@ TEST_CASE("a table needs a run for each row and column, and no other") {
     CHECK(study.at(5)->set == Overrides{{"clock", "5M"}, {"reading", "30"}, {"slaves", "2"}});
 }
 
-TEST_CASE("runs come in the order of the file, those of [set] first") {
+TEST_CASE("runs are made in the order of the file, beginning with [set]") {
     Study study = study_in(head + "[set]\nslaves = 9\n[[table]]\nname = \"x\"\n" + columns +
                            "rows = [{name = \"a\", figure = \"rate\"}]\n[[also]]\nset = {slaves = 5}\n");
     std::vector<std::string> slaves;
@@ -75,7 +75,7 @@ TEST_CASE("runs come in the order of the file, those of [set] first") {
     CHECK(slaves == std::vector<std::string>{"9", "0", "1", "2", "5"});
 }
 
-TEST_CASE("a cell has a figure of its run, what is known, and how far both may be apart") {
+TEST_CASE("a cell has the figure of its run, the known figure and the tolerance") {
     Comparison table =
         tables_of(study_in(head + "[[table]]\nname = \"x\"\nagainst = \"thesis\"\n" + columns +
                            "rows = [{name = \"rate\", figure = \"rate\", unit = \"1/s\", decimals = 1, known "
@@ -99,7 +99,7 @@ TEST_CASE("a cell has a figure of its run, what is known, and how far both may b
     CHECK_FALSE(table.within_tolerance());
 }
 
-TEST_CASE("a row can be judged by other figures than its table names") {
+TEST_CASE("a row can name another judge than its table") {
     Comparison table =
         tables_of(study_in(head + "[[table]]\nname = \"x\"\nagainst = \"thesis\"\nknown = 1\ntolerance = 1\n" +
                            columns +
@@ -110,7 +110,7 @@ TEST_CASE("a row can be judged by other figures than its table names") {
     CHECK(table.judge_of(table.cells.back()) == Judge::own);
 }
 
-TEST_CASE("figures are relative to a run, and use those of the rows above") {
+TEST_CASE("figures can be relative to a run and can use the rows above") {
     Comparison table =
         tables_of(study_in(head + "[[table]]\nname = \"x\"\n" + columns +
                            "relative_to = {slaves = 0}\nrows = [{name = \"speedup\", figure = \"rate\"}, "
@@ -125,7 +125,7 @@ TEST_CASE("a figure is the mean over the seeds") {
     CHECK(simulated(tables_of(study_in("seeds = 3\n" + head + table)).at(0)) == std::vector<double>{11, 19, 25});
 }
 
-TEST_CASE("a table is like another but for what it says, and its rows like the table") {
+TEST_CASE("a table can copy another table, and rows inherit from the table, except for stated keys") {
     std::vector<Comparison> tables = tables_of(study_in(
         head + "[[table]]\nname = \"x\"\nunit = \"1/s\"\nfigure = \"rate\"\njudged = true\nnotes = \"of x\"\n" +
         columns +
@@ -139,32 +139,31 @@ TEST_CASE("a table is like another but for what it says, and its rows like the t
     CHECK(tables.at(1).cells.back().unit == "ms");
 }
 
-TEST_CASE("what is wrong in a table is refused with its place") {
+TEST_CASE("errors in a table are refused with their place") {
     const std::string table = head + "[[table]]\nname = \"x\"\n", rows = "rows = [{name = \"a\", figure = \"rate\"}]\n";
-    check_study_refused(table + rows, "a table has columns and rows");
-    check_study_refused(table + columns, "a table has columns and rows");
-    check_study_refused(table + columns + "rows = [{name = \"a\"}]\n", "a row has a figure");
+    check_study_refused(table + rows, "the table lacks columns or rows");
+    check_study_refused(table + columns, "the table lacks columns or rows");
+    check_study_refused(table + columns + "rows = [{name = \"a\"}]\n", "the row lacks a figure");
     check_study_refused(table + columns + rows + "tolerence = 1\n", "did you mean \"tolerance\"?");
     check_study_refused(table + columns + "rows = [{name = \"a\", figure = \"rate\", knwon = 1}]\n",
-                        "a row has no \"knwon\"");
-    check_study_refused(table + columns + rows + "like = \"y\"\n", "no table above this one is called \"y\"");
-    check_study_refused(table + columns + rows + "like = \"y\"\n",
-                        "\"like\" takes the name of a table that stands above");
+                        "a row has no key \"knwon\"");
+    check_study_refused(table + columns + rows + "like = \"y\"\n", "no earlier table has the name \"y\"");
+    check_study_refused(table + columns + rows + "like = \"y\"\n", "\"like\" takes the name of an earlier table");
     check_study_refused(table + columns + rows + "known = [1, 2, 3, 4]\n",
-                        "the list has more values than the table has columns: 4, not 3");
+                        "the list has more values than the table has columns: 4 values, 3 columns");
     check_study_refused(table + columns + rows + "known = [1, 2, 3, 4]\n",
                         "give one value for each column, or a single value without brackets for all of them");
-    check_study_refused(table + columns + rows + "origin = \"guess\"\n", "\"guess\" is not an origin");
+    check_study_refused(table + columns + rows + "origin = \"guess\"\n", "unknown origin \"guess\"");
     check_study_refused(table + columns + rows + "origin = \"guess\"\n",
-                        "an origin is \"outcome\", \"calibrated\", \"workload\", \"fitted\" or \"constant\"");
-    check_study_refused(table + columns + rows + "judge = \"me\"\n", "\"me\" judges nothing");
-    check_study_refused(table + columns + "rows = [{name = \"a\", figure = \"rate /\"}]\n", "it cannot be understood");
+                        "expected \"outcome\", \"calibrated\", \"workload\", \"fitted\" or \"constant\"");
+    check_study_refused(table + columns + rows + "judge = \"me\"\n", "unknown judge \"me\"");
+    check_study_refused(table + columns + "rows = [{name = \"a\", figure = \"rate /\"}]\n", "the text cannot be read");
     check_study_refused(table + "columns = [{name = \"a\", set = {a = \"0..1\"}}]\n" + rows,
-                        "\"a\" has several values");
-    check_study_refused(head + "table = 1\n", "it takes tables of figures");
+                        "\"a\" has several values here");
+    check_study_refused(head + "table = 1\n", "\"table\" must be a list of tables");
 }
 
-TEST_CASE("a figure that no run has, or a run that did not end, is told") {
+TEST_CASE("missing figures and runs that did not complete are reported") {
     const std::string table = "[[table]]\nname = \"x\"\n" + columns + "rows = [{name = \"a\", figure = \"speed\"}]\n";
     const Comparison missing = tables_of(study_in("netlist = \"any.cfs\"\nmeasure = \"master.speed\"\n" + table)).at(0);
     CHECK(missing.notes.find("unknown measure \"master.speed\"") != std::string::npos);

@@ -13,7 +13,7 @@ using test::strings;
 
 namespace {
 
-/// Five individuals: 3 is the best, 1 the worst.
+/// Five individuals. Number 3 is the best, number 1 the worst.
 struct Home {
     std::vector<Genome> population = strings({"0000", "0011", "0111", "1111", "1100"});
     std::vector<double> fitness{3, -2, 5, 9, 4};
@@ -27,32 +27,33 @@ struct Home {
 
 Individual immigrant(const char* text, double fitness) { return {Genome::from_string(text), fitness}; }
 
-const auto nobody = std::nullopt;
+const auto rejected = std::nullopt;
 
 } // namespace
 
-TEST_CASE("the worst is replaced; of several immigrants none replaces another") {
+TEST_CASE("the worst is replaced, and immigrants of one exchange do not replace each other") {
     Home home;
     CHECK(home.places("worst", {immigrant("1010", -99)}) == Places{1});
     CHECK(home.places("worst", {immigrant("1010", -99), immigrant("1011", 0), immigrant("1000", 7)}) ==
           Places{1, 0, 4});
     CHECK(home.places("worst", {}).empty());
     home.fitness = {2, 1, 1, 3, 1};
-    CHECK(home.places("worst", {immigrant("1010", 0), immigrant("1010", 0)}) == Places{1, 2}); // the first of equals
+    CHECK(home.places("worst", {immigrant("1010", 0), immigrant("1010", 0)}) == Places{1, 2}); // the first among equals
 }
 
-TEST_CASE("only if better: who is not fitter is turned away, and the place stays free for the next") {
+TEST_CASE("with only_if_better, an immigrant that is not fitter is rejected, and the place stays free for the next") {
     Home home;
-    CHECK(home.places("worst(1)", {immigrant("1010", -2)}) == Places{nobody});
-    CHECK(home.places("worst(only_if_better = 1)", {immigrant("1010", -3), immigrant("1010", 1)}) == Places{nobody, 1});
-    CHECK(home.places("alike(1)", {immigrant("1110", 4), immigrant("1000", 4)}) == Places{nobody, 0});
+    CHECK(home.places("worst(1)", {immigrant("1010", -2)}) == Places{rejected});
+    CHECK(home.places("worst(only_if_better = 1)", {immigrant("1010", -3), immigrant("1010", 1)}) ==
+          Places{rejected, 1});
+    CHECK(home.places("alike(1)", {immigrant("1110", 4), immigrant("1000", 4)}) == Places{rejected, 0});
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        CHECK(home.places("random(1)", {immigrant("1010", -2)}, 0, seed) == Places{nobody});
+        CHECK(home.places("random(1)", {immigrant("1010", -2)}, 0, seed) == Places{rejected});
         CHECK(home.places("random(1)", {immigrant("1010", 10)}, 0, seed).front().has_value());
     }
 }
 
-TEST_CASE("the most alike is replaced; among equals the least fit") {
+TEST_CASE("the most similar individual is replaced; among equals the least fit") {
     Home home;
     CHECK(home.places("alike", {immigrant("0111", 0)}) == Places{2});
     CHECK(home.places("alike", {immigrant("1000", 0)}) == Places{0}); // 0000 and 1100 differ in one bit; 3 < 4
@@ -61,7 +62,7 @@ TEST_CASE("the most alike is replaced; among equals the least fit") {
     CHECK(home.places("alike", {immigrant("1111", 0)}, 1) == Places{2}); // individual 3 belongs to the elite
 }
 
-TEST_CASE("at random: each who is not of the elite with the same chance") {
+TEST_CASE("random acceptance replaces each individual outside the elite with the same probability") {
     Home home;
     constexpr int times = 20000;
     std::vector<double> chance(5);
@@ -74,7 +75,7 @@ TEST_CASE("at random: each who is not of the elite with the same chance") {
         CHECK(std::abs(chance[i] - expected[i]) < 0.017); // five standard deviations
 }
 
-TEST_CASE("among the offspring: each behind the elite with the same chance, whatever the fitness") {
+TEST_CASE("acceptance among the offspring replaces each outside the elite with the same probability") {
     Home home;
     constexpr int times = 20000;
     std::vector<double> chance(5);
@@ -101,7 +102,7 @@ TEST_CASE("the elite is never replaced, and no place is given twice") {
         }
 }
 
-TEST_CASE("where all are equally fit, those of higher index are the elite") {
+TEST_CASE("among individuals of equal fitness, those of higher index are the elite") {
     Home home;
     home.fitness.assign(5, 1);
     for (const char* way : {"worst", "random", "alike"}) {
@@ -122,13 +123,13 @@ TEST_CASE("more immigrants than can be replaced are refused") {
     }
 }
 
-TEST_CASE("one immigrant and one individual are not many") {
+TEST_CASE("the refusal of one immigrant to one individual has singular nouns") {
     CHECK_THROWS_WITH_AS(Acceptance::validate_for(1, 1, 1),
                          "1 immigrant comes at once to an island of 1 individual, 1 of them elite, expected at most 0",
                          UserError);
 }
 
-TEST_CASE("ways to accept have names") {
+TEST_CASE("acceptances are named by their text") {
     CHECK(Acceptance().text() == "worst(only_if_better = 0)");
     CHECK(Acceptance::named("alike(1)").text() == "alike(only_if_better = 1)");
     CHECK_THROWS_WITH_AS(Acceptance::named("worst(2)"),

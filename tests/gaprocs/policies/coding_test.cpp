@@ -10,7 +10,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("codings have names") {
+TEST_CASE("codings are named by their text") {
     for (const char* text : {"natural", "gray", "real", "natural(dont_care = 1)", "gray(dont_care = 7)"})
         CHECK(Coding::named(text).text() == text);
     CHECK(Coding() == Coding::natural);
@@ -21,7 +21,7 @@ TEST_CASE("codings have names") {
     CHECK_THROWS_AS(Coding::named("real(1)"), UserError);
 }
 
-TEST_CASE("equation 6.15: a don't-care bit between every two neighbours") {
+TEST_CASE("a don't-care bit between every two neighbours gives equation 6.15") {
     CHECK(unstuffed(Genome::from_string("11001"), 1) == Genome::from_string("101"));
     CHECK(unstuffed(Genome::from_string("1001110"), 2) == Genome::from_string("110"));
     CHECK(stuffed_bits(22, 1) == 43);
@@ -36,7 +36,7 @@ TEST_CASE("equation 6.15: a don't-care bit between every two neighbours") {
         }
 }
 
-TEST_CASE("don't-care bits do not matter, all others do, whatever the problem") {
+TEST_CASE("don't-care bits do not change the fitness, and all other bits do, for every problem") {
     RandomStream random(2, "stuffed");
     auto line = make_search_problem(LineProblem{}, Coding::gray);
     auto stuffed = line->coded(Coding::named("gray(2)"));
@@ -63,7 +63,7 @@ TEST_CASE("don't-care bits do not matter, all others do, whatever the problem") 
     CHECK(minimise(PlainSphere{})->coded(Coding::named("natural(1)"))->objective()->goal == Goal::minimise);
 }
 
-TEST_CASE("the same fields without bits are real numbers of their ranges") {
+TEST_CASE("fields without bits are real numbers in the fields' ranges") {
     auto sphere = minimise(PlainSphere{})->coded(Coding::real);
     Representation reals = sphere->representation();
     CHECK(reals.kind() == StringKind::real);
@@ -82,6 +82,6 @@ TEST_CASE("a coding that has no meaning for a problem is refused") {
     CHECK_THROWS_AS(minimise(Seats{})->coded(Coding::gray), UserError);
     CHECK_THROWS_AS(maximise(Comb{})->coded(Coding::gray), UserError);
     CHECK_THROWS_WITH_AS(minimise(Seats{})->coded(Coding::named("natural(1)")),
-                         "don't-care bits are of binary strings, and this problem's are permutations", UserError);
+                         "don't-care bits need binary strings, and this problem's are permutations", UserError);
     CHECK(maximise(Comb{})->coded(Coding::named("natural(1)"))->bits() == 8191);
 }

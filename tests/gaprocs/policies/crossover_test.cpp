@@ -15,7 +15,7 @@ using test::strings;
 
 namespace {
 
-/// Returns how often the first of two strings becomes each offspring.
+/// Returns how often each offspring results in place of the first string.
 std::map<std::string, int> offspring(const Crossover& cross, const char* a, const char* b, int pairs) {
     RandomStream random(8, "offspring");
     std::map<std::string, int> seen;
@@ -27,7 +27,7 @@ std::map<std::string, int> offspring(const Crossover& cross, const char* a, cons
     return seen;
 }
 
-/// Checks that all offspring are equally frequent, within five standard deviations.
+/// Checks that there are `kinds` offspring, equally frequent within five standard deviations.
 void check_even(const std::map<std::string, int>& seen, std::size_t kinds) {
     CHECK(seen.size() == kinds);
     double all = 0;
@@ -42,7 +42,7 @@ void check_even(const std::map<std::string, int>& seen, std::size_t kinds) {
 
 } // namespace
 
-TEST_CASE("every crossover keeps the bits at every position, whatever the population") {
+TEST_CASE("every crossover keeps the bits at each position in the population") {
     RandomStream random(3, "crossover");
     for (std::size_t count : {2u, 3u, 7u, 30u})
         for (std::size_t bits : {1u, 2u, 10u, 64u, 65u, 130u}) {
@@ -81,7 +81,7 @@ TEST_CASE("strings of one character are never cut") {
     CHECK(population == strings({"0", "1", "1"}));
 }
 
-TEST_CASE("the last of an odd number has no mate, but by difference") {
+TEST_CASE("the last of an odd number has no mate; by difference, the individual that is too similar has none") {
     RandomStream random(9, "odd");
     for (const char* way : {"one-point", "two-point", "uniform"}) {
         auto population = random_population(7, 30, random);
@@ -95,7 +95,7 @@ TEST_CASE("the last of an odd number has no mate, but by difference") {
     CHECK(population[0] != Genome::from_string("0000"));
 }
 
-TEST_CASE("two cuts of a ring: each of the pieces as often") {
+TEST_CASE("two-point crossover exchanges each piece of the ring with the same probability") {
     // Four places have 6 pairs of cuts; the second string is the complement.
     auto seen = offspring(TwoPointCrossover{}, "0000", "1111", 60000);
     check_even(seen, 6);
@@ -103,23 +103,24 @@ TEST_CASE("two cuts of a ring: each of the pieces as often") {
         CHECK(!seen.contains(never));
 }
 
-TEST_CASE("uniform: each of the strings between the parents as often") {
+TEST_CASE("uniform crossover makes each string between the parents with the same probability") {
     check_even(offspring(UniformCrossover{}, "00010", "11110", 60000), 8); // the parents differ in three places
 }
 
-TEST_CASE("by difference: every offspring is new, each of the n - 1 cuts as often") {
-    // The parents differ at 1, 4 and 5: a cut at 2, 3 or 4 exchanges the first difference, a cut at 5 the first two.
+TEST_CASE("crossover by difference always makes new strings, and each of the n - 1 cuts has the same probability") {
+    // The parents differ at 1, 4 and 5. A cut at 2, 3 or 4 exchanges the first different bit; a cut at 5 exchanges the
+    // first two.
     auto seen = offspring(DifferenceCrossover{}, "000000", "010011", 40000);
     CHECK(seen.size() == 2);
     CHECK(std::abs(seen["010000"] - 30000) < 5 * std::sqrt(40000 * .75 * .25));
     CHECK(seen["010010"] == 40000 - seen["010000"]);
 }
 
-TEST_CASE("by difference: parents that differ in one bit stay as they are") {
+TEST_CASE("crossover by difference leaves parents that differ in one bit unchanged") {
     CHECK(offspring(DifferenceCrossover{}, "000000", "010000", 100).at("000000") == 100);
 }
 
-TEST_CASE("one-point crossover reaches 2 (n - 1) new strings of parents that differ everywhere, thesis table 6.2") {
+TEST_CASE("one-point crossover reaches 2 (n - 1) new strings of parents that differ everywhere (thesis, table 6.2)") {
     for (std::size_t n : {2u, 3u, 8u}) {
         std::string zeros(n, '0'), ones(n, '1');
         auto firsts = offspring(OnePointCrossover{}, zeros.c_str(), ones.c_str(), 2000);
@@ -127,7 +128,7 @@ TEST_CASE("one-point crossover reaches 2 (n - 1) new strings of parents that dif
     }
 }
 
-TEST_CASE("what many draws make of any two short strings is what every_offspring says") {
+TEST_CASE("many draws of a crossover make exactly the strings of every_offspring") {
     for (const char* way : {"one-point", "two-point", "uniform", "by-difference"})
         for (unsigned pair = 0; pair < 256; ++pair) {
             Genome a(4), b(4);

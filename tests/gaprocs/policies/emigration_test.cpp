@@ -17,7 +17,7 @@ using Indices = std::vector<std::size_t>;
 const std::vector<double> five_fitnesses{-3, 10, 2, 1, 0};
 constexpr int choices = 20000;
 
-/// Returns how often each individual is chosen, in many choices.
+/// Returns the fraction of many choices in which each individual is chosen.
 std::vector<double> chances(const Emigration& emigration, const std::vector<double>& fitness) {
     RandomStream random(1, "emigration");
     std::vector<double> chance(fitness.size());
@@ -34,12 +34,12 @@ void check_chances(const char* emigration, const std::vector<double>& expected) 
         CHECK(std::abs(chance[i] - expected[i]) < 0.018); // at most five standard deviations
 }
 
-/// Returns the stream's next number without advancing it.
+/// Returns the stream's next number. The caller's stream does not advance.
 std::uint32_t next_number(RandomStream random) { return random(); }
 
 } // namespace
 
-TEST_CASE("the best leave, the best first, the first among equals, and nothing is drawn") {
+TEST_CASE("the best leave first, among equals the lowest index first, without a draw") {
     RandomStream random(1, "best");
     auto before = next_number(random);
     CHECK(Emigration()(five_fitnesses, random) == Indices{1});
@@ -49,21 +49,21 @@ TEST_CASE("the best leave, the best first, the first among equals, and nothing i
     CHECK(next_number(random) == before);
 }
 
-TEST_CASE("at random: each leaves with probability count / n") {
+TEST_CASE("in random emigration each individual leaves with probability count / n") {
     check_chances("random(1)", {0.2, 0.2, 0.2, 0.2, 0.2});
     check_chances("random(3)", {0.6, 0.6, 0.6, 0.6, 0.6});
     check_chances("random(5)", {1, 1, 1, 1, 1});
 }
 
-TEST_CASE("by tournament of k: rank r of n with probability ((n - r + 1)/n)^k - ((n - r)/n)^k") {
+TEST_CASE("in a tournament of k, rank r of n leaves with probability ((n - r + 1)/n)^k - ((n - r)/n)^k") {
     check_chances("tournament(1, 1)", {0.2, 0.2, 0.2, 0.2, 0.2});
     check_chances("tournament(count = 1, size = 2)", {1 / 25., 9 / 25., 7 / 25., 5 / 25., 3 / 25.});
     check_chances("tournament(1, 3)", {1 / 125., 61 / 125., 37 / 125., 19 / 125., 7 / 125.});
     check_chances("tournament(5)", {1, 1, 1, 1, 1});
 }
 
-TEST_CASE("the second of two tournaments is held among the others") {
-    // The better of two drawn from {1, 2} comes first, then the other one.
+TEST_CASE("the second of two tournaments is among the individuals that are left") {
+    // The better of the two drawn from {1, 2} comes first, then the other.
     const std::vector<double> two{1, 2};
     RandomStream random(3, "two");
     int better_first = 0;

@@ -17,7 +17,7 @@ using Normaliser = ErrorMatrix::Normaliser;
 
 namespace {
 
-/// Returns errors of any size and sign for four islands; their scale changes over time.
+/// Returns errors of four islands, of any size and sign. Their scale changes over time.
 ErrorsOfBest any_errors(std::uint64_t seed) {
     RandomStream random(seed, "errors");
     ErrorsOfBest bests{{30, 24, 16, 10}, {}};
@@ -38,7 +38,7 @@ const ErrorsOfBest small_matrix{{4, 2}, {{1, -1, 2, 2}, {3, 1, 1, -1}}};
 
 } // namespace
 
-TEST_CASE("the error matrix of two islands by hand") {
+TEST_CASE("the error matrix of two islands has the values computed by hand") {
     ErrorMatrix squares(small_matrix, Sum::squares), plain(small_matrix, Sum::plain), means(small_matrix, Sum::means);
     CHECK(squares.error(0, 0) == 10);
     CHECK(squares.error(0, 1) == 12);
@@ -50,20 +50,20 @@ TEST_CASE("the error matrix of two islands by hand") {
     CHECK(plain.error(1, 1) == 0);
     CHECK(means.error(0, 0) == 2.5);
     CHECK(means.error(1, 0) == 4);
-    // Equations 5.3 and 5.4 as printed.
+    // These are equations 5.3 and 5.4 as printed.
     CHECK(squares.sum_over_windows(0, Normaliser::column) == doctest::Approx((10. + 8) / 10));
     CHECK(squares.sum_over_windows(1, Normaliser::column) == doctest::Approx((12. + 2) / 2));
     CHECK(squares.sum_over_islands(0, Normaliser::column) == doctest::Approx(10. / 10 + 12. / 2));
     CHECK(squares.sum_over_islands(1, Normaliser::column) == doctest::Approx(8. / 10 + 2. / 2));
     CHECK(squares.ratio(0, Normaliser::column) == doctest::Approx(7 / 1.8));
-    // Normalised by the row's own error.
+    // These are normalised by the row's own error.
     CHECK(squares.sum_over_windows(0, Normaliser::row) == doctest::Approx(10. / 10 + 8. / 2));
     CHECK(squares.sum_over_islands(1, Normaliser::row) == doctest::Approx(8. / 2 + 2. / 2));
     CHECK(means.ratio(0, Normaliser::row) == doctest::Approx(squares.ratio(0, Normaliser::row)));
     CHECK(means.ratio(1, Normaliser::row) == doctest::Approx(squares.ratio(1, Normaliser::row)));
 }
 
-TEST_CASE("as printed, Sw always falls from the longest window to the shortest: the contrary of 5.5") {
+TEST_CASE("by the printed rule, Sw falls from the longest window to the shortest, which contradicts 5.5") {
     for (std::uint64_t seed = 0; seed < 2000; ++seed) {
         ErrorMatrix matrix(any_errors(seed), Sum::squares);
         for (std::size_t i = 1; i < 4; ++i)
@@ -71,7 +71,7 @@ TEST_CASE("as printed, Sw always falls from the longest window to the shortest: 
     }
 }
 
-TEST_CASE("as printed, the shortest window is never preferred to the longest") {
+TEST_CASE("by the printed rule, the shortest window is never preferred to the longest") {
     RandomStream random(1, "not drawn from");
     std::array<int, 4> chosen{};
     for (std::uint64_t seed = 0; seed < 2000; ++seed) {
@@ -84,12 +84,12 @@ TEST_CASE("as printed, the shortest window is never preferred to the longest") {
         ++chosen[PrintedChoice{}(bests, random)];
     }
     CHECK(chosen[3] == 0);
-    // The longest window is not always chosen.
+    // Other windows than the longest are chosen, too.
     CHECK(chosen[0] > 0);
     CHECK(chosen[1] + chosen[2] > 0);
 }
 
-TEST_CASE("each of the other readings can choose every window") {
+TEST_CASE("each of the other rules can choose every window") {
     RandomStream random(1, "draws");
     for (const char* name : {"plain", "means", "row", "random"}) {
         std::array<int, 4> chosen{};
@@ -100,8 +100,9 @@ TEST_CASE("each of the other readings can choose every window") {
     }
 }
 
-TEST_CASE("with the row's own error, a change that only the shortest window has followed is answered by it") {
-    // The last ten samples come after the change: only island 3 fits them, the others fit those before.
+TEST_CASE("after a change, the choice \"row\" prefers the island with the short window, which has followed it") {
+    // The change is before the last ten samples. Only island 3 fits the samples after it; the others fit the samples
+    // before.
     ErrorsOfBest bests{{30, 24, 16, 10}, {}};
     for (std::size_t island = 0; island < 4; ++island) {
         std::vector<double> errors(30, island == 3 ? 1 : 0.01);
@@ -114,12 +115,12 @@ TEST_CASE("with the row's own error, a change that only the shortest window has 
     CHECK(PrintedChoice{}(bests, random) == 0);
 }
 
-TEST_CASE("an error that is not a number is the greatest: by the row's own error such an island is not chosen") {
+TEST_CASE("an island whose error is not a number is not chosen when errors are normalised by the row's own error") {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     RandomStream random(1, "not drawn from");
     for (double wrong : {nan, infinity, -infinity, 1e300}) {
         CAPTURE(wrong);
-        // The last two samples come after a change that only the island with the shortest window has followed.
+        // The change is before the last two samples. Only the island with the shortest window has followed it.
         ErrorsOfBest bests{{4, 3, 2}, {{wrong, wrong, wrong, wrong}, {.01, .01, 1, 1}, {1, 1, .01, .01}}};
         CHECK(IslandChoice::named("row")(bests, random) == 2);
         ErrorMatrix matrix(bests, Sum::squares);
@@ -129,7 +130,7 @@ TEST_CASE("an error that is not a number is the greatest: by the row's own error
     }
 }
 
-TEST_CASE("two perfect islands are equals, and the first is chosen") {
+TEST_CASE("two perfect islands are equal, and the first is chosen") {
     ErrorsOfBest bests{{2, 1}, {{0, 0}, {0, 0}}};
     RandomStream random(1, "not drawn from");
     for (const char* name : {"printed", "plain", "means", "row"})
@@ -137,11 +138,11 @@ TEST_CASE("two perfect islands are equals, and the first is chosen") {
     CHECK(ErrorMatrix(bests, Sum::squares).ratio(1, Normaliser::column) == 1);
 }
 
-TEST_CASE("a fixed island is always that one, and must exist") {
+TEST_CASE("a fixed choice always chooses the same island, which must exist") {
     RandomStream random(1, "not drawn from");
     CHECK(IslandChoice::named("fixed(1)")(small_matrix, random) == 1);
     CHECK_THROWS_WITH_AS(IslandChoice::named("fixed(island = 2)")(small_matrix, random),
-                         "the answer shall be that of island 2, but there are 2: 0 to 1", UserError);
+                         "the answer would be that of island 2, but there are 2: 0 to 1", UserError);
     CHECK(IslandChoice::named("fixed(1)").text() == "fixed(island = 1)");
     CHECK(IslandChoice().text() == "printed");
 }

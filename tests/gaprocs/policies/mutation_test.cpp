@@ -10,7 +10,7 @@ using namespace placedpar;
 using test::ones_by_position;
 using test::strings;
 
-TEST_CASE("mutation flips bits at the stated rate, at every position alike") {
+TEST_CASE("mutation flips bits at the stated rate, equally at every position") {
     for (const Mutation& mutation : {Mutation(BitMutation{}), Mutation(DistanceMutation{})}) {
         CAPTURE(mutation.text());
         RandomStream random(6, "mutation");
@@ -26,7 +26,7 @@ TEST_CASE("mutation flips bits at the stated rate, at every position alike") {
     }
 }
 
-TEST_CASE("flips are independent: pairs of neighbours, and of strings that follow one another") {
+TEST_CASE("flips of neighbouring bits and of successive strings are independent") {
     for (const Mutation& mutation : {Mutation(BitMutation{}), Mutation(DistanceMutation{})}) {
         CAPTURE(mutation.text());
         RandomStream random(8, "mutation");
@@ -44,7 +44,7 @@ TEST_CASE("flips are independent: pairs of neighbours, and of strings that follo
     }
 }
 
-TEST_CASE("mutation never and always") {
+TEST_CASE("mutation with probability 0 flips no bit, and with probability 1 flips all bits") {
     for (const Mutation& mutation : {Mutation(BitMutation{}), Mutation(DistanceMutation{})}) {
         CAPTURE(mutation.text());
         RandomStream random(7, "mutation");
@@ -53,12 +53,12 @@ TEST_CASE("mutation never and always") {
         CHECK(population == strings({"0110", "1111"}));
         mutation(population, 1, BitString(4), random);
         CHECK(population == strings({"1001", "0000"}));
-        std::vector<Genome> nobody;
-        mutation(nobody, 0.5, BitString(4), random);
+        std::vector<Genome> nothing;
+        mutation(nothing, 0.5, BitString(4), random);
     }
 }
 
-TEST_CASE("the distance to the next flipped bit takes a number for each flip, and one more") {
+TEST_CASE("distance mutation draws one number for each flip and one more") {
     RandomStream random(9, "mutation"), same(9, "mutation");
     std::vector<Genome> population(100, Genome(37));
     DistanceMutation{0.01}(population, random);

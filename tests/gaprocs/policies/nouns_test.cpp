@@ -10,7 +10,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Visits every policy of every noun, with the noun.
+/// Calls `visit` with every noun and each of its policies.
 template <class Visit>
 void for_each_policy(Visit visit) {
     for (const Noun& noun : policy_nouns())
@@ -18,7 +18,7 @@ void for_each_policy(Visit visit) {
             visit(noun, policy);
 }
 
-/// Returns the default numbers, with one of them replaced.
+/// Returns the default numbers with one number replaced.
 std::vector<double> with_number(const PolicyDescription& policy, std::size_t which, double value) {
     std::vector<double> values;
     for (const PolicyNumberDescription& number : policy.numbers)
@@ -29,7 +29,7 @@ std::vector<double> with_number(const PolicyDescription& policy, std::size_t whi
 
 } // namespace
 
-TEST_CASE("what is listed of every policy is what its parser takes and prints") {
+TEST_CASE("the parser accepts every listed policy and prints it as it is listed") {
     std::size_t policies = 0;
     for_each_policy([&](const Noun& noun, const PolicyDescription& policy) {
         CAPTURE(noun.name + ": " + policy.name);
@@ -37,12 +37,12 @@ TEST_CASE("what is listed of every policy is what its parser takes and prints") 
         auto printed_alone = noun.printed(policy.name), printed_whole = noun.printed(policy.text());
         CHECK(printed_alone == printed_whole);
         CHECK(noun.printed(printed_whole) == printed_whole);
-        CHECK(policy.text().starts_with(printed_whole)); // a coding may omit its don't-care bits
+        CHECK(policy.text().starts_with(printed_whole)); // a coding may leave out its don't-care bits
     });
     CHECK(policies == 46);
 }
 
-TEST_CASE("the ranges that are listed are those that the parser keeps") {
+TEST_CASE("the parser accepts the listed ranges and nothing beyond") {
     for_each_policy([](const Noun& noun, const PolicyDescription& policy) {
         for (std::size_t i = 0; i < policy.numbers.size(); ++i) {
             const PolicyNumberDescription& number = policy.numbers[i];
@@ -57,7 +57,7 @@ TEST_CASE("the ranges that are listed are those that the parser keeps") {
     });
 }
 
-TEST_CASE("every noun and policy says what it is, and every policy where it is from") {
+TEST_CASE("every noun and policy has a description, and every policy has a source") {
     std::set<std::string> nouns, policies;
     for (const Noun& noun : policy_nouns()) {
         CHECK(nouns.insert(noun.name).second);
@@ -74,7 +74,7 @@ TEST_CASE("every noun and policy says what it is, and every policy where it is f
     });
 }
 
-TEST_CASE("every noun has policies or forms, and every form says what it is and where it is from") {
+TEST_CASE("every noun has policies or forms, and every form has a description and a source") {
     std::size_t forms = 0;
     for (const Noun& noun : policy_nouns()) {
         CAPTURE(noun.name);
@@ -90,10 +90,10 @@ TEST_CASE("every noun has policies or forms, and every form says what it is and 
         }
         forms += noun.forms.size();
     }
-    CHECK(forms == 15); // a form without a noun would not be listed anywhere
+    CHECK(forms == 15); // a form without a noun would not be listed
 }
 
-TEST_CASE("what there is to decide is all there") {
+TEST_CASE("policy_nouns() returns all nouns") {
     std::set<std::string> names;
     for (const Noun& noun : policy_nouns())
         names.insert(noun.name);
@@ -103,7 +103,7 @@ TEST_CASE("what there is to decide is all there") {
         CHECK_MESSAGE(names.count(name) == 1, name);
 }
 
-TEST_CASE("operators say on what strings they work") {
+TEST_CASE("operators state the kinds of strings on which they work") {
     for_each_policy([](const Noun& noun, const PolicyDescription& policy) {
         bool is_operator = noun.name == "crossover" || noun.name == "mutation";
         CHECK(policy.strings.empty() == !is_operator);

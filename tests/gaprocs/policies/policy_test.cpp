@@ -10,7 +10,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Returns the refusal of a text that does not name a policy of reproduction.
+/// Returns the refusal of a text that does not name a reproduction.
 std::string refusal(const std::string& text) {
     try {
         Reproduction::named(text);
@@ -22,7 +22,7 @@ std::string refusal(const std::string& text) {
 
 } // namespace
 
-TEST_CASE("a policy is named by its name, with its numbers by place or by name") {
+TEST_CASE("a text names a policy, with its numbers by position or by name") {
     for (const char* text : {"tournament(3)", " tournament ( size=3 ) ", "tournament(size = 3)"})
         CHECK(Reproduction::named(text).text() == "tournament(size = 3)");
     CHECK(Reproduction::named("tournament").text() == "tournament(size = 2)");
@@ -31,14 +31,14 @@ TEST_CASE("a policy is named by its name, with its numbers by place or by name")
     CHECK(Crossover().text() == "one-point");
 }
 
-TEST_CASE("what a policy prints names it") {
+TEST_CASE("the text that a policy prints names the same policy") {
     for (const PolicyDescription& way : Reproduction::descriptions())
         CHECK(Reproduction::named(way.text()).text() == way.text());
     for (const PolicyDescription& way : Crossover::descriptions())
         CHECK(Crossover::named(way.text()).text() == way.text());
 }
 
-TEST_CASE("what names no policy is refused with what there is") {
+TEST_CASE("a text that names no policy is refused with the existing policies") {
     CHECK(refusal("tournment") == "it is one of roulette, universal, scaled(best = 2), ranking(best = "
                                   "2), tournament(size = 2); did you mean \"tournament\"?");
     CHECK(refusal("").starts_with("it is one of roulette"));

@@ -1,4 +1,4 @@
-// Tests each operator for strings that are not binary.
+// Tests the operators for strings that are not binary.
 
 #include "gaprocs/policies/acceptance.hpp"
 #include "gaprocs/policies/crossover.hpp"
@@ -33,7 +33,7 @@ double deviation_of(const std::vector<double>& numbers) {
     return std::sqrt(sum / static_cast<double>(numbers.size()));
 }
 
-/// Returns mutants of the middle of a range.
+/// Returns mutants of 0, the middle of the range.
 std::vector<double> mutants(const char* way, double probability, int count) {
     const Representation one = RealVector(1, {-8, 8});
     std::vector<Genome> population(static_cast<std::size_t>(count), one.read("0"));
@@ -56,7 +56,7 @@ bool is_permutation(const Genome& genome) {
 
 } // namespace
 
-TEST_CASE("each operator says what strings it fits") {
+TEST_CASE("each operator states which strings it fits") {
     CHECK(Crossover::fitting(StringKind::binary) ==
           std::vector<std::string>{"one-point", "two-point", "uniform", "by-difference"});
     CHECK(Crossover::fitting(StringKind::real) ==
@@ -80,7 +80,7 @@ TEST_CASE("gaussian mutation has the stated deviation and rate, and stays in the
     CHECK(*std::ranges::max_element(wide) == 8);
 }
 
-TEST_CASE("breeder mutation makes steps of every size, either way") {
+TEST_CASE("breeder mutation makes steps of every size in both directions") {
     auto steps = mutants("breeder(range = 0.5, precision = 10)", 1, 20000);
     int up = 0, small = 0;
     for (double step : steps) {
@@ -93,13 +93,13 @@ TEST_CASE("breeder mutation makes steps of every size, either way") {
     CHECK(std::abs(small - 10000) < 360);
 }
 
-TEST_CASE("uniform mutation draws anew") {
+TEST_CASE("uniform mutation draws a new number, uniform in the range") {
     auto all = mutants("uniform", 1, 20000);
     CHECK(std::abs(mean_of(all)) < 0.17);
     CHECK(deviation_of(all) == doctest::Approx(16 / std::sqrt(12)).epsilon(0.03));
 }
 
-TEST_CASE("cuts leave whole numbers, and each from its place") {
+TEST_CASE("cuts keep each number whole and at its place") {
     RandomStream random(3, "numbers");
     for (const char* way : {"one-point", "two-point", "uniform"}) {
         std::map<std::string, int> seen;
@@ -115,7 +115,7 @@ TEST_CASE("cuts leave whole numbers, and each from its place") {
     }
 }
 
-TEST_CASE("blend crossover is uniform between and a little beyond, and stays in the range") {
+TEST_CASE("blend crossover is uniform in the extended interval between the parents, and stays in the range") {
     RandomStream random(4, "blend");
     std::vector<double> first, last;
     for (int i = 0; i < 10000; ++i) {
@@ -135,7 +135,7 @@ TEST_CASE("blend crossover is uniform between and a little beyond, and stays in 
 
 namespace {
 
-/// Returns all offspring that keep a stretch of one parent, and take the rest in the order of the other.
+/// Returns all offspring that keep a part of one parent and take the rest in the order of the other parent.
 std::set<std::string> all_offspring(const std::vector<std::size_t>& kept, const std::vector<std::size_t>& other) {
     std::set<std::string> all;
     for (std::size_t first = 0; first < 7; ++first)
@@ -154,7 +154,7 @@ std::set<std::string> all_offspring(const std::vector<std::size_t>& kept, const 
 
 } // namespace
 
-TEST_CASE("order crossover makes all permutations that keep a stretch of one parent and the order of the other") {
+TEST_CASE("order crossover makes all permutations that keep a part of one parent and the order of the other") {
     RandomStream random(5, "order");
     Genome a = tours.random(random), b = tours.random(random);
     auto order_a = tours.permutation().decode(a), order_b = tours.permutation().decode(b);
@@ -173,7 +173,7 @@ TEST_CASE("order crossover makes all permutations that keep a stretch of one par
     CHECK(equals[0] == a);
 }
 
-TEST_CASE("swap and inversion leave permutations, and change as many edges as they must") {
+TEST_CASE("swap and inversion make permutations and change the expected number of edges") {
     RandomStream random(6, "mutate");
     for (int i = 0; i < 500; ++i) {
         Genome tour = tours.random(random), swapped = tour, turned = tour;
@@ -191,7 +191,7 @@ TEST_CASE("swap and inversion leave permutations, and change as many edges as th
     CHECK(many == same);
 }
 
-TEST_CASE("one number or one place is no reason to fail") {
+TEST_CASE("strings of one number or one place can be crossed and mutated") {
     RandomStream random(7, "one");
     const Representation one_real = RealVector(1, {0, 1}), one_place = Permutation(1);
     std::vector<Genome> reals = one_real.random_population(4, random), places = one_place.random_population(4, random);
@@ -203,12 +203,12 @@ TEST_CASE("one number or one place is no reason to fail") {
     CHECK(one_place.text(places[0]) == "0");
 }
 
-TEST_CASE("most alike is who is least distant, by what distance is") {
+TEST_CASE("acceptance of the most similar individual uses the representation's distance") {
     RandomStream random(8, "alike");
     std::vector<Genome> strings{tours.read("0 2 4 6 1 3 5"), tours.read("3 2 1 0 6 5 4"), tours.read("0 1 2 3 6 5 4")};
     std::vector<double> fitness{1, 2, 3};
     std::vector<Individual> immigrant{{tours.read("0 1 2 3 4 5 6"), 5}};
-    // As bits, the last string is nearer; as tours, the second is the same tour reversed.
+    // As bits, the last string is nearer. As tours, the second is the same tour in reverse.
     CHECK(AlikeAcceptance{}({strings, fitness, 0, &tours}, immigrant, random) == Places{1});
     CHECK(AlikeAcceptance{}({strings, fitness, 0}, immigrant, random) == Places{2});
 }

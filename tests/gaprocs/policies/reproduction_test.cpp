@@ -1,4 +1,4 @@
-// Tests scaling, ranking and tournaments; roulette and universal sampling have files of their own.
+// Tests scaling, ranking and tournaments. Roulette and universal sampling have their own files.
 
 #include "gaprocs/policies/reproduction.hpp"
 #include "runtime/random.hpp"
@@ -13,7 +13,8 @@ using namespace placedpar;
 
 namespace {
 
-/// Returns each individual's mean number of copies, over `times` choices of as many parents as there are individuals.
+/// Returns each individual's mean number of copies over `times` choices. Each choice has as many parents as there are
+/// individuals.
 std::vector<double> mean_copies(const Reproduction& reproduce, const std::vector<double>& fitness, int times) {
     RandomStream random(1, "copies");
     std::vector<double> copies(fitness.size());
@@ -31,7 +32,7 @@ void check_copies(const Reproduction& reproduce, const std::vector<double>& fitn
     auto copies = mean_copies(reproduce, fitness, 20000);
     for (std::size_t i = 0; i < expected.size(); ++i) {
         CAPTURE(i);
-        CHECK(std::abs(copies[i] - expected[i]) < 0.05); // five standard deviations of a binomial of variance 2
+        CHECK(std::abs(copies[i] - expected[i]) < 0.05); // five standard deviations of a binomial with variance 2
     }
 }
 
@@ -39,28 +40,31 @@ const std::vector<double> five{-3, 10, 2, 1, 0}; // mean 2
 
 } // namespace
 
-TEST_CASE("linear ranking: best copies of the best, 2 - best of the worst") {
+TEST_CASE("linear ranking gives the best `best` copies and the worst 2 - `best`") {
     check_copies(RankingReproduction{2}, five, {0, 2, 1.5, 1, 0.5});
     check_copies(RankingReproduction{1.2}, five, {0.8, 1.2, 1.1, 1, 0.9});
     check_copies(RankingReproduction{1}, five, {1, 1, 1, 1, 1});
-    check_copies(RankingReproduction{2}, {7, 7, 1, 9}, {1, 1, 0, 2}); // equals share a rank
+    check_copies(RankingReproduction{2}, {7, 7, 1, 9}, {1, 1, 0, 2}); // equals share their ranks
     check_copies(RankingReproduction{2}, {5}, {1});
 }
 
-TEST_CASE("linear scaling: the mean has one copy, the best `best`, unless the worst had less than none") {
+TEST_CASE(
+    "linear scaling gives the mean one copy and the best `best`, unless the worst would have fewer than 0 copies") {
     check_copies(ScaledReproduction{1.4}, five, {1 - 0.05 * 5, 1.4, 1, 0.95, 0.9}); // slope .4 / 8
-    check_copies(ScaledReproduction{100}, five, {0, 1 + 8. / 5, 1, 0.8, 0.6});      // slope 1 / 5: none for the worst
+    check_copies(ScaledReproduction{100}, five, {0, 1 + 8. / 5, 1, 0.8, 0.6});      // slope 1 / 5: the worst has 0
+                                                                                    // copies
     check_copies(ScaledReproduction{2}, {4, 4, 4}, {1, 1, 1});
     constexpr double most = std::numeric_limits<double>::max();
     check_copies(ScaledReproduction{2}, {-most, most, 0}, {0, 2, 1});
 }
 
-TEST_CASE("tournament: the best of k with probability 1 - (1 - 1/n)^k each time") {
+TEST_CASE("each tournament is won by the best of k with probability 1 - (1 - 1/n)^k") {
     check_copies(TournamentReproduction{1}, five, {1, 1, 1, 1, 1});
-    // The individual of rank r of n (1 is the best) wins if all candidates have rank r or worse, but not all are worse.
+    // Rank 1 is the best. The individual of rank r wins if all candidates have rank r or worse, but not all of them are
+    // worse.
     auto expected = [](double k) {
         std::vector<double> copies;
-        for (double worse : {0., 4., 3., 2., 1.}) // for each of the five
+        for (double worse : {0., 4., 3., 2., 1.}) // number of worse individuals, for each of the five
             copies.push_back(5 * (std::pow((worse + 1) / 5, k) - std::pow(worse / 5, k)));
         return copies;
     };
@@ -68,7 +72,7 @@ TEST_CASE("tournament: the best of k with probability 1 - (1 - 1/n)^k each time"
     check_copies(TournamentReproduction{7}, five, expected(7));
 }
 
-TEST_CASE("scaling, ranking and tournaments ask for differences only: neither shift nor sign of fitness matters") {
+TEST_CASE("scaling, ranking and tournaments depend only on differences of fitness") {
     std::vector<double> shifted;
     for (double each : five)
         shifted.push_back(each - 1000);
@@ -79,7 +83,7 @@ TEST_CASE("scaling, ranking and tournaments ask for differences only: neither sh
     }
 }
 
-TEST_CASE("any number of parents, an odd one too") {
+TEST_CASE("every reproduction can choose any number of parents, even or odd") {
     RandomStream random(5, "count");
     for (const PolicyDescription& way : Reproduction::descriptions())
         for (std::size_t count : {1u, 2u, 7u, 100u})

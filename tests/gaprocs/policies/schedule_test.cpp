@@ -19,7 +19,7 @@ IslandNumbers destinations(const char* schedule, std::uint64_t generation, const
 
 } // namespace
 
-TEST_CASE("broadcast: to all neighbours, every n generations, the first after n") {
+TEST_CASE("a broadcast goes to all neighbours every n generations, first after generation n") {
     IslandNumbers neighbours{7, 2, 5};
     for (std::uint64_t generation = 0; generation <= 12; ++generation) {
         bool due = generation == 4 || generation == 8 || generation == 12;
@@ -29,7 +29,7 @@ TEST_CASE("broadcast: to all neighbours, every n generations, the first after n"
     CHECK(destinations("broadcast", 3, {}).empty());
 }
 
-TEST_CASE("sequential: to one neighbour after the other, and again from the first") {
+TEST_CASE("a sequential exchange goes to one neighbour after another, then again to the first") {
     IslandNumbers visited;
     for (std::uint64_t generation = 0; generation <= 14; ++generation)
         for (std::size_t to : destinations("sequential(2)", generation, {7, 2, 5})) {
@@ -40,7 +40,7 @@ TEST_CASE("sequential: to one neighbour after the other, and again from the firs
     CHECK(destinations("sequential", 3, {}).empty());
 }
 
-TEST_CASE("sequential on a hypercube of two dimensions: i xor 1 and i xor 2 alternately") {
+TEST_CASE("a sequential exchange on a hypercube of two dimensions alternates between i xor 1 and i xor 2") {
     auto square = Topology::named("hypercube").neighbours(4);
     for (std::size_t i = 0; i < 4; ++i)
         for (std::uint64_t exchange = 1; exchange <= 6; ++exchange)
@@ -48,7 +48,7 @@ TEST_CASE("sequential on a hypercube of two dimensions: i xor 1 and i xor 2 alte
                   IslandNumbers{i ^ (exchange % 2 == 1 ? 1u : 2u)});
 }
 
-TEST_CASE("asynchronous: to all neighbours as a broadcast, but not in step") {
+TEST_CASE("asynchronous exchange goes to all neighbours as a broadcast does, but not in step") {
     IslandNumbers neighbours{7, 2, 5};
     CHECK(destinations("asynchronous(4)", 8, neighbours) == neighbours);
     CHECK(destinations("asynchronous(4)", 9, neighbours).empty());
@@ -57,7 +57,7 @@ TEST_CASE("asynchronous: to all neighbours as a broadcast, but not in step") {
     CHECK(Schedule::named("asynchronous(7)").every() == 7);
 }
 
-TEST_CASE("from how many neighbours immigrants come at once") {
+TEST_CASE("most_senders_at_once counts the neighbours whose immigrants can come at once") {
     auto most = [](const char* schedule, const Neighbours& neighbours) {
         return most_senders_at_once(Schedule::named(schedule), neighbours);
     };
@@ -66,12 +66,12 @@ TEST_CASE("from how many neighbours immigrants come at once") {
     CHECK(most("sequential", star) == IslandNumbers{4, 1, 1, 1, 1});
     CHECK(most("asynchronous", complete) == IslandNumbers{4, 4, 4, 4, 4});
     CHECK(most("sequential", complete) == IslandNumbers{1, 1, 1, 1, 1});
-    // Islands 1 and 2 send to 0 in exchanges 2, 4, 6 ... and 3, 6, 9 ...: both do in the sixth.
+    // Islands 1 and 2 send to island 0 in exchanges 2, 4, 6 ... and 3, 6, 9 ..., so both do in the sixth.
     CHECK(most("sequential", {{1}, {3, 0}, {3, 1, 0}, {2}}) == IslandNumbers{2, 2, 1, 2});
     CHECK(most("broadcast", Neighbours(2)) == IslandNumbers{0, 0});
 }
 
-TEST_CASE("schedules have names") {
+TEST_CASE("schedules are named by their text") {
     CHECK(Schedule().text() == "broadcast(every = 3)");
     CHECK(Schedule::named("sequential(10)").text() == "sequential(every = 10)");
 }

@@ -20,7 +20,7 @@ bool is_edge(const Neighbours& neighbours, std::size_t from, std::size_t to) {
     return std::count(neighbours[from].begin(), neighbours[from].end(), to) == 1;
 }
 
-/// Returns the greatest distance between two islands. Throws std::bad_optional_access if two are not connected.
+/// Returns the greatest distance of two islands. Throws std::bad_optional_access if two islands are not connected.
 std::size_t diameter(const Neighbours& neighbours) {
     std::size_t greatest = 0;
     for (std::size_t from = 0; from < neighbours.size(); ++from)
@@ -54,7 +54,7 @@ std::string refusal(const Topology& topology, std::size_t islands) {
 
 } // namespace
 
-TEST_CASE("a ring: to the next, with two ways also to the one before; n - 1 or n / 2 exchanges to the farthest") {
+TEST_CASE("a ring connects each island to the next, and with two ways also to the one before") {
     CHECK(neighbours_in("ring", 4) == Neighbours{{1}, {2}, {3}, {0}});
     CHECK(neighbours_in("ring(ways = 2)", 4) == Neighbours{{1, 3}, {2, 0}, {3, 1}, {0, 2}});
     CHECK(neighbours_in("ring(2)", 2) == Neighbours{{1}, {0}});
@@ -65,7 +65,7 @@ TEST_CASE("a ring: to the next, with two ways also to the one before; n - 1 or n
     }
 }
 
-TEST_CASE("a hypercube: i xor 1, i xor 2, i xor 4, ...; the distance is the number of binary digits that differ") {
+TEST_CASE("a hypercube connects islands whose numbers differ in one binary digit") {
     CHECK(neighbours_in("hypercube", 4) == Neighbours{{1, 2}, {0, 3}, {3, 0}, {2, 1}});
     for (std::size_t dimensions : {1u, 2u, 3u, 6u}) {
         auto cube = neighbours_in("hypercube", std::size_t{1} << dimensions);
@@ -77,10 +77,11 @@ TEST_CASE("a hypercube: i xor 1, i xor 2, i xor 4, ...; the distance is the numb
     CHECK(distances(neighbours_in("hypercube", 8), 5)[4] == 1u);
 }
 
-TEST_CASE("a torus: east, south, west and north; half of the rows and half of the columns to the farthest") {
-    // 0 1 2 3
-    // 4 5 6 7
-    // 8 9 10 11
+TEST_CASE("a torus connects each island to the east, south, west and north") {
+    // The islands are numbered as follows:
+    //     0 1 2 3
+    //     4 5 6 7
+    //     8 9 10 11
     auto torus = neighbours_in("torus(3)", 12);
     CHECK(torus[5] == IslandNumbers{6, 9, 4, 1});
     CHECK(torus[11] == IslandNumbers{8, 3, 10, 7});
@@ -92,14 +93,14 @@ TEST_CASE("a torus: east, south, west and north; half of the rows and half of th
     check_edges_both_ways(neighbours_in("torus(2)", 10));
 }
 
-TEST_CASE("a star: all with island 0, two exchanges to the farthest") {
+TEST_CASE("a star connects island 0 with all others, and the farthest island is two exchanges away") {
     auto star = neighbours_in("star", 5);
     CHECK(star == Neighbours{{1, 2, 3, 4}, {0}, {0}, {0}, {0}});
     check_edges_both_ways(star);
     CHECK(diameter(star) == 2);
 }
 
-TEST_CASE("complete: all others from the next on, one exchange to each") {
+TEST_CASE("a complete topology connects each island to all others, from the next on") {
     auto complete = neighbours_in("complete", 5);
     CHECK(complete[3] == IslandNumbers{4, 0, 1, 2});
     check_degrees(complete, 4);
@@ -107,7 +108,7 @@ TEST_CASE("complete: all others from the next on, one exchange to each") {
     CHECK(diameter(complete) == 1);
 }
 
-TEST_CASE("where all send to the neighbour at the same place, each island gets from one") {
+TEST_CASE("if all islands send to the neighbour at the same place, each receives from one island") {
     for (const char* topology : {"ring(2)", "hypercube", "torus(4)", "torus(2)", "complete"}) {
         CAPTURE(topology);
         auto neighbours = neighbours_in(topology, 16);
@@ -122,13 +123,13 @@ TEST_CASE("where all send to the neighbour at the same place, each island gets f
     }
 }
 
-TEST_CASE("no topology: nobody has neighbours, one island too") {
+TEST_CASE("with no topology, islands have no neighbours, and one island may be alone") {
     CHECK(neighbours_in("none", 3) == Neighbours(3));
     CHECK(neighbours_in("none", 1) == Neighbours(1));
     CHECK_FALSE(distances(neighbours_in("none", 2), 0)[1].has_value());
 }
 
-TEST_CASE("an island whose individuals never come to another of its part") {
+TEST_CASE("one_way finds an island whose individuals never reach another island of its part") {
     auto lost = one_way({{1}, {2}, {}}); // a chain
     REQUIRE(lost);
     CHECK(lost->from == 1);
@@ -137,7 +138,7 @@ TEST_CASE("an island whose individuals never come to another of its part") {
     REQUIRE(lost);
     CHECK(lost->from == 2);
     CHECK(lost->never_to == 0);
-    lost = one_way({{1}, {0}, {3}, {2, 4}, {}}); // the broken link is in the second part
+    lost = one_way({{1}, {0}, {3}, {2, 4}, {}}); // the one-way connection is in the second part
     REQUIRE(lost);
     CHECK(lost->from == 4);
     CHECK(lost->never_to == 2);
@@ -146,7 +147,7 @@ TEST_CASE("an island whose individuals never come to another of its part") {
         CHECK_FALSE(one_way(neighbours_in(topology, 8)));
 }
 
-TEST_CASE("parts that exchange nothing with each other") {
+TEST_CASE("separate_parts finds the parts that do not exchange with each other") {
     for (const char* topology : {"ring", "ring(2)", "hypercube", "torus(4)", "star", "complete"})
         CHECK(separate_parts(neighbours_in(topology, 8)).size() == 1);
     CHECK(separate_parts(neighbours_in("none", 3)) == Neighbours{{0}, {1}, {2}});
@@ -154,7 +155,7 @@ TEST_CASE("parts that exchange nothing with each other") {
     CHECK(separate_parts({{}, {0}, {1}}) == Neighbours{{0, 1, 2}}); // one direction is enough
 }
 
-TEST_CASE("neighbours as they are given, one way too") {
+TEST_CASE("given neighbours may be one-way, and a list that does not fit is refused") {
     Neighbours given{{2, 1}, {}, {0}};
     CHECK(Topology(GivenTopology{given}).neighbours(3) == given);
     CHECK(refusal(GivenTopology{given}, 4) == "the neighbours of 3 islands are given, expected those of 4");
@@ -167,7 +168,7 @@ TEST_CASE("neighbours as they are given, one way too") {
     CHECK(refusal(Topology::named("given"), 2) == "the neighbours of 0 islands are given, expected those of 2");
 }
 
-TEST_CASE("a number of islands that does not fit is refused with what would be right") {
+TEST_CASE("a number of islands that does not fit the topology is refused with the numbers that fit") {
     CHECK(refusal(HypercubeTopology{}, 12) == "a hypercube of 12 islands, expected a power of two such as 8 or 16");
     CHECK(refusal(TorusTopology{3}, 10) ==
           "a torus of 10 islands in 3 rows, expected rows that divide 10: 1, 2, 5, 10");
@@ -177,14 +178,14 @@ TEST_CASE("a number of islands that does not fit is refused with what would be r
         CHECK(refusal(Topology::named(topology), 1).starts_with("island 0 of 1 has no neighbours"));
 }
 
-TEST_CASE("topologies have names") {
+TEST_CASE("topologies are named by their text") {
     CHECK(Topology().text() == "ring(ways = 1)");
     CHECK(Topology::named("torus(4)").text() == "torus(rows = 4)");
     for (const PolicyDescription& way : Topology::descriptions())
         CHECK(Topology::named(way.text()).text() == way.text());
 }
 
-TEST_CASE("a torus of one island is of one island") {
+TEST_CASE("the refusal of a torus of one island has a singular noun") {
     CHECK_THROWS_WITH_AS(Topology::named("torus(2)").neighbours(1),
                          "a torus of 1 island in 2 rows, expected rows that divide 1: 1", UserError);
 }

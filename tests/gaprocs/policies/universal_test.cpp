@@ -26,7 +26,7 @@ std::vector<int> counts(const Indices& parents, std::size_t individuals) {
 
 } // namespace
 
-TEST_CASE("evenly spaced balls on a wheel of sectors 1, 2 and 1") {
+TEST_CASE("evenly spaced balls fall into sectors of widths 1, 2 and 1 in proportion") {
     RouletteWheel wheel(std::array<double, 5>{1, -7, 2, 0, 1});
     CHECK(wheel.sectors(4, 0) == Indices{0, 2, 2, 4});
     CHECK(wheel.sectors(4, 0.999) == Indices{0, 2, 2, 4});
@@ -36,14 +36,14 @@ TEST_CASE("evenly spaced balls on a wheel of sectors 1, 2 and 1") {
     CHECK(wheel.sectors(8, 0.5) == Indices{0, 0, 2, 2, 2, 2, 4, 4});
 }
 
-TEST_CASE("everybody becomes a parent floor(e) or ceil(e) times, from any spin") {
+TEST_CASE("in universal sampling each individual becomes a parent floor(e) or ceil(e) times, whatever the spin") {
     RandomStream random(1, "universal");
     for (int run = 0; run < 2000; ++run) {
         std::size_t individuals = 1 + random.below(40), count = 1 + random.below(130);
         std::vector<double> fitness(individuals);
         for (double& each : fitness)
             each = (random.uniform() - 0.3) * 400;
-        fitness.front() = 100; // at least one is positive
+        fitness.front() = 100; // at least one fitness is positive
         double sum = 0;
         for (double each : fitness)
             sum += std::max(each, 0.0);
@@ -59,7 +59,7 @@ TEST_CASE("everybody becomes a parent floor(e) or ceil(e) times, from any spin")
     }
 }
 
-TEST_CASE("on average it is roulette: the spin is uniform") {
+TEST_CASE("in universal sampling the mean number of copies is that of roulette") {
     RandomStream random(2, "universal");
     const std::array<double, 3> fitness{1, 2, 5}; // the expected copies of 3 parents: 0.375, 0.75, 1.875
     std::array<int, 3> seen{};
@@ -69,13 +69,13 @@ TEST_CASE("on average it is roulette: the spin is uniform") {
         for (std::size_t parent : parents)
             ++seen.at(parent);
     }
-    // In one spin, each count is one of two neighbouring integers: its standard deviation is at most 0.5; 4 are
-    // allowed.
+    // In one spin, each count is one of two neighbouring integers, so its standard deviation is at most 0.5. Four
+    // standard deviations are allowed.
     for (std::size_t i = 0; i < 3; ++i)
         CHECK(std::abs(seen.at(i) - spins * 3 * fitness.at(i) / 8) < 4 * 0.5 * std::sqrt(spins));
 }
 
-TEST_CASE("the parents are shuffled: each stands at each place equally often") {
+TEST_CASE("the parents are shuffled, and each is equally often at each place") {
     RandomStream random(3, "universal");
     const std::array<double, 4> fitness{1, 1, 1, 1};
     constexpr int runs = 20000;
@@ -92,14 +92,14 @@ TEST_CASE("the parents are shuffled: each stands at each place equally often") {
             CHECK(std::abs(seen - runs / 4) < 250); // 4.1 standard deviations
 }
 
-TEST_CASE("universal sampling has no answer when no fitness is positive, and draws nothing") {
+TEST_CASE("universal sampling returns nothing and draws nothing if no fitness is positive") {
     RandomStream random(1, "nothing"), untouched = random;
     std::array<double, 3> fitness{0, -1, std::numeric_limits<double>::quiet_NaN()};
     CHECK_FALSE(UniversalReproduction{}(fitness, 3, random));
     CHECK(random() == untouched());
 }
 
-TEST_CASE("wherever the only positive one stands, it is everybody's parent") {
+TEST_CASE("in universal sampling the only individual of positive fitness is the parent of all, whatever its index") {
     for (std::size_t place = 0; place < 3; ++place) {
         std::array<double, 3> fitness{-1, -1, -1};
         fitness.at(place) = 1 / 3.0;
@@ -110,7 +110,7 @@ TEST_CASE("wherever the only positive one stands, it is everybody's parent") {
     }
 }
 
-TEST_CASE("a last ball that rounding puts on the very end of the wheel lies in the last sector") {
+TEST_CASE("a last ball that rounding puts on the end of the wheel is in the last sector that is not empty") {
     constexpr std::size_t balls = std::size_t{1} << 23; // from this size on, balls - 2^-32 rounds to balls
     RouletteWheel wheel(std::array<double, 4>{1, 0, 1, 0});
     auto found = wheel.sectors(balls, 1 - 0x1p-32);

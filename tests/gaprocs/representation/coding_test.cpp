@@ -14,7 +14,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("the Gray code of three bits, as printed in every textbook") {
+TEST_CASE("the Gray code of three bits is that of the textbooks") {
     const std::array<const char*, 8> table{"000", "001", "011", "010", "110", "111", "101", "100"};
     for (std::uint64_t number = 0; number < 8; ++number) {
         Genome genome = Genome::from_string(table.at(number));
@@ -24,14 +24,14 @@ TEST_CASE("the Gray code of three bits, as printed in every textbook") {
     }
 }
 
-TEST_CASE("neighbours differ in one bit, also across the cliffs of natural binary") {
+TEST_CASE("Gray codes of neighbours differ in one bit, also where natural binary codes differ in many") {
     for (std::uint64_t number = 0; number < 4096; ++number)
         REQUIRE(std::popcount(gray_code(number) ^ gray_code(number + 1)) == 1);
     CHECK(std::popcount(gray_code(4095) ^ gray_code(0)) == 1); // the 12-bit code is cyclic
     CHECK(std::popcount(127u ^ 128u) == 8);                    // a Hamming cliff at .0125 in a range of .1 with 10 bits
 }
 
-TEST_CASE("decoding undoes coding in all 64 bits") {
+TEST_CASE("decoding a Gray code undoes its coding for all 64 bits") {
     RandomStream random(1, "gray");
     for (int i = 0; i < 10'000; ++i) {
         std::uint64_t number = (std::uint64_t{random()} << 32 | random()) >> random.below(64);
@@ -40,7 +40,7 @@ TEST_CASE("decoding undoes coding in all 64 bits") {
     }
 }
 
-TEST_CASE("each field of a string is a Gray code by itself") {
+TEST_CASE("each field of a string is a Gray code of its own") {
     Genome genome = Genome::from_string("0110"
                                         "1000"
                                         "1");
@@ -51,7 +51,7 @@ TEST_CASE("each field of a string is a Gray code by itself") {
     CHECK(coded.field(8, 1) == 1);
 }
 
-TEST_CASE("a problem that knows nothing of codings is read in Gray code") {
+TEST_CASE("a problem that does not mention codings can be read in Gray code") {
     auto natural = make_search_problem(LineProblem{}), gray = make_search_problem(LineProblem{}, Coding::gray);
     CHECK(natural->coding() == Coding::natural);
     CHECK(gray->coding() == Coding::gray);
@@ -70,7 +70,7 @@ TEST_CASE("a problem that knows nothing of codings is read in Gray code") {
 
 namespace {
 
-/// A problem that counts ones, without fields.
+/// A problem that counts ones and has no fields.
 struct OnesProblem {
     std::size_t bits() const { return 8; }
     std::size_t channels() const { return 1; }

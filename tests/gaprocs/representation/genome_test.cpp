@@ -14,7 +14,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Returns the number's last `length` binary digits.
+/// Returns the last `length` binary digits of the number.
 std::string digits(std::uint64_t number, std::size_t length) {
     std::string text;
     for (std::size_t i = length; i-- > 0;)
@@ -56,7 +56,7 @@ TEST_CASE("every field of every string up to 8 characters is its binary number")
         }
 }
 
-TEST_CASE("fields of up to 64 bits across word boundaries") {
+TEST_CASE("fields of up to 64 bits may cross word boundaries") {
     RandomStream random(3, "fields");
     for (int i = 0; i < 5000; ++i) {
         std::size_t length = 1 + random.below(200);
@@ -72,14 +72,14 @@ TEST_CASE("fields of up to 64 bits across word boundaries") {
     }
 }
 
-TEST_CASE("exchange of leading characters: thesis eq. 1.1 and 1.2") {
+TEST_CASE("the exchange of leading characters is that of thesis eq. 1.1 and 1.2") {
     Genome a = Genome::from_string("0000000"), b = Genome::from_string("1111111");
     swap_leading(a, b, 4);
     CHECK(a.to_string() == "1111000");
     CHECK(b.to_string() == "0000111");
 }
 
-TEST_CASE("exchange of leading characters is that of text, at any length and cut") {
+TEST_CASE("swap_leading exchanges the same characters as an exchange of text, at any length and cut") {
     RandomStream random(4, "exchange");
     for (std::size_t length : {1u, 2u, 10u, 63u, 64u, 65u, 128u, 150u})
         for (std::size_t cut = 0; cut <= length; ++cut) {
@@ -91,7 +91,7 @@ TEST_CASE("exchange of leading characters is that of text, at any length and cut
         }
 }
 
-TEST_CASE("random strings have as many ones as zeros, at every position, and nothing past the end") {
+TEST_CASE("random strings have as many ones as zeros at every position, and zeros past the end") {
     RandomStream random(5, "random strings");
     constexpr int count = 4000;
     std::string::size_type length = 70;
@@ -106,7 +106,7 @@ TEST_CASE("random strings have as many ones as zeros, at every position, and not
         CHECK(std::abs(seen - count / 2) < 150); // 4.7 standard deviations
 }
 
-TEST_CASE("equality needs the same length") {
+TEST_CASE("strings of different lengths are not equal") {
     CHECK(Genome::from_string("010") == Genome::from_string("010"));
     CHECK(Genome::from_string("010") != Genome::from_string("0100"));
     CHECK(Genome(10).bytes() == 2);
@@ -114,7 +114,7 @@ TEST_CASE("equality needs the same length") {
     CHECK(Genome(17).bytes() == 3);
 }
 
-TEST_CASE("a string of other characters is refused") {
+TEST_CASE("a string of other characters than 0 and 1 is refused") {
     CHECK_THROWS_WITH_AS(Genome::from_string("01x"), "a binary string holds 0 and 1 only: '01x' has 'x' at position 2",
                          std::invalid_argument);
 }

@@ -8,7 +8,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("a field of bits is low + (high - low) n / 2^bits") {
+TEST_CASE("a field of bits is decoded to low + (high - low) n / 2^bits") {
     ParameterField field{-1, 3, 4}; // eq. 1.5: steps of a quarter
     CHECK(field.value(0) == -1);
     CHECK(field.value(1) == -0.75);
@@ -18,7 +18,7 @@ TEST_CASE("a field of bits is low + (high - low) n / 2^bits") {
     CHECK(field.resolution() == 0.25);
 }
 
-TEST_CASE("fields of different lengths stand one after the other") {
+TEST_CASE("fields of different lengths are decoded one after another") {
     ParameterCoding coding({{0, 8, 3}, {-1, 1, 1}, {0, 0.1, 12}});
     CHECK(coding.parameters() == 3);
     CHECK(coding.bits() == 16);
@@ -31,7 +31,7 @@ TEST_CASE("fields of different lengths stand one after the other") {
     CHECK(coding.decode(genome) == std::vector<double>{5, 0, 0.05});
 }
 
-TEST_CASE("four compliances of 20 bits reach across words") {
+TEST_CASE("four compliances of 20 bits are decoded across words") {
     ParameterCoding coding(4, {0, 1, 20});
     CHECK(coding.bits() == 80);
     Genome genome(80);
@@ -41,14 +41,14 @@ TEST_CASE("four compliances of 20 bits reach across words") {
     CHECK(coding.value(genome, 0) == 1 - 0x1p-20);
 }
 
-TEST_CASE("the finest field tells neighbours apart") {
+TEST_CASE("neighbouring codes of the longest field have different values") {
     ParameterField field{0, 1, ParameterCoding::most_bits};
     auto last = (std::uint64_t{1} << ParameterCoding::most_bits) - 1;
     CHECK(field.value(last) < 1);
     CHECK(field.value(last - 1) < field.value(last));
 }
 
-TEST_CASE("codings that cannot be are refused with the number of the parameter") {
+TEST_CASE("impossible codings are refused with the number of the parameter") {
     auto refused = [](std::vector<ParameterField> fields, const char* message) {
         CHECK_THROWS_WITH_AS(ParameterCoding(std::move(fields)), message, std::invalid_argument);
     };

@@ -27,7 +27,7 @@ std::string refusal_of_text(const Representation& representation, const char* te
 
 } // namespace
 
-TEST_CASE("strings at random are of their kind") {
+TEST_CASE("random strings are of their representation") {
     RandomStream random(1, "representation");
     std::map<std::string, int> orders;
     double sum = 0;
@@ -44,12 +44,12 @@ TEST_CASE("strings at random are of their kind") {
     CHECK(bits_of_5.random(random).size() == 5);
 }
 
-TEST_CASE("binary strings at random are those that there were before") {
+TEST_CASE("random binary strings are the same as those of random_population") {
     RandomStream one(1, "same"), other(1, "same");
     CHECK(Representation(BitString(130)).random_population(7, one) == random_population(7, 130, other));
 }
 
-TEST_CASE("a string as text and back") {
+TEST_CASE("a string written as text is read back the same") {
     for (const char* text : {"01101", "11111"})
         CHECK(bits_of_5.text(bits_of_5.read(text)) == text);
     for (const char* text : {"0.1 -0.25", "10 1", "1e-09 0"})
@@ -71,13 +71,13 @@ TEST_CASE("a text that is not a string of the representation is refused") {
     CHECK(refusal_of_text(order_of_4, "0 1 2 -1") == "\"-1\" is not a whole number");
 }
 
-TEST_CASE("distance: bits, Euclid in ranges, edges not shared") {
+TEST_CASE("the distance counts bits, is Euclidean in widths of the ranges, or counts edges not shared") {
     CHECK(bits_of_5.distance(bits_of_5.read("01101"), bits_of_5.read("11100")) == 2);
     CHECK(two_reals.distance(two_reals.read("1 0"), two_reals.read("4 0.8")) == doctest::Approx(0.5));
     const Representation order_of_6 = Permutation(6);
     Genome tour = order_of_6.read("0 1 2 3 4 5");
     CHECK(order_of_6.distance(tour, order_of_6.read("3 2 1 0 5 4")) == 0); // the same tour, rotated
-    CHECK(order_of_6.distance(tour, order_of_6.read("0 1 4 3 2 5")) == 2); // one stretch reversed
+    CHECK(order_of_6.distance(tour, order_of_6.read("0 1 4 3 2 5")) == 2); // one part reversed
     CHECK(order_of_6.distance(tour, order_of_6.read("0 2 4 1 3 5")) == 5);
     RandomStream random(1, "distance");
     for (const Representation& each : {bits_of_5, two_reals, order_of_6})
@@ -88,7 +88,7 @@ TEST_CASE("distance: bits, Euclid in ranges, edges not shared") {
         }
 }
 
-TEST_CASE("representations of nothing, and reversed bounds, are refused") {
+TEST_CASE("empty representations and reversed bounds are refused") {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     CHECK_THROWS_WITH_AS(BitString(0), "the binary string has 0 bits, expected at least 1", std::invalid_argument);
     CHECK_THROWS_AS(Permutation(0), std::invalid_argument);
@@ -103,7 +103,7 @@ TEST_CASE("representations of nothing, and reversed bounds, are refused") {
         CHECK_THROWS_AS(RealVector({range}), std::invalid_argument);
 }
 
-TEST_CASE("a whole parameter is rounded down, coded or not") {
+TEST_CASE("a whole parameter is rounded down, with and without bits") {
     ParameterField delay{.low = 1, .high = 5, .bits = 2, .whole = true}; // Table 5.1
     for (std::uint64_t code = 0; code < 4; ++code)
         CHECK(delay.value(code) == static_cast<double>(code + 1));
@@ -115,7 +115,7 @@ TEST_CASE("a whole parameter is rounded down, coded or not") {
     CHECK(seen.begin()->first == 1);
     CHECK(seen.rbegin()->first == 6);
     CHECK(die.rounded(6.9) == 6);
-    CHECK(die.rounded(7) == 6); // 6 has no code
+    CHECK(die.rounded(7) == 6); // no code stands for 7
     CHECK(ParameterField{.low = 1, .high = 7, .bits = 4}.rounded(6.9) == 6.9);
     CHECK(ParameterCoding({delay, {-2, 2, 6}}).reals().range(1).high == 2);
 }

@@ -7,7 +7,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("the schemata of equation 6.1 and what the thesis says of them") {
+TEST_CASE("the schema of equation 6.1 matches the thesis's strings and has its order and length") {
     Schema common = Schema::from_string("11****11");
     for (const char* text : {"11100011", "11011011", "11011111"})
         CHECK(common.matches(Genome::from_string(text)));
@@ -18,7 +18,7 @@ TEST_CASE("the schemata of equation 6.1 and what the thesis says of them") {
     CHECK(common.to_string() == "11****11");
 }
 
-TEST_CASE("schemata without fixed positions, with one, and longer than a word") {
+TEST_CASE("schemata may have no fixed position, one, or more positions than a word") {
     Schema all = Schema::from_string("***");
     CHECK(all.order() == 0);
     CHECK(all.defining_length() == 0);
@@ -34,7 +34,7 @@ TEST_CASE("schemata without fixed positions, with one, and longer than a word") 
     CHECK_THROWS_AS(Schema::from_string(""), std::invalid_argument);
 }
 
-TEST_CASE("of each order there are C(l, o) 2^o schemata, and every string has C(l, o) of them") {
+TEST_CASE("there are C(l, o) 2^o schemata of order o, and every string matches C(l, o) of them") {
     const std::size_t chosen[]{1, 4, 6, 4, 1};
     Genome string = Genome::from_string("0110");
     for (std::size_t order = 0; order <= 4; ++order) {

@@ -18,7 +18,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Returns each parameter of each individual, decoded in parallel.
+/// Returns each parameter of each individual, decoded in lanes.
 template <bool gray>
 std::vector<double> values_in_lanes(const ParameterCoding& coding, std::span<const Genome> population) {
     std::vector<double> values;
@@ -46,7 +46,7 @@ std::vector<double> values_one_by_one(const ParameterCoding& coding, std::span<c
     return values;
 }
 
-/// A problem that decodes several strings at once; the optimum is a sum of 0.
+/// A problem that decodes several strings at once. The optimum is a sum of 0.
 struct ManyBits {
     ParameterCoding coding;
 
@@ -84,10 +84,10 @@ struct ManyBits {
 
 } // namespace
 
-TEST_CASE("a problem that decodes several strings at once gives the fitness of each, however long they are") {
+TEST_CASE("a problem that decodes several strings at once gives the fitness of each string, whatever its length") {
     const std::vector<Sample> samples{{1}, {-.5}, {3}};
     RandomStream random(2, "strings");
-    for (std::size_t parameters : {1u, 12u, 13u, 40u}) // 20 to 800 bits, of which up to 256 fit into lanes
+    for (std::size_t parameters : {1u, 12u, 13u, 40u}) // 20 to 800 bits; up to 256 bits fit into lanes
         for (Coding coding : {Coding::natural, Coding::gray}) {
             auto problem = make_search_problem(ManyBits{{parameters, {-1, 1, 20}}}, coding);
             auto population = random_population(11, problem->bits(), random);
@@ -98,7 +98,7 @@ TEST_CASE("a problem that decodes several strings at once gives the fitness of e
         }
 }
 
-TEST_CASE("strings side by side are read as one after the other, in both codings") {
+TEST_CASE("strings in lanes are read as single strings are, in both codings") {
     const ParameterField delay{1, 5, 2}, part{-1, 1, 7}, whole{-3, 90, 11, true}, finest{0, 1, 52};
     const std::vector<std::vector<ParameterField>> codings{{delay, part, part, part, part, {0, 2, 7}},
                                                            {finest, whole, finest},

@@ -17,7 +17,7 @@ void check_areas(double spool_in, double bypass_in2, double inlet_in2, double ou
 
 } // namespace
 
-TEST_CASE("boom orifices at the knees of A.3 to A.9, worked out by hand") {
+TEST_CASE("boom orifices at the knees of A.3 to A.9 agree with a hand computation") {
     check_areas(0, 1.5235, 0, 0);
     check_areas(0.188, 0.0477, 0, 0);
     check_areas(0.25, 0.0315, 0.07731, 0.01356); // a_o: -.126 * 1.09 + .1509

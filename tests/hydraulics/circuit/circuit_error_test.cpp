@@ -53,7 +53,8 @@ TEST_CASE("one junction has the error of equation 3.8") {
     }
 }
 
-TEST_CASE("the error of eq. 3.8 at spool .24 in, 1800 psi, rising 1500 psi/s, piston .5 in/s, C .0086") {
+TEST_CASE(
+    "the error of eq. 3.8 agrees with a hand computation at spool .24 in, 1800 psi, 1500 psi/s, .5 in/s, C .0086") {
     OrificeAreas areas = boom_orifices(0.24);
     LinkSample sample{1800, 1500, 32 * 0.5, areas.inlet_in2, areas.bypass_in2};
     CHECK(std::abs(error_of<1>(boom_alone, {0.0086}, {sample}) - 2.0562) < 1e-4);
@@ -64,7 +65,7 @@ TEST_CASE("a pressure below the tank's gives no square root of a negative number
     CHECK(error_of<1>(boom_alone, {0}, {steady(10, 0, 0.05, 0.05)}) == 175);
 }
 
-TEST_CASE("two junctions: no error at the solution of equations B.3 and B.4") {
+TEST_CASE("the error of two junctions is 0 at the solution of equations B.3 and B.4") {
     // k = 100, Q_t = 175, P_e = 25: the worked junction of the design notes, to the digits given there.
     LinkSample bucket = steady(2000, 56.7165, .1, .068), boom = steady(1700, 52.2247, .096, .016);
     CHECK(error_of<2>(bucket_and_boom, {0, 0}, {bucket, boom}) < 2e-3);
@@ -97,7 +98,7 @@ TEST_CASE("a link alone with its pump takes the whole flow") {
     CHECK(error_of<1>(alone, {0}, {steady(2000, 170, .1, .3)}) == 5);
 }
 
-TEST_CASE("two pumps meet at the boom in configuration d") {
+TEST_CASE("in configuration d the boom gets the flow of both pumps") {
     Circuit both = circuit_of(Configuration::d, {Link::boom});
     double p = 1700 + std::pow(100 / 40.0, 2), past = 100 * .16 * std::sqrt(p - 25);
     CHECK(error_of<1>(both, {0}, {steady(1700, 100, .4, .16)}) == doctest::Approx(std::abs(350 - 100 - past)));

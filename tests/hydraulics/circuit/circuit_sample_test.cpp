@@ -60,7 +60,7 @@ TEST_CASE("the piston's flow at each sample is that of the motion, up to the lin
     }
 }
 
-TEST_CASE("samples where the check valve shuts later are left out") {
+TEST_CASE("samples before a later closing of the check valve are left out") {
     Record record = exact_record();
     record.of(Link::boom, Sensor::spool)[15] = 0.18;  // a glitch: the inlet is shut
     record.of(Link::boom, Sensor::spool)[16] = 0.195; // open, but the pump's pressure is below the load's
@@ -70,13 +70,13 @@ TEST_CASE("samples where the check valve shuts later are left out") {
     CHECK(samples[5].index == 17);
 }
 
-TEST_CASE("a record that ends early gives fewer samples, one at rest none") {
+TEST_CASE("a record that ends early gives fewer samples, and a record at rest none") {
     Record record = exact_record();
     CHECK(usable(part(record, 0, 20)).size() == 8); // centres 10 ... 17
     CHECK(usable(part(record, 0, 6)).empty());
 }
 
-TEST_CASE("no slope reaches over a gap") {
+TEST_CASE("no slope is computed across a gap") {
     Record record = exact_record();
     for (std::size_t i = 20; i < record.size(); ++i)
         record.time_s[i] += 0.1;
@@ -86,7 +86,7 @@ TEST_CASE("no slope reaches over a gap") {
     CHECK(samples[8].index == 22);
 }
 
-TEST_CASE("skipped samples are the first usable ones") {
+TEST_CASE("the skipped samples are the first usable ones") {
     Record record = exact_record();
     UsableSamples rule;
     rule.skipped = 2;
@@ -109,7 +109,7 @@ TEST_CASE("a spool that reads too high by an offset gives the areas of the true 
         CHECK(mended[i].links[0].bypass_in2 == doctest::Approx(exact[i].links[0].bypass_in2).epsilon(1e-12));
 }
 
-TEST_CASE("areas that were read go before those of the spool; a missing channel is named") {
+TEST_CASE("read areas are preferred to areas from the spool, and a missing channel is named") {
     Record record = exact_record();
     record.of(Link::boom, Sensor::inlet_area).assign(record.size(), 0.1);
     record.of(Link::boom, Sensor::bypass_area).assign(record.size(), 0.2);
@@ -123,7 +123,7 @@ TEST_CASE("areas that were read go before those of the spool; a missing channel 
                          UnfitRecord);
 }
 
-TEST_CASE("two junctions in series: a link takes no flow while another holds the pressure below its own") {
+TEST_CASE("of two junctions in series, a link takes no flow while another keeps the pressure below its own") {
     Circuit two = circuit_of(Configuration::a, {Link::bucket, Link::boom});
     // With k = 100, Q = 175, P_e = 25, the worked junction of the design notes has 2032.168 psi at the bucket.
     std::array<LinkSample, 2> links{{{2000, 0, 0, .1, .068}, {1700, 0, 0, .096, .016}}};
@@ -135,7 +135,7 @@ TEST_CASE("two junctions in series: a link takes no flow while another holds the
     CHECK(!all_open(two, links, rounded_flow_constants(), 0));
 }
 
-TEST_CASE("the areas come from the voltage where only that was read") {
+TEST_CASE("the areas are computed from the voltage if no other reading exists") {
     Record record = exact_record();
     std::vector<double>& volts = record.of(Link::boom, Sensor::servo);
     const auto valve = std::get<SpoolOrifices>(single_boom_scenario().links[0].valve);

@@ -48,7 +48,7 @@ void check_circuit(char configuration, LinkSet active, const std::string& expect
 
 } // namespace
 
-TEST_CASE("the coupled groups of each configuration") {
+TEST_CASE("each configuration has its groups of coupled links") {
     CHECK(groups_of(Configuration::a) == "{BU,BO}|{ST,SW}");
     CHECK(groups_of(Configuration::b) == "{BU}|{BO,ST,SW}");
     CHECK(groups_of(Configuration::c) == "{BU,BO,ST}|{SW}");
@@ -56,7 +56,7 @@ TEST_CASE("the coupled groups of each configuration") {
     CHECK(groups_of(Configuration::e) == "{BU,BO,ST,SW}");
 }
 
-TEST_CASE("configuration a: two branches, a pump each") {
+TEST_CASE("configuration a has two branches with a pump each") {
     check_circuit('a', {BU, BO}, "+BU>BO BO>tank"); // Figure B.1
     check_circuit('a', {ST, SW}, "+SW>ST ST>tank");
     check_circuit('a', {BU}, "+BU>tank");
@@ -65,7 +65,7 @@ TEST_CASE("configuration a: two branches, a pump each") {
     check_circuit('a', {SW}, "+SW>tank");
 }
 
-TEST_CASE("configuration b: the bucket has pump 1 to itself, branch 2 feeds the boom") {
+TEST_CASE("in configuration b the bucket has pump 1 alone, and branch 2 feeds the boom") {
     check_circuit('b', {BU}, "+BU>nowhere");
     check_circuit('b', {BO, ST, SW}, "+SW>ST ST>BO BO>tank");
     check_circuit('b', {BO, ST}, "+ST>BO BO>tank");
@@ -76,7 +76,7 @@ TEST_CASE("configuration b: the bucket has pump 1 to itself, branch 2 feeds the 
     check_circuit('b', {SW}, "+SW>tank");
 }
 
-TEST_CASE("configuration c: the swing has pump 2 to itself, branch 1 feeds the stick") {
+TEST_CASE("in configuration c the swing has pump 2 alone, and branch 1 feeds the stick") {
     check_circuit('c', {SW}, "+SW>nowhere");
     check_circuit('c', {BU, BO, ST}, "+BU>BO BO>ST ST>tank");
     check_circuit('c', {BU, ST}, "+BU>ST ST>tank");
@@ -85,7 +85,7 @@ TEST_CASE("configuration c: the swing has pump 2 to itself, branch 1 feeds the s
     check_circuit('c', {ST}, "+ST>tank");
 }
 
-TEST_CASE("configuration d: both branches meet at the boom") {
+TEST_CASE("in configuration d both branches feed the boom") {
     check_circuit('d', LinkSet::all(), "+BU>BO +SW>ST ST>BO BO>tank");
     check_circuit('d', {BU, SW, BO}, "+BU>BO +SW>BO BO>tank");
     check_circuit('d', {BO, ST, SW}, "+SW>ST ST>BO +BO>tank"); // pump 1 passes the bucket, which is at rest
@@ -93,7 +93,7 @@ TEST_CASE("configuration d: both branches meet at the boom") {
     check_circuit('d', {BU, ST}, "+BU>tank +ST>tank"); // they meet at the boom, which is at rest
 }
 
-TEST_CASE("configuration e: both branches meet at the stick") {
+TEST_CASE("in configuration e both branches feed the stick") {
     check_circuit('e', LinkSet::all(), "+SW>ST +BU>BO BO>ST ST>tank");
     check_circuit('e', {BU, BO, ST}, "+BU>BO BO>ST +ST>tank");
     check_circuit('e', {BU, SW, ST}, "+SW>ST +BU>ST ST>tank");
@@ -101,7 +101,7 @@ TEST_CASE("configuration e: both branches meet at the stick") {
     check_circuit('e', {BO, SW}, "+SW>tank +BO>tank");
 }
 
-TEST_CASE("in every circuit each pump that may be used feeds one junction, and bypasses lead on") {
+TEST_CASE("in every circuit each usable pump feeds one junction, and bypasses lead to the next") {
     int circuits = 0;
     for_each_circuit([&](Configuration configuration, LinkSet active, const Circuit& circuit) {
         CAPTURE(name_of(configuration));

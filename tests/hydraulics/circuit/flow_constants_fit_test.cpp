@@ -21,7 +21,7 @@ constexpr double rounded_residuals[] = {-0.39, -0.24, -0.62, 0.82, 1.29, -0.37, 
 
 } // namespace
 
-TEST_CASE("the rounded constants are what they are printed as") {
+TEST_CASE("the rounded constants have the printed values") {
     const FlowConstants& rounded = rounded_flow_constants();
     CHECK(rounded.orifice_in3_per_s_in2_sqrt_psi == rounded_flow.orifice_in3_per_s_in2_sqrt_psi);
     CHECK(rounded.pump_in3_per_s == rounded_flow.pump_in3_per_s);
@@ -29,7 +29,7 @@ TEST_CASE("the rounded constants are what they are printed as") {
     CHECK(rounded.relief_psi == rounded_flow.relief_psi);
 }
 
-TEST_CASE("what the two sets of constants leave of Table 2.6") {
+TEST_CASE("both sets of constants leave their known residuals of Table 2.6") {
     auto fitted = spool_residuals_in(table_2_6(), fitted_flow_constants());
     auto round = spool_residuals_in(table_2_6(), rounded_flow_constants());
     for (std::size_t i = 0; i < 9; ++i) {
@@ -38,7 +38,7 @@ TEST_CASE("what the two sets of constants leave of Table 2.6") {
     }
 }
 
-TEST_CASE("the constants fitted to Table 2.6, and what is left, from wherever the fit starts") {
+TEST_CASE("the fit to Table 2.6 gives the same constants and residuals from any start") {
     for (const FlowConstants& start :
          {rounded_flow, FlowConstants{90, 160, 100, 4500}, FlowConstants{110, 190, 0, 4500}}) {
         FlowConstantsFit fit = fit_flow_constants(table_2_6(), start);
@@ -55,7 +55,7 @@ TEST_CASE("the constants fitted to Table 2.6, and what is left, from wherever th
     }
 }
 
-TEST_CASE("without its worst entry the table is met to its rounding") {
+TEST_CASE("without its worst entry Table 2.6 is fitted to its rounding") {
     std::vector<SteadyFlowPoint> table(table_2_6().begin(), table_2_6().end());
     table.erase(table.begin() + 4);
     FlowConstantsFit fit = fit_flow_constants(table, rounded_flow);
@@ -64,7 +64,7 @@ TEST_CASE("without its worst entry the table is met to its rounding") {
     CHECK(std::abs(fit.rms_in - 0.38e-4) < 0.01e-4);
 }
 
-TEST_CASE("a fit finds the constants that a table was made with") {
+TEST_CASE("a fit recovers the constants of a computed table") {
     std::vector<SteadyFlowPoint> table;
     for (double psi : {600.0, 1500.0, 2500.0})
         for (double rate : {20.0, 60.0, 120.0})

@@ -40,7 +40,7 @@ TEST_CASE("Table 2.6 of the thesis: flow within 0.15 in^3/s, spool within 2e-4 i
     }
 }
 
-TEST_CASE("flow split at spool .2650 in, 2030 psi") {
+TEST_CASE("the flow split at spool .2650 in and 2030 psi agrees with the thesis") {
     FlowSplit split = boom_split(0.2650, 2030);
     CHECK(std::abs(split.pump_psi - 2057.017) < 1e-3);
     CHECK(std::abs(split.inlet_in3_per_s - 49.909) < 1e-3);
@@ -48,7 +48,7 @@ TEST_CASE("flow split at spool .2650 in, 2030 psi") {
     CHECK(split.relief_in3_per_s == 0);
 }
 
-TEST_CASE("the load check is shut where the pump cannot reach the cylinder's pressure") {
+TEST_CASE("the load check is shut if the pump cannot reach the cylinder's pressure") {
     FlowSplit split = boom_split(0.2, 1630);
     CHECK(split.inlet_in3_per_s == 0);
     CHECK(split.bypass_in3_per_s == 175);
@@ -97,7 +97,7 @@ TEST_CASE("any split satisfies the orifice equations and keeps the pump's flow")
     CHECK(reversed > 100);
 }
 
-TEST_CASE("the path is predicted open where the split finds it open") {
+TEST_CASE("the predicted state of the path agrees with the flow split") {
     for (double spool_in = 0.189; spool_in < 0.25; spool_in += 0.0007) {
         CAPTURE(spool_in);
         bool predicted = bypass_only_psi(boom_orifices(spool_in).bypass_in2, rounded_flow) > 1600;

@@ -98,7 +98,7 @@ MadeUp made_up(const Circuit& circuit, RandomStream& random) {
 
 } // namespace
 
-TEST_CASE("bucket and boom of configuration a: B.3 and B.4 at given pressures") {
+TEST_CASE("bucket and boom of configuration a satisfy B.3 and B.4 at given pressures") {
     auto flows = solve_junctions(bucket_then_boom(), {{{2000, 0.1, 0.068}, {1700, 0.096, 0.016}}}, rounded_flow);
     CHECK(std::abs(flows[0].psi - 2032.168) < 1e-3);
     CHECK(std::abs(flows[1].psi - 1729.594) < 1e-3);
@@ -108,7 +108,7 @@ TEST_CASE("bucket and boom of configuration a: B.3 and B.4 at given pressures") 
     CHECK(std::abs(flows[1].bypass_in3_per_s - 66.0588) < 1e-3);
 }
 
-TEST_CASE("one junction is the flow split") {
+TEST_CASE("one junction equals the flow split") {
     RandomStream random(5, "one junction");
     Circuit boom = circuit_of(Configuration::a, {Link::boom});
     for (int i = 0; i < 5000; ++i) {
@@ -122,7 +122,7 @@ TEST_CASE("one junction is the flow split") {
     }
 }
 
-TEST_CASE("any areas and pressures, in every configuration with every set of links: conserved, no check valve passed") {
+TEST_CASE("flow is conserved and no check valve is passed, for any areas, pressures, configuration and links") {
     RandomStream random(7, "junction flow");
     int draws = 0, relieved = 0, shut = 0, unreached = 0;
     for (int round = 0; round < 200; ++round)
@@ -145,7 +145,7 @@ TEST_CASE("any areas and pressures, in every configuration with every set of lin
     CHECK(unreached > 500);
 }
 
-TEST_CASE("a solution made up first is found again, in every configuration with every set of links") {
+TEST_CASE("a constructed solution is found, in every configuration with every set of links") {
     RandomStream random(11, "made up");
     for (int round = 0; round < 30; ++round)
         for_each_circuit([&](Configuration configuration, LinkSet, const Circuit& circuit) {
@@ -194,7 +194,7 @@ TEST_CASE("the boom alone in configuration d is fed by both pumps") {
     CHECK(flows[0].psi == doctest::Approx(25 + 50 * 50));
 }
 
-TEST_CASE("a junction that no flow reaches has the pressure before it") {
+TEST_CASE("a junction without flow has the pressure of the junction before it") {
     // The bucket takes the whole flow, so its pressure stays below the tank's.
     auto flows = solve_junctions(bucket_then_boom(), {{{-100, 2, 0.3}, {50, 0.1, 0.1}}}, rounded_flow);
     CHECK(flows[0].psi == doctest::Approx(-100 + 0.875 * 0.875));
@@ -214,7 +214,7 @@ TEST_CASE("a junction that no flow reaches has the pressure before it") {
     CHECK(flows[1].psi == 25);
 }
 
-TEST_CASE("all shut before the last junction: the pump's flow goes over its relief valve") {
+TEST_CASE("with all paths shut the pump's flow goes over its relief valve") {
     auto flows = solve_junctions(bucket_then_boom(), {{{5000, 0.1, 0.1}, {5000, 0.1, 0}}}, rounded_flow);
     CHECK(flows[0].psi == 4500);
     CHECK(flows[0].relief_in3_per_s == 175);

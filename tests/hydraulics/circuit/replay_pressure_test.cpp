@@ -49,7 +49,7 @@ Replay replay(double compliance_factor, std::size_t stride = 40) {
 
 } // namespace
 
-TEST_CASE("Figure 3.8: the true compliance replays the pressure, half and twice of it do not") {
+TEST_CASE("the true compliance reproduces the pressure of Figure 3.8, half and twice of it do not") {
     CHECK(replay(1).rms_psi < 4);
     CHECK(std::abs(replay(1).rms_psi - 1) < 0.5);
     CHECK(std::abs(replay(0.5).rms_psi - 134) < 2);
@@ -61,9 +61,11 @@ TEST_CASE("Figure 3.8: the true compliance replays the pressure, half and twice 
     CHECK(std::abs(replay(0.005 / 0.0086).rms_psi - 105) < 1); // the experiments' two compliances
 }
 
-TEST_CASE("with samples every step, the replay is the simulation") { CHECK(replay(1, 1).rms_psi < 0.01); }
+TEST_CASE("with a sample for every step the replayed pressure equals the simulation") {
+    CHECK(replay(1, 1).rms_psi < 0.01);
+}
 
-TEST_CASE("a shut inlet and a steady piston keep the pressure; a moving one takes it down by A v t / C") {
+TEST_CASE("with a shut inlet a resting piston keeps the pressure, and a moving one lowers it by A v t / C") {
     std::vector<ReplaySample> record{{0, 0.1, 0}, {0.1, 0.1, 0}, {0.2, 0.1, 0.5}, {0.3, 0.1, 0.5}};
     auto pressures = replay_pressure(record, {rounded_flow_constants(), 32, 0.0086}, 1500, 0.001);
     CHECK(pressures[0] == 1500);
@@ -73,7 +75,7 @@ TEST_CASE("a shut inlet and a steady piston keep the pressure; a moving one take
     CHECK(replay_pressure({}, {rounded_flow_constants(), 32, 0.0086}, 1500, 0.001).empty());
 }
 
-TEST_CASE("a replay that cannot be computed says why") {
+TEST_CASE("an impossible replay is refused with the reason") {
     std::vector<ReplaySample> record{{0, 0.1, 0}, {0, 0.1, 0}};
     CHECK_THROWS_WITH_AS(replay_pressure(record, {rounded_flow_constants(), 32, 0.0086}, 1500, 0.001),
                          "sample 1 of the replay is at 0 s, expected one after 0 s", std::invalid_argument);

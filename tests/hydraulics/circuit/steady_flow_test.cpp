@@ -41,7 +41,7 @@ TEST_CASE("Table 2.6: flow within 0.15 in^3/s at the tabulated spools, spool wit
     }
 }
 
-TEST_CASE("spool from flow is the inverse of flow from spool") {
+TEST_CASE("the spool from a flow is the inverse of the flow from a spool") {
     for (double psi : {20.0, 500.0, 1630.0, 3000.0})
         for (double flow : {0.01, 1.0, 40.0, 120.0, 174.99}) {
             CAPTURE(psi);
@@ -52,14 +52,14 @@ TEST_CASE("spool from flow is the inverse of flow from spool") {
     CHECK(boom_spool_for_flow(175, 1630, rounded) == doctest::Approx(0.376));
 }
 
-TEST_CASE("a flow that no spool gives is refused") {
+TEST_CASE("an impossible flow is refused") {
     CHECK_THROWS_AS(boom_spool_for_flow(0, 1630, rounded), std::domain_error);
     CHECK_THROWS_AS(boom_spool_for_flow(175.1, 1630, rounded), std::domain_error);
     CHECK_THROWS_AS(boom_spool_for_flow(50, 4500, rounded), std::domain_error); // the relief valve is open
     CHECK_THROWS_AS(boom_spool_for_flow(std::nan(""), 1630, rounded), std::domain_error);
 }
 
-TEST_CASE("the thesis's claims: 0.02 in of spool is up to 50 % of flow, 0.01 in about 20 %") {
+TEST_CASE("as in the thesis, 0.02 in of spool change the flow by up to 50 %, 0.01 in by about 20 %") {
     CHECK(std::abs(change_percent(entry(40, 1630), 0.02) - 50) < 2);
     CHECK(std::abs(change_percent(entry(50, 1630), 0.01) - 20) < 1.5);
     for (const SteadyFlowPoint& point : table_2_6()) {
@@ -72,7 +72,7 @@ TEST_CASE("the thesis's claims: 0.02 in of spool is up to 50 % of flow, 0.01 in 
     }
 }
 
-TEST_CASE("sensitivity of the flow: the implicit derivative of Q_i + k a_e sqrt(P - P_e) = Q") {
+TEST_CASE("the sensitivity of the flow is the implicit derivative of Q_i + k a_e sqrt(P - P_e) = Q") {
     for (const SteadyFlowPoint& point : table_2_6()) {
         CAPTURE(point.spool_in);
         FlowSensitivity sensitivity = boom_flow_sensitivity(point.spool_in, point.inlet_psi, rounded);

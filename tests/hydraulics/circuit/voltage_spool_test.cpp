@@ -9,7 +9,7 @@
 using namespace placedpar;
 using namespace placedpar::hydraulics;
 
-TEST_CASE("A.1 and its inverse at the thesis's knees and spools") {
+TEST_CASE("A.1 and its inverse agree at the thesis's knees and spools") {
     struct Pair {
         double spool_in, volts;
     };
@@ -25,7 +25,7 @@ TEST_CASE("A.1 and its inverse at the thesis's knees and spools") {
     CHECK(desired_spool_in(0) == 0.1297);
 }
 
-TEST_CASE("A.1 rises for every voltage, least at -.879 V, and there and back is the identity") {
+TEST_CASE("A.1 rises everywhere, least at -.879 V, and its inverse undoes it") {
     double before = desired_spool_in(-3);
     for (int i = -2999; i <= 3000; ++i) {
         double volts = i * 1e-3, spool = desired_spool_in(volts);
@@ -38,7 +38,7 @@ TEST_CASE("A.1 rises for every voltage, least at -.879 V, and there and back is 
     CHECK(std::abs(desired_spool_in(servo_volts(50)) - 50) < 1e-10);
 }
 
-TEST_CASE("0.01 in of spool is 20 to 22 mV in the working range") {
+TEST_CASE("0.01 in of spool correspond to 20 to 22 mV in the working range") {
     for (double spool = 0.2427; spool < 0.2741; spool += 0.001) {
         double volts = servo_volts(spool + 0.005) - servo_volts(spool - 0.005);
         CHECK(volts > 0.0199);
@@ -75,7 +75,7 @@ TEST_CASE("the spool from voltages answers a step one period later") {
     CHECK(spool_from_volts({}, 8, 0.02).empty());
 }
 
-TEST_CASE("over a gap the spool goes on under the last command before it") {
+TEST_CASE("over a gap the spool continues under the last command") {
     std::vector<double> volts{0, 0.35, 0.35, 0.35, 0.2, 0.2}, time_s{0, 0.02, 0.04, 0.06, 0.08, 0.1};
     auto whole = spool_from_volts(volts, 8, 0.02);
     auto at = [&](std::vector<std::size_t> rows) {
@@ -94,7 +94,7 @@ TEST_CASE("over a gap the spool goes on under the last command before it") {
           desired_spool_in(0.35)); // a gap of years takes no longer
 }
 
-TEST_CASE("drift: offsets of voltage and spool, growing with time") {
+TEST_CASE("a drift adds growing offsets to voltage and spool") {
     DriftedVoltageSpool spool_off{{}, {0.01, 0}};
     CHECK(spool_off.desired_spool_in(0.35, 100) == doctest::Approx(desired_spool_in(0.35) + 0.01));
     DriftedVoltageSpool volts_off{{0.02, 0.001}, {}};

@@ -28,7 +28,7 @@ std::vector<Diagnostic> faults_of(const std::string& rows, Parameters* machine =
 
 } // namespace
 
-TEST_CASE("every constant has a mark; what is not ours says where it comes from") {
+TEST_CASE("every constant has a mark, and constants of others have a source") {
     for (const Parameter& parameter : Parameters::excavator().all()) {
         CAPTURE(parameter.name);
         CHECK(std::set<std::string>{"thesis", "fitted", "ours"}.contains(parameter.mark));
@@ -36,7 +36,7 @@ TEST_CASE("every constant has a mark; what is not ours says where it comes from"
     }
 }
 
-TEST_CASE("the thesis's own figures, and the fitted triple, are what they are printed as") {
+TEST_CASE("the thesis's figures and the fitted constants have the printed values") {
     const Parameters& machine = Parameters::excavator();
     CHECK(machine["boom.inlet_compliance"] == 0.0086);
     CHECK(machine.find("boom.inlet_compliance")->mark == "thesis");
@@ -46,7 +46,7 @@ TEST_CASE("the thesis's own figures, and the fitted triple, are what they are pr
     CHECK_THROWS_WITH_AS(machine["boom.colour"], "the machine has no parameter boom.colour", UnknownParameter);
 }
 
-TEST_CASE("a user's file takes the place of what it names, in any unit") {
+TEST_CASE("a user's file replaces the constants that it names, in any unit") {
     Parameters machine;
     CHECK(faults_of("# ours\nboom.inlet_area,206.45,cm^2,measured,\"data sheet, page 3\"\n"
                     "boom.inlet_compliance,2.044e-11,m^3/Pa,thesis,\n",
@@ -59,7 +59,7 @@ TEST_CASE("a user's file takes the place of what it names, in any unit") {
     CHECK(single_boom_mechanics(machine).inlet_area_in2 == machine["boom.inlet_area"]);
 }
 
-TEST_CASE("every constant of the excavator is in its range, and ranges tell what cannot be") {
+TEST_CASE("every constant of the excavator is in its range, and ranges exclude impossible values") {
     for (const Parameter& parameter : Parameters::excavator().all()) {
         CAPTURE(parameter.name);
         ParameterRange range = range_of(parameter.name);
@@ -85,7 +85,7 @@ TEST_CASE("every constant of the excavator is in its range, and ranges tell what
         CHECK(range_of(any).contains(-1));
 }
 
-TEST_CASE("what is wrong with a user's file is said with its place") {
+TEST_CASE("errors in a user's file are reported with their place") {
     auto check = [](const std::string& row, std::size_t column, const char* message) {
         auto faults = faults_of(row);
         REQUIRE(faults.size() == 1);

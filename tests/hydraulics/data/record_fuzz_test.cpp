@@ -73,7 +73,7 @@ void check_record(const Record& record) {
 
 } // namespace
 
-TEST_CASE("whatever becomes of a text, it is a record that can be used or a refusal that says where") {
+TEST_CASE("a mutated record is either usable or refused with a place") {
     RandomStream random(11, "mutations of a record");
     const std::string good = good_record();
     int read_well = 0, refused = 0;
@@ -91,7 +91,7 @@ TEST_CASE("whatever becomes of a text, it is a record that can be used or a refu
     CHECK(refused > 1000);
 }
 
-TEST_CASE("random bytes") {
+TEST_CASE("random bytes are refused") {
     RandomStream random(12, "rubbish");
     for (int i = 0; i < 2000; ++i) {
         std::string text;

@@ -40,7 +40,7 @@ std::string record_faults(const std::string& text) {
 
 } // namespace
 
-TEST_CASE("a record as it is written") {
+TEST_CASE("a record is read with its description and readings") {
     ReadRecord read = read_record("# boom, seed 1\n# by hand\n" + (boom_columns + rows(0, 10)));
     REQUIRE(read.record);
     CHECK(read.faults.empty());
@@ -57,7 +57,7 @@ TEST_CASE("a record as it is written") {
     CHECK(record.stretches()[0].last == 10);
 }
 
-TEST_CASE("columns in any order, by a link's symbol, from other units") {
+TEST_CASE("columns may be in any order, named by a link's symbol, and in other units") {
     std::string si = "BO.spool [mm],BO.angle [rad],time [ms],BO.inlet_pressure [kPa]\n";
     for (int i = 0; i < 10; ++i) {
         double time_s = 0.02 * i;
@@ -75,7 +75,7 @@ TEST_CASE("columns in any order, by a link's symbol, from other units") {
     CHECK(metric.record->period_s == doctest::Approx(inch.record->period_s).epsilon(1e-12));
 }
 
-TEST_CASE("as spreadsheets write it: byte order mark, CR LF, quotes, plus signs") {
+TEST_CASE("a record written by a spreadsheet is read: byte order mark, CR LF, quotes, plus signs") {
     std::string text = "\xef\xbb\xbf\"time [s]\",\"boom.angle [deg]\"\r\n";
     for (int i = 0; i < 6; ++i)
         text += fmt::format("\"{:.2f}\",+{}\r\n", 0.02 * i, i);
@@ -85,7 +85,7 @@ TEST_CASE("as spreadsheets write it: byte order mark, CR LF, quotes, plus signs"
     CHECK(read.record->of(Link::boom, Sensor::angle)[5] == 5);
 }
 
-TEST_CASE("what is wrong with a header") {
+TEST_CASE("a wrong header is refused with its place") {
     CHECK(record_faults("") == "error 0:0: the header is missing | such as time [s],boom.inlet_pressure [psi]\n");
     CHECK(record_faults("boom.angle [deg]\n1\n") ==
           "error 1:1: the column \"time\" is missing | the first column is mostly time [s]\n");
@@ -109,7 +109,7 @@ TEST_CASE("what is wrong with a header") {
                     used, used));
 }
 
-TEST_CASE("what is wrong with a reading") {
+TEST_CASE("a wrong reading is refused with its place") {
     constexpr const char* missing = "leave a row out where a reading is missing";
     constexpr const char* skip =
         "a number such as 1830.5 or -2e-3; \"placedpar identify --missing skip\" leaves such rows out";
@@ -127,7 +127,7 @@ TEST_CASE("what is wrong with a reading") {
           "error 7:12: 3 values, expected 4 | the header on line 1 has 4 columns\n");
 }
 
-TEST_CASE("what is wrong with the times") {
+TEST_CASE("wrong times are refused with their place") {
     CHECK(record_faults(boom_columns + rows(0, 4)) == "error 0:0: 4 samples, expected at least 5\n");
     constexpr const char* rowless = "error 0:0: 0 samples, expected at least 5 | below the header, a line for each "
                                     "instant; lines end in LF or in CR LF\n";
@@ -161,7 +161,7 @@ TEST_CASE("what is wrong with the times") {
               .starts_with("error 7:3: 0.07 s before"));
 }
 
-TEST_CASE("channels that are likely wrong") {
+TEST_CASE("suspicious channels give warnings") {
     std::string text = "time [s],boom.inlet_pressure [psi],boom.spool [mm],boom.servo [V],bucket.angle [deg]\n";
     for (int i = 0; i < 6; ++i)
         text += fmt::format("{},{},{},{},7\n", 0.02 * i, 110 + i, 0.13 + 0.01 * i, 340 + i);
@@ -174,7 +174,7 @@ TEST_CASE("channels that are likely wrong") {
         "moved\n");
 }
 
-TEST_CASE("pressures below vacuum, and one that freezes") {
+TEST_CASE("pressures below vacuum and a frozen pressure give warnings") {
     std::string text = "time [s],boom.inlet_pressure [bar],boom.angle [deg]\n";
     for (int i = 0; i < 12; ++i)
         text += fmt::format("{},{},{}\n", 0.02 * i,
@@ -191,7 +191,7 @@ TEST_CASE("pressures below vacuum, and one that freezes") {
         "logger that froze: leave these rows out\n");
 }
 
-TEST_CASE("a pressure that rests and then gathers speed, and one that moves by little, are not frozen") {
+TEST_CASE("a resting pressure that starts smoothly, and one that moves a little, are not frozen") {
     for (double step : {49.0, 19.0}) {
         std::string text = "time [s],boom.inlet_pressure [psi],boom.angle [deg]\n";
         for (int i = 0; i < 12; ++i)
@@ -200,7 +200,7 @@ TEST_CASE("a pressure that rests and then gathers speed, and one that moves by l
     }
 }
 
-TEST_CASE("times that jitter are put on whole periods, and nothing is read from across a gap") {
+TEST_CASE("jittering times are resampled to whole periods, but not across a gap") {
     std::string text = "time [ms],boom.angle [deg]\n";
     std::vector<int> off{0, 1, -1, 1, 0, -1, 1, -1, 0, 0}; // ms
     for (int i = 0; i < 10; ++i) {
@@ -224,7 +224,7 @@ TEST_CASE("times that jitter are put on whole periods, and nothing is read from 
           "reaches over the gap\n");
 }
 
-TEST_CASE("a clock that goes over to another rate does not jitter: the record is refused") {
+TEST_CASE("a record whose clock changes its rate is refused") {
     std::string text = "time [ms],boom.angle [deg]\n";
     for (int i = 0; i < 60; ++i)
         text += fmt::format("{},{}\n", i < 30 ? 20 * i : 600 + 24 * (i - 30), i);
@@ -233,7 +233,7 @@ TEST_CASE("a clock that goes over to another rate does not jitter: the record is
           "| a record of each rate by itself\n");
 }
 
-TEST_CASE("gaps part a record into stretches") {
+TEST_CASE("gaps divide a record into stretches") {
     ReadRecord read = read_record(boom_columns + rows(0, 6) + rows(8, 12) + rows(20, 21));
     REQUIRE(read.record);
     auto stretches = read.record->stretches();
@@ -243,7 +243,7 @@ TEST_CASE("gaps part a record into stretches") {
     CHECK(stretches[2].last == 11);
 }
 
-TEST_CASE("what no sensor could have read is found: the earliest, and the first channel of its instant") {
+TEST_CASE("the earliest impossible reading is found, in the first channel of its instant") {
     ReadRecord read = read_record(boom_columns + rows(0, 6));
     REQUIRE(read.record);
     Record& record = *read.record;
@@ -260,7 +260,7 @@ TEST_CASE("what no sensor could have read is found: the earliest, and the first 
     CHECK(first_unmeasurable(record)->value == -1e13);
 }
 
-TEST_CASE("what is printed reads back, and prints the same again") {
+TEST_CASE("a printed record reads back and prints identically") {
     Record record;
     record.description = "first line\n\n  third\n";
     for (int i = 0; i < 12; ++i) {
@@ -282,7 +282,7 @@ TEST_CASE("what is printed reads back, and prints the same again") {
                   (quantity_of(sensor) == Quantity::pressure ? 0.51e-4 : 0.51e-7));
 }
 
-TEST_CASE("a period that needs more decimals gets them") {
+TEST_CASE("times are printed with the decimals that the period needs") {
     Record record;
     for (int i = 0; i < 8; ++i) {
         record.time_s.push_back(i / 1024.0);
@@ -313,7 +313,7 @@ std::string all_faults(const std::vector<Diagnostic>& faults) {
 
 } // namespace
 
-TEST_CASE("a record in pieces is the record, with its lines; the header is warned of once") {
+TEST_CASE("a record read in pieces equals the whole record, with its lines and one warning about the header") {
     const std::string head = "time [s],boom.inlet_pressure [psi],boom.angle [deg],boom.spool [mm],crane [m]\n";
     std::vector<std::string> lines;
     for (int i = 0; i < 60; ++i)
@@ -351,7 +351,7 @@ TEST_CASE("a record in pieces is the record, with its lines; the header is warne
     CHECK(all_faults(back.faults).find("8:0.02 s before the time on line 7") != std::string::npos);
 }
 
-TEST_CASE("rows that lack a needed reading are left out if asked; where none is needed an empty cell does not matter") {
+TEST_CASE("rows without a needed reading are skipped on request; an unneeded reading may be empty") {
     const std::string text =
         boom_columns + rows(0, 5) + "0.100,-,20,0.2\n" + rows(6, 11) + "0.220,1600,20,\n" + rows(12, 15);
     CHECK(!read_record(text).record);

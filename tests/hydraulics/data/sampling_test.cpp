@@ -20,7 +20,7 @@ Record counted_record(std::size_t size, double period_s) {
 
 } // namespace
 
-TEST_CASE("samples are as near to 20 ms apart as whole readings allow, from 10 Hz to 10 kHz") {
+TEST_CASE("samples are as near to 20 ms apart as whole numbers of readings allow, from 10 Hz to 10 kHz") {
     CHECK(Sampling::of(0.0001).readings == 200);
     CHECK(Sampling::of(0.001).readings == 20);
     CHECK(Sampling::of(0.02).readings == 1);
@@ -36,7 +36,7 @@ TEST_CASE("samples are as near to 20 ms apart as whole readings allow, from 10 H
     CHECK(Sampling::of(0.1).samples_in(0.01) == 1);
 }
 
-TEST_CASE("slower and quicker readings are refused with the reason") {
+TEST_CASE("slower and faster readings are refused with the reason") {
     CHECK_THROWS_WITH_AS(
         Sampling::of(0.11),
         "the readings are 0.11 s apart, expected at most 0.1 s: a transient of some tenths of a second "
@@ -48,7 +48,7 @@ TEST_CASE("slower and quicker readings are refused with the reason") {
                          UnfitRecord);
 }
 
-TEST_CASE("readings are averaged, none dropped; a sample stands at their middle, a voltage from there to the next") {
+TEST_CASE("a sample averages all its readings at their middle time; a voltage holds until the next sample") {
     const Record samples = averaged(counted_record(100, 0.005), Sampling::of(0.005));
     REQUIRE(samples.size() == 25);
     CHECK(samples.period_s == doctest::Approx(0.02));

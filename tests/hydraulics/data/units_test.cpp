@@ -21,7 +21,7 @@ constexpr int quantities = static_cast<int>(Quantity::resistance) + 1;
 
 } // namespace
 
-TEST_CASE("conversions printed in the thesis or in tables") {
+TEST_CASE("unit conversions agree with the thesis and with tables") {
     CHECK(1 / factor("Pa") == doctest::Approx(6894.757));                 // NIST SP 811
     CHECK(13996 * factor("kPa") == doctest::Approx(2030).epsilon(1e-4));  // Table 2.6
     CHECK(819.5 * factor("cm^3/s") == doctest::Approx(50).epsilon(3e-4)); // Table 2.6
@@ -58,7 +58,7 @@ TEST_CASE("every quantity has a unit of this room, first and of factor 1, and ev
     CHECK(unit_named("PSI") == nullptr);
 }
 
-TEST_CASE("lists for messages") {
+TEST_CASE("units are listed for messages") {
     CHECK(list_units(Quantity::pressure) == "psi, Pa, kPa, MPa or bar");
     CHECK(list_units(Quantity::angle) == "deg or rad");
     CHECK(list_units(Quantity::rate) == "1/s");

@@ -46,7 +46,7 @@ TEST_CASE("bits are whole numbers from 0 to 32") {
     }
 }
 
-TEST_CASE("without noise the sensors tell the state within half a step of their converters") {
+TEST_CASE("without noise the readings are within half a converter step of the state") {
     MeasuredExcavator excavator = measured_excavator();
     excavator.duration_s = 1;
     std::vector<MeasuredState> motion = simulate_measured_excavator(excavator);
@@ -71,7 +71,7 @@ TEST_CASE("without noise the sensors tell the state within half a step of their 
     }
 }
 
-TEST_CASE("noise has the deviation asked for, and the seed decides it") {
+TEST_CASE("noise has the requested standard deviation and depends on the seed") {
     MeasuredExcavator excavator = measured_excavator();
     excavator.command.desired_volts = 0; // the boom stands still
     excavator.duration_s = 30;
@@ -107,7 +107,7 @@ TEST_CASE("noise has the deviation asked for, and the seed decides it") {
     }
 }
 
-TEST_CASE("a period that is no multiple of the step is refused") {
+TEST_CASE("a period that is not a multiple of the step is refused") {
     MeasuredExcavator excavator = measured_excavator();
     excavator.duration_s = 0.1;
     std::vector<MeasuredState> motion = simulate_measured_excavator(excavator);

@@ -25,7 +25,7 @@ constexpr Known known[] = {
 
 } // namespace
 
-TEST_CASE("bulk modulus of an air-oil mixture: known values") {
+TEST_CASE("the bulk modulus of an air-oil mixture has the known values") {
     for (const Known& each : known) {
         CAPTURE(each.air_fraction);
         CAPTURE(each.psia);
@@ -49,7 +49,7 @@ TEST_CASE("bulk modulus is -V dP/dV of a volume of oil and gas") {
             }
 }
 
-TEST_CASE("bulk modulus: limits and order") {
+TEST_CASE("the bulk modulus has its limits and decreases with air") {
     CHECK(bulk_modulus_psi(air_oil_mixture(0), 100) == doctest::Approx(220e3));
     CHECK(bulk_modulus_psi(air_oil_mixture(0.05), 1e9) == doctest::Approx(220e3).epsilon(1e-4));
     for (double air : {0.001, 0.01, 0.05, 0.1, 0.5})
@@ -60,7 +60,7 @@ TEST_CASE("bulk modulus: limits and order") {
         }
 }
 
-TEST_CASE("compliance is up by an order of magnitude only below some hundred psia") {
+TEST_CASE("air raises the compliance by an order of magnitude only below some hundred psia") {
     constexpr double air[] = {.01, .02, .05, .10}, tenth[] = {60, 85, 137, 199}, half[] = {181, 257, 412, 598};
     for (int i = 0; i < 4; ++i) {
         CAPTURE(air[i]);

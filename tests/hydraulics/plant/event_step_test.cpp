@@ -82,7 +82,7 @@ TEST_CASE("across kinks in time the method keeps its order 4") {
     CHECK(coarse / fine > 12);
 }
 
-TEST_CASE("events are located, and told once, in order") {
+TEST_CASE("events are located and reported once, in order") {
     Jump system;
     EventStepper stepper(system, {0.5}, 0);
     std::vector<double> times;
@@ -97,7 +97,7 @@ TEST_CASE("events are located, and told once, in order") {
     CHECK(std::abs(times[0] - std::log(2.0)) < 1e-9); // step .01: error of order 1e-10
 }
 
-TEST_CASE("several events within one step are each stopped at") {
+TEST_CASE("the integration stops at each of several events within one step") {
     Kinks system;
     EventStepper stepper(system, {0}, 0);
     std::vector<double> times;
@@ -109,7 +109,7 @@ TEST_CASE("several events within one step are each stopped at") {
         CHECK(std::abs(times[i] - std::numbers::pi / 10 * static_cast<double>(i + 1)) < 1e-11);
 }
 
-TEST_CASE("events without end cost a call a few steps, not hundreds") {
+TEST_CASE("endless events cost few steps a call") {
     static std::size_t rates = 0;
     struct Counted : Sliding {
         Mode rate(const State& x, State& slope, double time_s) const {
@@ -121,7 +121,7 @@ TEST_CASE("events without end cost a call a few steps, not hundreds") {
     CHECK(rates < 10'000 * 60); // 5 rates a step, 50 in a search for an event
 }
 
-TEST_CASE("events without end let time pass") {
+TEST_CASE("time advances despite endless events") {
     Sliding system;
     EventStepper stepper(system, {0.25}, 0);
     for (int i = 1; i <= 100; ++i)

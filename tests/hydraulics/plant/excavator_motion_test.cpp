@@ -64,7 +64,7 @@ ExcavatorMotion with_step(ExcavatorScenario scenario, double step_s) {
 
 } // namespace
 
-TEST_CASE("scenario R2: steady state") {
+TEST_CASE("scenario R2 has its known steady state") {
     const LinkState &bucket = at(two_links(), 4, 0), &boom = at(two_links(), 4, 1);
     CHECK(std::abs(bucket.flow.inlet_in3_per_s - 51.9) < 0.05);
     CHECK(std::abs(bucket.flow.bypass_in3_per_s - 123.2) < 0.05);
@@ -79,7 +79,7 @@ TEST_CASE("scenario R2: steady state") {
     CHECK(bucket.flow.inlet_in3_per_s == doctest::Approx(20 * bucket.velocity_in_per_s).epsilon(1e-4));
 }
 
-TEST_CASE("scenario R2: both paths are open from .34 s on, excitation is gone by 1.0 and 1.42 s") {
+TEST_CASE("in scenario R2 both paths are open from .34 s on, and excitation ends by 1.0 and 1.42 s") {
     const auto& checks = two_links().checks;
     REQUIRE(checks.size() == 2); // each opens once and never shuts
     CHECK(checks[0].link == Link::bucket);
@@ -96,7 +96,7 @@ TEST_CASE("scenario R2: both paths are open from .34 s on, excitation is gone by
     CHECK(excitation_psi_per_s(two_links(), 1.60, 1) < 25);
 }
 
-TEST_CASE("scenario R2: before anything moves, the opening instant has a closed form") {
+TEST_CASE("in scenario R2 the first opening agrees with its closed form") {
     // All of Q passes both bypasses: P11 = P_e + (Q/k)^2 (a_ebu^-2 + a_ebo^-2), which is 1700 psi when the bucket
     // opens.
     double low = 0, high = 1;
@@ -125,7 +125,7 @@ TEST_CASE("R2: halving the step divides the change of pressure by 16, the method
         CHECK(std::abs(steps_4_ms.checks[i].time_s - steps_2_ms.checks[i].time_s) < 2e-8);
 }
 
-TEST_CASE("the boom alone: order 4 through the spool's knees and the opening, too") {
+TEST_CASE("the boom alone keeps order 4 through the spool's knees and the opening") {
     ExcavatorMotion steps_4_ms = with_step(single_boom_scenario(), 0.004),
                     steps_2_ms = with_step(single_boom_scenario(), 0.002),
                     steps_1_ms = with_step(single_boom_scenario(), 0.001);
@@ -135,13 +135,13 @@ TEST_CASE("the boom alone: order 4 through the spool's knees and the opening, to
     CHECK(std::abs(steps_4_ms.checks.at(0).time_s - steps_2_ms.checks.at(0).time_s) < 2e-9);
 }
 
-TEST_CASE("the boom alone: scenario A's check valve opens at .192 s") {
+TEST_CASE("in scenario A the check valve opens at .192 s") {
     ExcavatorMotion motion = simulate_excavator(single_boom_scenario());
     REQUIRE(motion.checks.size() == 1);
     CHECK(std::abs(motion.checks[0].time_s - 0.192) < 5e-4);
 }
 
-TEST_CASE("a ramp moves the spool's command evenly, whatever the step: in closed form") {
+TEST_CASE("a ramp of the spool's command agrees with its closed form for any step") {
     // During the ramp a' = a_0 (rest + r t - a), so a = rest + r (t - (1 - exp(-a_0 t)) / a_0).
     ExcavatorScenario scenario = single_boom_scenario();
     auto& valve = std::get<SpoolOrifices>(scenario.links[0].valve);
@@ -156,7 +156,7 @@ TEST_CASE("a ramp moves the spool's command evenly, whatever the step: in closed
     CHECK(at(motion, 1, 0).spool_in == doctest::Approx(0.2297 - lag_in * std::exp(-8 * (1 - 0.6003))).epsilon(1e-9));
 }
 
-TEST_CASE("any configuration with all links: each gets what the controller asks for, and stays there") {
+TEST_CASE("in any configuration each link gets and keeps the flow that the controller asks for") {
     for (Configuration configuration : all_configurations) {
         CAPTURE(std::string(1, name_of(configuration)));
         ExcavatorScenario scenario = step_scenario(configuration, LinkSet::all());
@@ -177,7 +177,7 @@ TEST_CASE("any configuration with all links: each gets what the controller asks 
     }
 }
 
-TEST_CASE("in configuration a the branches do not feel each other; in d they do") {
+TEST_CASE("the branches are independent in configuration a and coupled in d") {
     for (Configuration configuration : {Configuration::a, Configuration::d}) {
         ExcavatorScenario both = step_scenario(configuration, LinkSet::all());
         both.duration_s = 0.5;
@@ -193,7 +193,7 @@ TEST_CASE("in configuration a the branches do not feel each other; in d they do"
     }
 }
 
-TEST_CASE("a load that grows beyond the pump's reach is held by its check valve") {
+TEST_CASE("the check valve holds a load that exceeds the pump's pressure") {
     ExcavatorScenario scenario = single_boom_scenario();
     auto& valve = std::get<SpoolOrifices>(scenario.links[0].valve);
     valve.steps.push_back({0.6, 0.1297}); // back to rest: the check valve must shut
@@ -207,7 +207,7 @@ TEST_CASE("a load that grows beyond the pump's reach is held by its check valve"
     CHECK(motion.states.back().links[0].flow.inlet_in3_per_s == 0);
 }
 
-TEST_CASE("a scenario that cannot be simulated says why") {
+TEST_CASE("an impossible scenario is refused with the reason") {
     ExcavatorScenario scenario = two_link_scenario();
     scenario.links[1].mechanics.mass_lbf_s2_per_in = 0;
     CHECK_THROWS_WITH_AS(simulate_excavator(scenario), "excavator scenario: the boom's mass is 0, expected above 0",

@@ -20,7 +20,7 @@ std::vector<double> boom(const Record& record, Sensor sensor) { return record.of
 
 } // namespace
 
-TEST_CASE("without noise the sensors tell the state, every 20 ms") {
+TEST_CASE("without noise the readings are the state every 20 ms") {
     const ExcavatorScenario scenario = single_boom_scenario();
     const ExcavatorMotion motion = simulate_excavator(scenario);
     UniformSource uniform = [] { return 0.25; };
@@ -50,14 +50,14 @@ TEST_CASE("the same seed gives the same record; noise scales with its level") {
     CHECK((five_psi[7] - none_psi[7]) / (once_psi[7] - none_psi[7]) == doctest::Approx(2.5).epsilon(1e-5));
 }
 
-TEST_CASE("a sampling period that is no multiple of the step is refused") {
+TEST_CASE("a sampling period that is not a multiple of the step is refused") {
     const ExcavatorScenario scenario = single_boom_scenario();
     const ExcavatorMotion motion = simulate_excavator(scenario);
     CHECK_THROWS_AS(measure_excavator(motion, scenario, 0.00075, no_noise, [] { return 0.0; }), UnfitScenario);
     CHECK_THROWS_AS(measure_excavator({}, scenario, 0.02, no_noise, [] { return 0.0; }), UnfitScenario);
 }
 
-TEST_CASE("a link with a spool has its spool read, one without has its areas read") {
+TEST_CASE("the record has the spool of links with a spool, and the areas of the others") {
     auto measured = [](ExcavatorScenario scenario) {
         scenario.duration_s = 0.1;
         return measure_excavator(simulate_excavator(scenario), scenario, sampling_period_s, low_noise,
@@ -73,7 +73,7 @@ TEST_CASE("a link with a spool has its spool read, one without has its areas rea
     }
 }
 
-TEST_CASE("the record of scenario A at low noise: frozen, to the bit") {
+TEST_CASE("the record of scenario A at low noise is unchanged to the bit") {
     RandomStream random(1991, "sensors");
     auto record = boom_record(single_boom_scenario(), low_noise, [&] { return random.uniform(); });
     std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a over whole words

@@ -59,7 +59,7 @@ double difference_psi(const std::vector<BoomState>& coarse, const std::vector<Bo
 
 } // namespace
 
-TEST_CASE("scenario A: the load is held until the spool moves") {
+TEST_CASE("in scenario A the load is held until the spool moves") {
     std::vector<BoomState> motion = simulate_boom(single_boom_scenario());
     CHECK(motion.front().inlet_psi == doctest::Approx(1555).epsilon(1e-3));
     const BoomState& before = motion[200];
@@ -68,7 +68,7 @@ TEST_CASE("scenario A: the load is held until the spool moves") {
     CHECK(before.inlet_psi == doctest::Approx(motion.front().inlet_psi).epsilon(1e-9));
 }
 
-TEST_CASE("scenario A: peak, steady state and steepest rise") {
+TEST_CASE("scenario A has its known peak, steady state and steepest rise") {
     std::vector<BoomState> motion = simulate_boom(long_scenario());
     auto peak = std::max_element(motion.begin(), motion.end(),
                                  [](const BoomState& a, const BoomState& b) { return a.inlet_psi < b.inlet_psi; });
@@ -101,7 +101,7 @@ TEST_CASE("halving the step divides the change of pressure by 16, through the op
     }
 }
 
-TEST_CASE("scenario B: 1524 to 2070 psi in .52 s, steady at 1835") {
+TEST_CASE("scenario B rises from 1524 to 2070 psi in .52 s and settles at 1835 psi") {
     Parameters parameters = record_scenario_named("scenario-b")->parameters(Parameters::excavator());
     ExcavatorScenario scenario = single_boom_scenario(parameters, "scenario_b");
     scenario.duration_s = 6;
@@ -116,7 +116,7 @@ TEST_CASE("scenario B: 1524 to 2070 psi in .52 s, steady at 1835") {
     CHECK(std::abs(peak->time_s - rises->time_s - 0.52) < 0.05);
 }
 
-TEST_CASE("a scenario that cannot be simulated says why") {
+TEST_CASE("an impossible scenario is refused with the reason") {
     ExcavatorScenario scenario = single_boom_scenario();
     scenario.links[0].mechanics.inlet_compliance_in3_per_psi = 0;
     CHECK_THROWS_WITH_AS(simulate_boom(scenario),

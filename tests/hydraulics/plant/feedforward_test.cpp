@@ -11,7 +11,7 @@ using namespace placedpar;
 using namespace placedpar::hydraulics;
 using test::rounded_flow;
 
-TEST_CASE("the circuit with the areas of the feedforward gives each link its flow, in every configuration") {
+TEST_CASE("the areas of the feedforward give each link its flow, in every configuration") {
     for_each_circuit([](Configuration configuration, LinkSet, const Circuit& circuit) {
         CAPTURE(std::string(1, name_of(configuration)));
         CAPTURE(circuit.size());
@@ -28,7 +28,7 @@ TEST_CASE("the circuit with the areas of the feedforward gives each link its flo
     });
 }
 
-TEST_CASE("the feedforward of bucket and boom, by hand") {
+TEST_CASE("the feedforward of bucket and boom agrees with a hand computation") {
     Circuit circuit = circuit_of(Configuration::a, {Link::bucket, Link::boom});
     auto openings = openings_for(circuit, {{{1900, 50}, {1700, 55}}}, rounded_flow, 25, 175);
     CHECK(openings[1].inlet_in2 == doctest::Approx(55 / 500.0));          // P12 1725: 25 psi over the boom's inlet
@@ -37,7 +37,7 @@ TEST_CASE("the feedforward of bucket and boom, by hand") {
     CHECK(openings[0].bypass_in2 == doctest::Approx(125 / 1414.2135624)); // sqrt(200 psi) to junction 2
 }
 
-TEST_CASE("what no areas can give is refused") {
+TEST_CASE("flows that no areas can give are refused") {
     Circuit circuit = circuit_of(Configuration::a, {Link::bucket, Link::boom});
     CHECK_THROWS_WITH_AS(openings_for(circuit, {{{1900, 100}, {1700, 100}}}, rounded_flow, 25, 175),
                          "the boom needs 100 in^3/s, but only 75.0 reach its junction", UnfitScenario);

@@ -50,7 +50,7 @@ TEST_CASE("a hose rings at sqrt((1/C1 + 1/C2) / I)") {
     CHECK(1 / period_s(ringing(hose, ends, 0.1)) == doctest::Approx(33.98).epsilon(1e-3));
 }
 
-TEST_CASE("its ringing decays as R / (2 I) and slows as the damping ratio says") {
+TEST_CASE("a hose's ringing decays at R / (2 I) and is slowed by damping") {
     Hose hose{0.01215, 1, 0.3};
     HoseEnds ends = ends_of(hose, 0.0086);
     double natural = natural_rad_per_s(hose, ends), decay_per_s = 1 / (2 * 0.01215);

@@ -52,7 +52,7 @@ double last_mean(const std::vector<MeasuredState>& motion, double MeasuredState:
 
 } // namespace
 
-TEST_CASE("steady motion is the simple plant's") {
+TEST_CASE("the steady motion of the measured machine equals the simple plant's") {
     MeasuredExcavator excavator = plain_excavator();
     excavator.duration_s = 8;
     ExcavatorScenario simple = single_boom_scenario();
@@ -66,7 +66,7 @@ TEST_CASE("steady motion is the simple plant's") {
     CHECK(rich.spool_in == doctest::Approx(plain.spool_in).epsilon(1e-9));
 }
 
-TEST_CASE("with stiff hoses and no friction so is the transient") {
+TEST_CASE("with stiff hoses and no friction the transient equals the simple plant's") {
     MeasuredExcavator excavator = plain_excavator();
     excavator.inlet_hose.inertance_psi_s2_per_in3 = excavator.outlet_hose.inertance_psi_s2_per_in3 = 2e-4;
     take_friction_away(excavator);
@@ -82,7 +82,7 @@ TEST_CASE("with stiff hoses and no friction so is the transient") {
     CHECK(greatest > 0);
 }
 
-TEST_CASE("flows balance: the pump's parts, and the cylinder's take-up") {
+TEST_CASE("the pump's flow equals the sum of its parts, and the cylinder's flow its motion") {
     MeasuredExcavator excavator = measured_excavator();
     excavator.duration_s = 8;
     excavator.leak.in3_per_s_psi = 0.002;
@@ -102,7 +102,7 @@ TEST_CASE("flows balance: the pump's parts, and the cylinder's take-up") {
           doctest::Approx(0.25 * (piston + leak)).epsilon(1e-2));
 }
 
-TEST_CASE("a leak starts when it is told to, and slows the boom") {
+TEST_CASE("a leak starts at its time and slows the boom") {
     MeasuredExcavator excavator = measured_excavator();
     excavator.duration_s = 6;
     double tight = simulate_measured_excavator(excavator).back().velocity_in_per_s;
@@ -148,7 +148,7 @@ TEST_CASE("the pump's ripple reaches the sensor through the valve, the hose and 
     }
 }
 
-TEST_CASE("below the break-away force the piston stays") {
+TEST_CASE("below the break-away force the piston does not move") {
     MeasuredExcavator excavator = plain_excavator();
     double held = simulate_measured_excavator(excavator).front().inlet_psi;
     CHECK(held == doctest::Approx(1555.5).epsilon(1e-3));
@@ -162,7 +162,7 @@ TEST_CASE("below the break-away force the piston stays") {
     CHECK(simulate_measured_excavator(excavator).back().piston_in > 0.5);
 }
 
-TEST_CASE("free air makes the inlet side as soft as its mixture") {
+TEST_CASE("free air gives the inlet side the stiffness of the mixture") {
     MeasuredExcavator excavator = plain_excavator();
     lock(excavator);
     excavator.duration_s = 0.8;
@@ -183,7 +183,7 @@ TEST_CASE("free air makes the inlet side as soft as its mixture") {
     CHECK(taken_up == doctest::Approx(fed).epsilon(2e-3));
 }
 
-TEST_CASE("spool: dead time, lag, and an offset that voltage and sensor share") {
+TEST_CASE("the spool has a dead time, a lag, and an offset common to voltage and sensor") {
     MeasuredExcavator excavator = measured_excavator();
     excavator.command.desired_volts = 0.34;
     excavator.voltage_spool.spool_in.at_start = -0.01; // the sensor and A.1 both read .01 in too high
@@ -230,7 +230,7 @@ TEST_CASE("halving the step divides the change of pressure by 16, through the op
     CHECK(first / second < 24);
 }
 
-TEST_CASE("an excavator that cannot be simulated says why") {
+TEST_CASE("an impossible excavator is refused with the reason") {
     auto refusal = [](auto change) -> std::string {
         MeasuredExcavator excavator = measured_excavator();
         change(excavator);

@@ -9,7 +9,7 @@
 using namespace placedpar;
 using namespace placedpar::hydraulics;
 
-TEST_CASE("Box-Muller: known values, moments and tails") {
+TEST_CASE("Box-Muller numbers have known values, moments and tails") {
     std::array<double, 4> given{1 - std::exp(-0.5), 0, 1 - std::exp(-2), 0.5};
     std::size_t next = 0;
     UniformSource scripted = [&] { return given.at(next++); };

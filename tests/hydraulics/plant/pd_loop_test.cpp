@@ -23,7 +23,7 @@ constexpr HydraulicJoint boom_joint{2.044e-11, 0.011746, 1.35e5, 0.011746, 6.13e
 
 } // namespace
 
-TEST_CASE("P-D loop at the compliance of Figure 2.8") {
+TEST_CASE("the P-D loop has the known poles at the compliance of Figure 2.8") {
     PdLoop loop = reference_pd_loop();
     auto roots = poles(loop);
     CHECK(near(roots[0], {-17.937, 0}, 1e-3));
@@ -38,7 +38,7 @@ TEST_CASE("P-D loop at the compliance of Figure 2.8") {
     CHECK(std::abs(figures.settling_time_s - 0.715) < 0.0011);
 }
 
-TEST_CASE("P-D loop at its limit of stability, and beyond") {
+TEST_CASE("the P-D loop is unstable beyond its limit of stability") {
     PdLoop limit = with_compliance(reference_pd_loop(), 6);
     auto roots = poles(limit);
     CHECK(near(roots[0], {-5, 0}, 1e-9));
@@ -51,7 +51,7 @@ TEST_CASE("P-D loop at its limit of stability, and beyond") {
     CHECK(oscillation(beyond)->damping < 0);
 }
 
-TEST_CASE("Routh's criterion agrees with the poles, and the margin goes with 1 / C") {
+TEST_CASE("Routh's criterion agrees with the poles, and the margin is proportional to 1 / C") {
     for (double a0 : {20.0, 100.0, 500.0})
         for (double a2 : {3.0, 30.0, 90.0})
             for (double factor : {0.3, 1.0, 2.0, 5.9, 6.1, 20.0}) {
@@ -76,7 +76,7 @@ TEST_CASE("poles are the roots of the denominator of 2.9") {
     CHECK_FALSE(oscillation({1, 9, 6, 6, 2}).has_value()); // s^3 + 6 s^2 + 11 s + 6: -1, -2, -3
 }
 
-TEST_CASE("with a_1 and a_2 as printed, four times C would change little") {
+TEST_CASE("with a_1 and a_2 as printed, four times C changes little") {
     PdLoop printed = as_printed(reference_pd_loop());
     CHECK(std::abs(oscillation(printed)->damping - 0.280) < 1e-3);
     CHECK(std::abs(step_figures(printed).overshoot_percent - 39.9) < 0.1);
@@ -92,7 +92,7 @@ TEST_CASE("a joint of the boom's size has the reference coefficients") {
     CHECK(loop.a2_per_s == doctest::Approx(30).epsilon(1e-3));
 }
 
-TEST_CASE("2.9 with a_1 and a_2 exchanged is what the equations of the joint give") {
+TEST_CASE("equation 2.9 with a_1 and a_2 exchanged follows from the equations of the joint") {
     // The equations are integrated directly, without the transfer function: theta, theta', load pressure.
     const HydraulicJoint& joint = boom_joint;
     constexpr double kp = 15, kv = 2, step_s = 0.01;
@@ -114,7 +114,7 @@ TEST_CASE("2.9 with a_1 and a_2 exchanged is what the equations of the joint giv
     }
 }
 
-TEST_CASE("figures of a step response") {
+TEST_CASE("a step response has the right overshoot, peak time and settling time") {
     StepFigures figures = figures_of({0, 0.5, 1.3, 0.9, 1.03, 0.99, 1.01}, 0.5);
     CHECK(figures.overshoot_percent == doctest::Approx(30));
     CHECK(figures.peak_time_s == doctest::Approx(1));

@@ -29,7 +29,7 @@ struct Pushed {
 
 } // namespace
 
-TEST_CASE("below the break-away force nothing moves but the bristles") {
+TEST_CASE("below the break-away force only the bristles move") {
     Pushed mass;
     for (double force = 0; force <= 7500; force += 100)
         mass.push(force, 0.1);
@@ -42,7 +42,7 @@ TEST_CASE("below the break-away force nothing moves but the bristles") {
     CHECK(mass.position_in - held < 2e-3); // creep of the bristles, 4e-4 in/s at most
 }
 
-TEST_CASE("above it the mass breaks away and slides against the Coulomb force") {
+TEST_CASE("above the break-away force the mass slides against the Coulomb force") {
     Pushed mass;
     mass.push(8200, 1);
     CHECK(mass.position_in > 0.1);
@@ -51,7 +51,7 @@ TEST_CASE("above it the mass breaks away and slides against the Coulomb force") 
     CHECK(mass.velocity_in_per_s - before == doctest::Approx((8200 - 6000) / 1000.0).epsilon(1e-3));
 }
 
-TEST_CASE("the force of steady sliding") {
+TEST_CASE("the force of steady sliding agrees with the Stribeck curve") {
     CHECK(sliding_force_lbf(friction, 0) == 7800);
     CHECK(sliding_force_lbf(friction, 0.3) == doctest::Approx(6000 + 1800 * std::exp(-1)));
     CHECK(sliding_force_lbf(friction, 1.5) == doctest::Approx(6000).epsilon(1e-5));
@@ -63,7 +63,7 @@ TEST_CASE("the force of steady sliding") {
     }
 }
 
-TEST_CASE("friction never gives energy back beyond what its bristles hold") {
+TEST_CASE("friction returns at most the energy of its bristles") {
     RandomStream random(3, "friction");
     double bristle = 0, velocity = 0, work = 0, lowest = 0;
     for (int i = 0; i < 400000; ++i) {
@@ -78,7 +78,7 @@ TEST_CASE("friction never gives energy back beyond what its bristles hold") {
     CHECK(work > 0);
 }
 
-TEST_CASE("without friction there is none") {
+TEST_CASE("friction constants of 0 give no friction") {
     StickFriction none{0, 0, 0.05, 3e6, 5e4};
     CHECK(friction_force_lbf(none, 1, 0) == 0);
     CHECK(bristle_rate_in_per_s(none, 1, 0) == 0);

@@ -25,27 +25,27 @@ std::vector<Alarm> alarms_of(const LinkVerdict& bucket, const LinkVerdict& boom,
 
 } // namespace
 
-TEST_CASE("what is sound or not known raises nothing") {
+TEST_CASE("sound and unknown links raise no alarm") {
     CHECK(find_alarms({}).empty());
     CHECK(alarms_of(verdict_in(VerdictKind::sound), verdict_in(VerdictKind::not_enough_evidence)).empty());
 }
 
-TEST_CASE("one link off: that link, by how much, and where to look") {
+TEST_CASE("the alarm of one faulty link states the size and the part to check") {
     auto leak = alarms_of(verdict_in(VerdictKind::sound), verdict_in(VerdictKind::leak));
     REQUIRE(leak.size() == 1);
     CHECK(leak[0] == Alarm{AlarmKind::leak, {bo}, ""});
-    CHECK(leak[0].text == "boom: a leak of 0.0014 in^3/(s psi) (standard error 0.0001): look at hose, cylinder and "
-                          "seals; 99 % sure, by 3 movements");
+    CHECK(leak[0].text ==
+          "boom: a leak of 0.0014 in^3/(s psi) (standard error 0.0001 in^3/(s psi)): check hose, cylinder and "
+          "seals; 99 % sure, from 3 movements");
     CHECK(alarms_of({}, verdict_in(VerdictKind::compliance, -1))[0].text ==
-          "boom: the compliance is off by -20 % (standard error 2 %): a stiffer hose, or a line that is partly shut; "
-          "99 % sure, by 3 movements");
+          "boom: the compliance has changed by -20 % (standard error 2 %): a stiffer hose, or a partly closed line; "
+          "99 % sure, from 3 movements");
     CHECK(alarms_of({}, verdict_in(VerdictKind::sensor))[0].text ==
-          "boom: the readings are impossible: below vacuum, frozen, single ones far off, of a wrong sign or unit, or "
-          "of a valve that is shut "
-          "while the piston moves: look at the sensors");
+          "boom: the readings are impossible: below vacuum, frozen, with wild single values, with a wrong sign or "
+          "unit, or with a closed valve while the piston moves: check the sensors");
 }
 
-TEST_CASE("all links of a branch off in the same way: what they share") {
+TEST_CASE("equal faults of all links of a branch give one alarm about their shared parts") {
     auto same = alarms_of(verdict_in(VerdictKind::leak), verdict_in(VerdictKind::leak));
     REQUIRE(same.size() == 1);
     CHECK(same[0] == Alarm{AlarmKind::branch, {bu, bo}, ""});

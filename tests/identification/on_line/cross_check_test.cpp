@@ -19,7 +19,7 @@ double spread_of(std::initializer_list<double> compliances) {
 
 } // namespace
 
-TEST_CASE("spread over the sets") {
+TEST_CASE("the spread between population sets is computed") {
     CHECK(spread_of({}) == 0);
     CHECK(spread_of({2}) == 0);
     CHECK(spread_of({1, 1.5, 1.2}) == doctest::Approx(0.5 / 1.2));

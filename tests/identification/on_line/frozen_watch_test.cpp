@@ -28,7 +28,7 @@ std::vector<std::size_t> told(std::span<const double> psi, double least_jump = l
 
 } // namespace
 
-TEST_CASE("a frozen sensor is told at the reading after its jump") {
+TEST_CASE("a frozen sensor is reported at the reading after its jump") {
     CHECK(told(std::vector<double>{100, 130, 160, 160, 160, 160, 160, 310, 340}) == std::vector<std::size_t>{8});
     CHECK(told(std::vector<double>{100, 130, 160, 160, 160, 160, 310, 340}).empty()); // four equal readings
     CHECK(told(std::vector<double>{100, 100, 100, 100, 100, 150, 210}).empty());      // a rest that ends
@@ -36,7 +36,7 @@ TEST_CASE("a frozen sensor is told at the reading after its jump") {
           std::vector<std::size_t>{8});
 }
 
-TEST_CASE("a sensor is frozen for a tenth of a second, however often it is read, and five readings") {
+TEST_CASE("a frozen sensor needs a tenth of a second at any rate, and five readings") {
     CHECK(fewest_frozen(0.1) == 5);
     CHECK(fewest_frozen(0.02) == 5);
     CHECK(fewest_frozen(0.001) == 100);
@@ -49,7 +49,7 @@ TEST_CASE("a sensor is frozen for a tenth of a second, however often it is read,
     CHECK(told(frozen, least_jump_psi, fewest_frozen(0.001)) == std::vector<std::size_t>{101});
 }
 
-TEST_CASE("sample by sample it finds what frozen_run finds in a record") {
+TEST_CASE("the watch by samples agrees with frozen_run over a record") {
     RandomStream random(1, "pressures");
     int frozen = 0;
     for (int trial = 0; trial < 2000; ++trial) {

@@ -58,7 +58,7 @@ TEST_CASE("the last five transients are kept") {
     CHECK(estimate.settled_in3_per_psi() == test::nearly(0.007));
 }
 
-TEST_CASE("excitation that comes and goes makes no new transient") {
+TEST_CASE("interrupted excitation does not begin a new transient") {
     LinkEstimate estimate;
     for (int i = 1; i <= 4; ++i) {
         estimate.excite(1000, {});
@@ -68,7 +68,7 @@ TEST_CASE("excitation that comes and goes makes no new transient") {
     CHECK(estimate.state().settled_in3_per_psi == std::vector<double>{0.004});
 }
 
-TEST_CASE("bounds of the search") {
+TEST_CASE("estimates at the bounds of the search are flagged") {
     CHECK(at_lower_bound(0, step));
     CHECK(at_lower_bound(2 * step, step));
     CHECK_FALSE(at_lower_bound(0.001, step));

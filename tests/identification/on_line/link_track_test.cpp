@@ -7,7 +7,7 @@ using namespace placedpar;
 using namespace placedpar::hydraulics;
 using namespace placedpar::identification;
 
-TEST_CASE("the spool is followed from its voltage") {
+TEST_CASE("the spool is computed from its voltage") {
     LinkTrack by_voltage, by_spool;
     LinkConstants parameters{716.8, 8};
     // By A.2, after a voltage step the spool stays for one sample, then the distance shrinks by exp(-8 * .02) a sample.

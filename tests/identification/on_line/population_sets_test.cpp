@@ -73,7 +73,7 @@ TEST_CASE("the sets of every configuration and every choice of active links are 
     CHECK(seen.size() == 15);
 }
 
-TEST_CASE("there are fifteen sets, all distinct, of Figure 3.13's sizes") {
+TEST_CASE("the fifteen sets are distinct and have the sizes of Figure 3.13") {
     std::set<LinkSet> sets;
     std::set<std::string> names;
     for (LinkSet set : all_population_sets()) {
@@ -88,7 +88,7 @@ TEST_CASE("there are fifteen sets, all distinct, of Figure 3.13's sizes") {
     CHECK_FALSE(set_named("P5"));
 }
 
-TEST_CASE("each configuration uses as many sets as the figure's reading says") {
+TEST_CASE("each configuration uses the number of sets of Figure 3.13") {
     for (auto [configuration, count] : {std::pair{Configuration::a, 6u},
                                         {Configuration::b, 8u},
                                         {Configuration::c, 8u},
@@ -102,4 +102,4 @@ TEST_CASE("each configuration uses as many sets as the figure's reading says") {
     }
 }
 
-TEST_CASE("no link active, no set") { CHECK(sets_in_use(Configuration::a, {}).empty()); }
+TEST_CASE("without an active link there is no set") { CHECK(sets_in_use(Configuration::a, {}).empty()); }

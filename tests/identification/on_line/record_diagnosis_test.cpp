@@ -65,7 +65,7 @@ TEST_CASE("a movement's compliance: within 6 % at low and 12 % at mid noise, for
     CHECK(quantile(mid, 0.9) <= 12);
 }
 
-TEST_CASE("compliances from .0043 to .07 are followed, by the search and by the whole of the movement") {
+TEST_CASE("compliances from .0043 to .07 are found by the search and over the whole movement") {
     for (double truth : {0.0043, 0.0172, 0.0344, 0.07})
         for (std::uint64_t seed = 1001; seed <= 1005; ++seed) {
             const LinkFinding boom = boom_of(boom_measured(2.5, low_noise, seed, truth), seed);
@@ -76,7 +76,7 @@ TEST_CASE("compliances from .0043 to .07 are followed, by the search and by the 
         }
 }
 
-TEST_CASE("the standard error is honest: the truth is within two of them in nine movements of ten") {
+TEST_CASE("the true compliance is within two standard errors in nine of ten movements") {
     int within = 0, whole_within = 0;
     for (std::uint64_t seed = 1001; seed <= 1040; ++seed) {
         const LinkFinding boom = boom_of(boom_measured(2, mid_noise, seed), seed);
@@ -91,7 +91,7 @@ TEST_CASE("the standard error is honest: the truth is within two of them in nine
     CHECK(whole_within >= 34);
 }
 
-TEST_CASE("a record in pieces says what the whole of it does, to the bit") {
+TEST_CASE("a record in pieces gives the same answers as the whole record, to the bit") {
     const Record record = boom_measured(2.5, low_noise, 1001);
     const LinkFinding whole = boom_of(record, 7);
     for (std::size_t size : {1, 7, 50}) {
@@ -110,7 +110,7 @@ TEST_CASE("a record in pieces says what the whole of it does, to the bit") {
     }
 }
 
-TEST_CASE("a movement is from the valve's opening to its closing; after a gap there is another") {
+TEST_CASE("a movement lasts from the valve's opening to its closing; a gap ends it") {
     Record record = boom_measured(2, low_noise, 1001);
     const auto one = movements_of(record, 1);
     REQUIRE(one.size() == 1);
@@ -124,7 +124,7 @@ TEST_CASE("a movement is from the valve's opening to its closing; after a gap th
     CHECK(two[1].from_s > record.time_s[60]);
 }
 
-TEST_CASE("an offset of the spool misleads the search, which is flagged, and not the whole movement, which tells it") {
+TEST_CASE("a spool offset falsifies the search, which is flagged; the whole movement reveals it") {
     for (std::uint64_t seed = 1001; seed <= 1010; ++seed) {
         Record record = boom_measured(2, low_noise, seed);
         for (double& spool : record.of(Link::boom, Sensor::spool))
@@ -137,7 +137,7 @@ TEST_CASE("an offset of the spool misleads the search, which is flagged, and not
     }
 }
 
-TEST_CASE("an angle that stands still or is in radians, pressures in bar: no fault of the machine explains them") {
+TEST_CASE("frozen angles, angles in radians and pressures in bar are sensor faults") {
     auto verdict_after = [](std::uint64_t seed, Sensor sensor, auto change) {
         RecordDiagnosis diagnosis = diagnosis_of_boom(seed);
         Record record = boom_measured(2, mid_noise, seed);
@@ -156,7 +156,7 @@ TEST_CASE("an angle that stands still or is in radians, pressures in bar: no fau
     }
 }
 
-TEST_CASE("the gate opens by the flow: a soft hose is followed for longer than by the slope") {
+TEST_CASE("the gate opens by flow, so a soft hose is followed longer than by slope") {
     const ExcitationGate gate;
     CHECK(gate.opens(800, 0.0086));
     CHECK(!gate.opens(799, 0.0086));

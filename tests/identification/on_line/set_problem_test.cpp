@@ -44,7 +44,7 @@ TEST_CASE("neighbours in compliance are neighbours in the string") {
               doctest::Approx(0.1 * static_cast<double>(code) / 1024));
 }
 
-TEST_CASE("fitness is the circuit's error, whatever the order of its junctions") {
+TEST_CASE("fitness is the circuit's error in any order of junctions") {
     RandomStream random(1, "set problem");
     for (Configuration configuration : all_configurations)
         for (LinkSet group : coupled_groups(configuration)) {
@@ -74,7 +74,7 @@ TEST_CASE("fitness is the circuit's error, whatever the order of its junctions")
         }
 }
 
-TEST_CASE("a path is open where the pump can reach the cylinder") {
+TEST_CASE("a path is open if the pump can exceed the cylinder's pressure") {
     SetProblem problem(Configuration::a, {Link::boom}, {100, 175, 25, 4500}, bits);
     // All of 175 in^3/s flows through .068 in^2: 25 + (175 / 6.8)^2 = 687.3 psi.
     CHECK(problem.open({{687, 0, 0, 0.1, 0.068}}));
@@ -89,7 +89,7 @@ TEST_CASE("a path is open where the pump can reach the cylinder") {
     CHECK_FALSE(series.open({{994, 0, 0, 0.1, 0.1}, {600, 0, 0, 0.1, 0.068}}));
 }
 
-TEST_CASE("the readings of the tests' transients fit the equations exactly") {
+TEST_CASE("the transients of the tests satisfy the equations exactly") {
     PerLink<double> c{0.015, 0.0086, 0.02, 0.03};
     for (Configuration configuration : all_configurations) {
         Diagnosis diagnosis("m", excavator_parameters(Parameters::excavator()), {}, 1);

@@ -35,7 +35,7 @@ private:
 
 } // namespace
 
-TEST_CASE("a piston that is driven after a movement, by a valve that reads shut, is the sensor's") {
+TEST_CASE("a piston driven after a movement by a valve that reads shut is a sensor fault") {
     WatchedBoom boom;
     boom.feed(20, 0, 0);
     boom.feed(30, 0.09, 30);
@@ -49,7 +49,7 @@ TEST_CASE("a piston that is driven after a movement, by a valve that reads shut,
     CHECK(LinkJudge(boom.watch.state().judges.front()).verdict().kind == VerdictKind::sensor);
 }
 
-TEST_CASE("a piston that comes to rest after a movement is not the sensor's") {
+TEST_CASE("a piston that comes to rest after a movement is not a sensor fault") {
     WatchedBoom boom;
     boom.feed(20, 0, 0);
     boom.feed(30, 0.09, 30);

@@ -45,7 +45,7 @@ std::vector<PopulationSet::State> states_after(const DiagnosisSettings& settings
 
 } // namespace
 
-TEST_CASE("strings that were met before have the fitness that they had, in every vector width") {
+TEST_CASE("known strings keep their fitness in every vector width") {
     RandomStream random(1, "window fitness");
     for (LinkSet links : {LinkSet{Link::boom}, LinkSet{Link::bucket, Link::boom}})
         for (std::size_t bits : {4u, 10u, 12u, 13u}) { // the longest strings are not remembered
@@ -63,7 +63,7 @@ TEST_CASE("strings that were met before have the fitness that they had, in every
         }
 }
 
-TEST_CASE("what population sets find does not depend on the vector width") {
+TEST_CASE("the answers of population sets do not depend on the vector width") {
     for (const Mutation& mutation : {Mutation(BitMutation{}), Mutation(DistanceMutation{})}) {
         DiagnosisSettings settings;
         settings.search.mutation = mutation;

@@ -69,7 +69,7 @@ WayVector standardised(const Deviation& found, const WayVector& truth) {
 
 } // namespace
 
-TEST_CASE("each fault is found in its own way, of its own size, and no other") {
+TEST_CASE("each fault is found with its kind and size, and no other fault") {
     const std::array<std::pair<Faults, WayVector>, 6> cases{{
         {{}, {0, 0, 0, 0}},
         {{{"boom.inlet_compliance", 0.01032}}, {1, 0, 0, 0}},
@@ -89,7 +89,7 @@ TEST_CASE("each fault is found in its own way, of its own size, and no other") {
         }
 }
 
-TEST_CASE("the standard errors are honest") {
+TEST_CASE("the stated standard errors are the errors' scatter") {
     for (const char* noise : {"low", "mid", "high"}) {
         int within_two = 0, of = 0;
         for (std::uint64_t seed = 1; seed <= 30; ++seed) {
@@ -102,7 +102,7 @@ TEST_CASE("the standard errors are honest") {
     }
 }
 
-TEST_CASE("the standard errors are those of what scatters, of one link and of two") {
+TEST_CASE("standard errors agree with the scatter, for one link and for two") {
     for (bool two : {false, true}) {
         Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(two ? 4 : 2), squares = sum; // known areas have no offset
         constexpr int movements = 60;
@@ -122,7 +122,7 @@ TEST_CASE("the standard errors are those of what scatters, of one link and of tw
     }
 }
 
-TEST_CASE("two links that share flow are told apart") {
+TEST_CASE("faults of two links that share flow are distinguished") {
     auto found = [&](const Faults& faults, Link link) {
         WayVector mean = WayVector::Zero();
         for (std::uint64_t seed = 1; seed <= 3; ++seed)
@@ -139,13 +139,13 @@ TEST_CASE("two links that share flow are told apart") {
     CHECK(found(leaking, Link::bucket).cwiseAbs().maxCoeff() < 0.2);
 }
 
-TEST_CASE("too little of a movement says nothing") {
+TEST_CASE("too short a movement gives no result") {
     MovementSamples movement = moved({"scenario-a", "low"}, {}, 1);
     movement.moving.resize(fewest_moving - 1);
     CHECK_FALSE(deviations(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086}}, movement));
 }
 
-TEST_CASE("rest without pressure tells nothing of a leak") {
+TEST_CASE("rest without pressure gives no information about a leak") {
     MovementSamples movement = moved({"scenario-a", "high"}, {}, 1);
     REQUIRE(movement.at_rest.size() >= 4);
     for (JunctionSamples& samples : movement.at_rest)
@@ -159,7 +159,7 @@ TEST_CASE("rest without pressure tells nothing of a leak") {
     CHECK(with_rest == found());
 }
 
-TEST_CASE("a leak that the rest after a movement tells may be a quarter off") {
+TEST_CASE("a leak from the rest after a movement has an uncertainty of a quarter") {
     const Faults shuts{{"excavator.second_time", 1.5}, {"excavator.duration", 2.3}, {"fault.leak", 0.0028}};
     const MovementSamples movement = moved({"excavator", "low"}, shuts, 7);
     REQUIRE(movement.rest_after.size() >= 4);
@@ -171,7 +171,7 @@ TEST_CASE("a leak that the rest after a movement tells may be a quarter off") {
     CHECK(found.standard_error(FaultHypothesis::leak) < 0.28 * found.by[1]);
 }
 
-TEST_CASE("the compliance at rest may be a quarter of a unit off: so uncertain is the leak that a rest tells") {
+TEST_CASE("the uncertainty of the compliance at rest makes the leak uncertain by a quarter of a unit") {
     MovementSamples movement = moved({"scenario-a", "low"}, {}, 1);
     movement.at_rest.clear();
     constexpr double psi = 1000, slope_psi_per_s = -1000, compliance = 0.0086; // the fit assumes no leak
@@ -188,7 +188,7 @@ TEST_CASE("the compliance at rest may be a quarter of a unit off: so uncertain i
     CHECK(left == test::nearly(0.25 * leak_by_compliance, 0.15));
 }
 
-TEST_CASE("a leak that flow alone tells may be 1.25 units off, unless the areas are read themselves") {
+TEST_CASE("a leak from flow alone has an uncertainty of 1.25 units, unless the areas are read directly") {
     MovementSamples movement = moved({"scenario-a", "low"}, {}, 1);
     movement.at_rest.clear();
     movement.rest_after.clear();
@@ -204,7 +204,7 @@ TEST_CASE("a leak that flow alone tells may be 1.25 units off, unless the areas 
     CHECK(error(AreasFrom::areas) < 1);
 }
 
-TEST_CASE("the noise of the slopes does not make a compliance smaller") {
+TEST_CASE("noise of the slopes does not bias the compliance") {
     for (const char* plant : {"scenario-a", "excavator"}) {
         double mean = 0;
         for (std::uint64_t seed = 1; seed <= 20; ++seed)
@@ -213,7 +213,7 @@ TEST_CASE("the noise of the slopes does not make a compliance smaller") {
     }
 }
 
-TEST_CASE("the rest after a movement tells a leak that began with it from an offset; flow alone does not") {
+TEST_CASE("the rest after a movement distinguishes a new leak from an offset; flow alone does not") {
     const Faults shuts{{"excavator.second_time", 1.5}, {"excavator.duration", 2.3}};
     auto with = [&](Faults faults) {
         faults.insert(faults.end(), shuts.begin(), shuts.end());

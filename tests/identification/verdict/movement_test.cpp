@@ -35,7 +35,7 @@ public:
 
 } // namespace
 
-TEST_CASE("a movement: the rest before it, and what moves, without the slopes that reach over opening and closing") {
+TEST_CASE("a movement has its earlier rest and its motion, without slopes across opening and closing") {
     Stream stream;
     CHECK(stream.feed(20, false) == 0);
     CHECK(stream.feed(30, true) == 0);
@@ -52,7 +52,7 @@ TEST_CASE("a movement: the rest before it, and what moves, without the slopes th
     CHECK_FALSE(stream.movement.under_way());
 }
 
-TEST_CASE("the next movement ends the rest after the one before") {
+TEST_CASE("the next movement ends the rest after the earlier movement") {
     Stream stream;
     stream.feed(30, true);
     CHECK(stream.feed(12, false) == 0);
@@ -74,7 +74,7 @@ TEST_CASE("a valve that opens only a little ends the rest after a movement") {
     CHECK(stream.last.rest_after.size() == 6);
 }
 
-TEST_CASE("a valve that shuts for a sample or two goes on") {
+TEST_CASE("closing the valve for one or two samples does not end a movement") {
     Stream stream;
     stream.feed(10, true);
     CHECK(stream.feed(2, false) == 0);
@@ -84,7 +84,7 @@ TEST_CASE("a valve that shuts for a sample or two goes on") {
     CHECK(stream.last.at_rest.empty());
 }
 
-TEST_CASE("memory is bounded: of a rest its end, a long movement in parts") {
+TEST_CASE("memory is bounded: only the end of a rest is kept, and long movements are split") {
     Stream stream;
     stream.feed(1000, false);
     CHECK(stream.movement.state().samples.at_rest.size() == 50);
@@ -92,7 +92,7 @@ TEST_CASE("memory is bounded: of a rest its end, a long movement in parts") {
     CHECK(stream.last.moving.size() == 200);
 }
 
-TEST_CASE("lengths are seconds, whatever the period of the samples") {
+TEST_CASE("durations are in seconds for any sample period") {
     Stream stream;
     stream.movement = Movement({0.01, 1}, {});
     stream.feed(1000, false);
@@ -104,7 +104,7 @@ TEST_CASE("lengths are seconds, whatever the period of the samples") {
     CHECK(stream.feed(1, false) == 1);
 }
 
-TEST_CASE("pumps that cannot reach the pressure move nothing") {
+TEST_CASE("a movement needs a pump that can exceed the pressure") {
     Stream stream;
     stream.psi = 4600; // above the relief valve
     stream.feed(30, true);

@@ -29,13 +29,13 @@ std::size_t movements_until_raised(const Deviation& each, std::size_t most = 100
 
 } // namespace
 
-TEST_CASE("one movement is never enough, two are where it is plain") {
+TEST_CASE("an alarm needs two movements, even for a plain fault") {
     CHECK(movements_until_raised(seen(1, 0, 0, 0.01)) == 2);
     CHECK(movements_until_raised(seen(5, 0, 0, 0.01)) == 2);
     CHECK(movements_until_raised(seen(0, 0, -1, 0.01)) == 2);
 }
 
-TEST_CASE("the more noise, the more movements: a unit adds half of the information") {
+TEST_CASE("more noise needs more movements") {
     // Each movement adds (1 - 1/2) / (s^2 + the variance between movements).
     for (double error : {0.5, 1.0, 2.0}) {
         double each = 0.5 / (error * error + repeats_within * repeats_within);
@@ -44,12 +44,12 @@ TEST_CASE("the more noise, the more movements: a unit adds half of the informati
     }
 }
 
-TEST_CASE("less than half a unit, and a leak that gives, are not suspected") {
+TEST_CASE("deviations below half a unit and negative leaks raise no suspicion") {
     CHECK(movements_until_raised(seen(0.49, 0, 0, 0.1)) == 0);
     CHECK(movements_until_raised(seen(0, -1, 0, 0.1)) == 0);
 }
 
-TEST_CASE("what it is compared with is known in part: plain ones take two all the same, others more") {
+TEST_CASE("an uncertain baseline delays the alarm, except for plain faults") {
     auto until = [](double compliance, double error) {
         SequentialTest test;
         const Deviation health{{}, two_ways_of(WayMatrix::Identity() * 0.3 * 0.3)};
@@ -66,7 +66,7 @@ TEST_CASE("what it is compared with is known in part: plain ones take two all th
     CHECK(until(1.2, 0.2) == 0); // within the spread of sound machines
 }
 
-TEST_CASE("raised once, it is cleared by three movements that are sound, and not before") {
+TEST_CASE("an alarm is cleared by three sound movements") {
     SequentialTest test;
     for (int i = 0; i < 50; ++i)
         test.take(seen(1, 0, 0, 0.1), {});
@@ -80,7 +80,7 @@ TEST_CASE("raised once, it is cleared by three movements that are sound, and not
     CHECK(test.state().movements == 1);
 }
 
-TEST_CASE("errors as large as is said of them: hardly a false alarm") {
+TEST_CASE("errors of the stated size cause few false alarms") {
     RandomStream random(1, "movements");
     auto normal = [&] {
         double sum = -6;

@@ -27,7 +27,7 @@ const Deviation in_health = off_by(0, 0, 0);
 
 } // namespace
 
-TEST_CASE("the way that explains a deviation best, and how surely") {
+TEST_CASE("the verdict names the likeliest fault and its probability") {
     CHECK(verdict_of(off_by(1, 0, 0), true, AreasFrom::spool).kind == VerdictKind::compliance);
     CHECK(verdict_of(off_by(-1, 0, 0), true, AreasFrom::spool).kind == VerdictKind::compliance);
     CHECK(verdict_of(off_by(0, 1, 0), true, AreasFrom::spool).kind == VerdictKind::leak);
@@ -43,7 +43,7 @@ TEST_CASE("the way that explains a deviation best, and how surely") {
     CHECK(verdict_of(either, true, AreasFrom::spool).probability == test::nearly(0.5, 0.01));
 }
 
-TEST_CASE("how sure it is that a link is sound") {
+TEST_CASE("a sound link has the right probability") {
     auto sound = [](const Deviation& mean, AreasFrom valve = AreasFrom::spool) {
         Verdict verdict = verdict_of(mean, false, valve);
         CHECK(verdict.kind == VerdictKind::sound);
@@ -63,7 +63,7 @@ TEST_CASE("how sure it is that a link is sound") {
     CHECK(how_sure(1) == "more than 99 % sure");
 }
 
-TEST_CASE("correlated errors are seen through: a leak along the line on which leak and offset look alike") {
+TEST_CASE("a leak is recognised despite the correlation of leak and offset") {
     Deviation leak = off_by(0, 1, 0);
     Eigen::Map<WayMatrix> covariance(leak.covariance.data());
     covariance(1, 2) = covariance(2, 1) = -0.039; // nearly perfectly correlated
@@ -71,7 +71,7 @@ TEST_CASE("correlated errors are seen through: a leak along the line on which le
     CHECK(verdict_of(leak, true, AreasFrom::spool).kind == VerdictKind::leak);
 }
 
-TEST_CASE("a leak that begins with the movement and an offset are one verdict, unless something tells them apart") {
+TEST_CASE("a new leak and an offset are one verdict unless they can be distinguished") {
     // A unit of leak and half a unit of offset lack the same flow; the rest before shows no leak.
     const WayVector unknown(0, 1, -0.5, 0);
     const Deviation flow{{0, 0.5, 0.25, 0},
@@ -91,7 +91,7 @@ TEST_CASE("a leak that begins with the movement and an offset are one verdict, u
     CHECK(verdict_of(none_after, true, AreasFrom::spool).kind == VerdictKind::offset);
 }
 
-TEST_CASE("three movements are the baseline; a link is compared with itself") {
+TEST_CASE("three movements set the baseline that a link is compared with") {
     CHECK(after({}).kind == VerdictKind::not_enough_evidence);
     CHECK(after({in_health, in_health, in_health}).kind == VerdictKind::not_enough_evidence);
     CHECK(after({in_health, in_health, in_health, in_health}).kind == VerdictKind::sound);
@@ -101,14 +101,14 @@ TEST_CASE("three movements are the baseline; a link is compared with itself") {
     CHECK(after({other, other, other, more, more, more}).kind == VerdictKind::compliance);
 }
 
-TEST_CASE("wrong from its first day: compared with its kind, before there is a baseline") {
+TEST_CASE("before its baseline a link is compared with its kind") {
     const Deviation leak = off_by(0, 2, 0);
     CHECK(after({leak}).kind == VerdictKind::not_enough_evidence);
     CHECK(after({leak, leak}).kind == VerdictKind::leak);
     CHECK(after({leak, leak, leak, leak, leak, leak}).kind == VerdictKind::leak);
 }
 
-TEST_CASE("a movement without excitation is no evidence, neither of health nor of a fault") {
+TEST_CASE("a movement without excitation does not count as evidence") {
     const Deviation blind = off_by(-4, 3, 2, 4);
     CHECK(after({blind, blind, blind, blind, blind, blind}).kind == VerdictKind::not_enough_evidence);
     const Verdict verdict = after({in_health, blind, in_health, in_health, blind, blind, in_health, blind});
@@ -116,7 +116,7 @@ TEST_CASE("a movement without excitation is no evidence, neither of health nor o
     CHECK(verdict.movements == 1);
 }
 
-TEST_CASE("no fault is named by less than its standard error, and none is sound that is likelier not to be") {
+TEST_CASE("a fault needs more than its standard error, and a sound link must be likelier sound") {
     LinkJudge::State state;
     state.first = {in_health, in_health, in_health};
     const double information = 1 / (1.2 * 1.2);
@@ -134,7 +134,7 @@ TEST_CASE("no fault is named by less than its standard error, and none is sound 
     CHECK(name_of(verdict.kind) == "cannot tell");
 }
 
-TEST_CASE("impossible readings are the sensor's, until a movement makes sense") {
+TEST_CASE("impossible readings are a sensor fault until a normal movement") {
     LinkJudge judge;
     judge.note_impossible();
     CHECK(judge.verdict().kind == VerdictKind::sensor);
@@ -145,7 +145,7 @@ TEST_CASE("impossible readings are the sensor's, until a movement makes sense") 
     CHECK(judge.verdict().kind == VerdictKind::not_enough_evidence);
 }
 
-TEST_CASE("another way to know the valve begins anew") {
+TEST_CASE("another source of the valve's position restarts the judgement") {
     LinkJudge judge;
     for (int i = 0; i < 4; ++i)
         judge.take(in_health, AreasFrom::spool);

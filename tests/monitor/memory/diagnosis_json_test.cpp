@@ -18,7 +18,7 @@ std::string text_of(const Diagnosis& diagnosis) { return boost::json::serialize(
 
 } // namespace
 
-TEST_CASE("the state goes through JSON and on as if nothing had been") {
+TEST_CASE("a diagnosis restored from JSON continues identically") {
     for (std::size_t cut : {0u, 3u, 7u, 12u, 29u}) {
         Diagnosis diagnosis("digger", excavator_parameters(Parameters::excavator()), {}, 1);
         diagnosis.change({Configuration::c, LinkSet::all()});
@@ -36,7 +36,7 @@ TEST_CASE("the state goes through JSON and on as if nothing had been") {
     }
 }
 
-TEST_CASE("what has been judged goes through JSON, too") {
+TEST_CASE("judged movements are restored from JSON") {
     constexpr PerLink<double> sound{0.0150, 0.0086, 0.0200, 0.0300}, soft{0.0150, 0.0172, 0.0200, 0.0300};
     constexpr std::size_t length = 30, movements = 7;
     auto take = [&](Diagnosis& diagnosis, std::size_t i) {
@@ -64,7 +64,7 @@ TEST_CASE("what has been judged goes through JSON, too") {
     }
 }
 
-TEST_CASE("a state that lacks a member, or has one that is wrong, is refused with the member's path") {
+TEST_CASE("a state with a missing or wrong member is refused with the member's path") {
     const Diagnosis diagnosis("digger", excavator_parameters(Parameters::excavator()), {}, 1);
     const std::string good = text_of(diagnosis);
     auto refused = [&](const std::string& part, const std::string& instead, const char* because) {
@@ -79,12 +79,14 @@ TEST_CASE("a state that lacks a member, or has one that is wrong, is refused wit
         const std::string name = field.key();
         boost::json::value bad = value;
         bad.as_object().erase(name);
-        CHECK_THROWS_WITH_AS(state_from(bad, {}), ("it is not whole: " + name + ": it is missing").c_str(),
+        CHECK_THROWS_WITH_AS(state_from(bad, {}),
+                             ("the state is incomplete or wrong: " + name + ": it is missing").c_str(),
                              std::runtime_error);
     }
     boost::json::value bad = value;
     bad.at("tracks").as_array().pop_back();
-    CHECK_THROWS_WITH_AS(state_from(bad, {}), "it is not whole: tracks: 3 values, expected 4", std::runtime_error);
+    CHECK_THROWS_WITH_AS(state_from(bad, {}), "the state is incomplete or wrong: tracks: 3 values, expected 4",
+                         std::runtime_error);
     refused("\"readings\":0", "\"readings\":-1", "open.readings: not exact");
     refused("\"readings\":0", "\"readings\":0.5", "open.readings: not exact");
     refused("\"readings\":0", "\"readings\":1", "the open sample has all its readings");
@@ -93,15 +95,16 @@ TEST_CASE("a state that lacks a member, or has one that is wrong, is refused wit
     refused("\"sums\":{\"inlet_psi\":\"0\"", "\"sums\":{\"inlet_psi\":\"x\"",
             "tracks.0.sums.inlet_psi: \"x\" is not a number");
     refused("\"judged\":false", "\"judged\":0", "judged: ");
-    refused("\"judged\":false", "\"judged\":false,\"more\":1", "it is not whole: 18 members, expected 17");
-    refused("\"configuration\":null", "\"configuration\":\"f\"", "configuration: \"f\" is not one of its names");
+    refused("\"judged\":false", "\"judged\":false,\"more\":1",
+            "the state is incomplete or wrong: 18 members, expected 17");
+    refused("\"configuration\":null", "\"configuration\":\"f\"", "configuration: \"f\" is not a known name");
     refused("\"active\":\"\"", "\"active\":\"BO BU\"", "active: \"BO BU\" is not a list of links");
-    refused("\"sets\":{}", "\"sets\":{\"P9\":{}}", "sets.P9: there is no such population set");
-    refused("\"inlet_psi\":\"\"", "\"inlet_psi\":\"1\"", "the parts of a link's readings do not belong together");
+    refused("\"sets\":{}", "\"sets\":{\"P9\":{}}", "sets.P9: this population set does not exist");
+    refused("\"inlet_psi\":\"\"", "\"inlet_psi\":\"1\"", "the parts of a link's readings do not fit together");
     CHECK_THROWS_AS(state_from("text", {}), std::runtime_error);
 }
 
-TEST_CASE("the parts of a population set, a movement and a watched set must belong together") {
+TEST_CASE("inconsistent parts of a population set, movement or watched set are refused") {
     Diagnosis diagnosis("digger", excavator_parameters(Parameters::excavator()), {}, 1);
     diagnosis.change({Configuration::c, LinkSet::all()});
     feed(diagnosis, Transient(Configuration::c, LinkSet::all(), {0.0150, 0.0086, 0.0200, 0.0300}), 0, 20);

@@ -137,7 +137,7 @@ std::vector<std::size_t> some_bits(const std::string& text, std::size_t first_by
 
 } // namespace
 
-TEST_CASE("what is committed comes back, after a kill and after a clean end") {
+TEST_CASE("committed state is restored after a kill and after a clean end") {
     Scratch first, killed;
     write_and_kill(first, killed);
     Everything clean(first / "state"), after_kill(killed / "state");
@@ -150,7 +150,7 @@ TEST_CASE("what is committed comes back, after a kill and after a clean end") {
     CHECK(clean.alarms.size() == 6);
 }
 
-TEST_CASE("any flipped bit of a state file is seen, or nothing is stored there") {
+TEST_CASE("every flipped bit in the used part of a state file is detected") {
     Scratch scratch, killed;
     write_and_kill(scratch, killed);
     Everything whole(scratch / "state");
@@ -165,7 +165,7 @@ TEST_CASE("any flipped bit of a state file is seen, or nothing is stored there")
     CHECK(refused > 100);
 }
 
-TEST_CASE("a state file that is cut anywhere is refused") {
+TEST_CASE("a state file that is cut off anywhere is refused") {
     Scratch scratch, killed;
     write_and_kill(scratch, killed);
     Everything whole(scratch / "state");
@@ -180,7 +180,7 @@ TEST_CASE("a state file that is cut anywhere is refused") {
     CHECK_FALSE(accepted(files, whole));
 }
 
-TEST_CASE("a kill in the middle of a transaction loses nothing, and any damage to what it leaves is seen") {
+TEST_CASE("a kill within a transaction loses nothing, and damage to the remaining journal is detected") {
     Scratch scratch, killed;
     write_and_kill(scratch, killed);
     const Everything whole(scratch / "state");
@@ -208,7 +208,7 @@ TEST_CASE("a kill in the middle of a transaction loses nothing, and any damage t
     CHECK(refused > 30);
 }
 
-TEST_CASE("rows of two transactions are told apart, though each is whole") {
+TEST_CASE("a mixture of rows of two transactions is detected") {
     Scratch scratch, killed;
     write_and_kill(scratch, killed);
     for (const char* change : {"DELETE FROM estimates WHERE machine = 'a' AND number = 20", "DELETE FROM alarms",
@@ -223,11 +223,11 @@ TEST_CASE("rows of two transactions are told apart, though each is whole") {
         }
         StateContent content;
         CHECK_THROWS_WITH_AS(StateFile(damaged / "state", "settings", most_history, content),
-                             doctest::Contains("its rows are not those of its ledger"), UserError);
+                             doctest::Contains("its rows do not match its ledger"), UserError);
     }
 }
 
-TEST_CASE("a file of an earlier version is put aside with what is beside it, and another begun") {
+TEST_CASE("a file of an earlier version is renamed with its companion files, and a new file is begun") {
     Scratch scratch;
     std::string text;
     {
@@ -240,7 +240,8 @@ TEST_CASE("a file of an earlier version is put aside with what is beside it, and
     scratch.write("state-wal", "a log");
     scratch.write("state-journal", "a journal");
     const Everything everything(scratch / "state");
-    CHECK(everything.content.said.find("it was of version 2, of an earlier placedpar monitor") != std::string::npos);
+    CHECK(everything.content.said.find("the file had version 2, from an earlier placedpar monitor") !=
+          std::string::npos);
     CHECK(everything.content.machines.empty());
     CHECK(scratch.read("state.version-2") == text);
     CHECK(scratch.read("state.version-2-wal") == "a log");
@@ -248,19 +249,20 @@ TEST_CASE("a file of an earlier version is put aside with what is beside it, and
     scratch.write("state", text);
     StateContent content;
     CHECK_THROWS_WITH_AS(StateFile(scratch / "state", "settings", most_history, content),
-                         doctest::Contains("move one of them away"), UserError);
+                         doctest::Contains("move one of the two away"), UserError);
 }
 
-TEST_CASE("a start that follows one which only put the earlier file aside says so, and the next one does not") {
+TEST_CASE("a start after an interrupted rename of the earlier file reports it once") {
     Scratch scratch;
     scratch.write("state.version-2", "the earlier file");
     auto said = [&] { return Everything(scratch / "state").content.said; };
-    CHECK(said().find("it was of version 2, of an earlier placedpar monitor: it is now") != std::string::npos);
+    CHECK(said().find("the file had version 2, from an earlier placedpar monitor: it was renamed to") !=
+          std::string::npos);
     CHECK(said() == "");
     CHECK(scratch.read("state.version-2") == "the earlier file");
 }
 
-TEST_CASE("a machine that is forgotten leaves nothing but its messages") {
+TEST_CASE("a forgotten machine leaves only its messages") {
     Scratch scratch;
     {
         StateContent content;
@@ -281,7 +283,7 @@ TEST_CASE("a machine that is forgotten leaves nothing but its messages") {
     CHECK(everything.alarms.size() == 1);
 }
 
-TEST_CASE("after a loss all begins anew, and alarms that went meanwhile are cleared") {
+TEST_CASE("after a loss the file is written anew, and alarms that ended meanwhile are cleared") {
     Scratch scratch;
     StateContent content;
     StateFile file(scratch / "state", "settings", most_history, content);
@@ -301,7 +303,7 @@ TEST_CASE("after a loss all begins anew, and alarms that went meanwhile are clea
     file.commit(next);
 }
 
-TEST_CASE("a file that is removed again while it is made anew loses nothing of its history") {
+TEST_CASE("a file that is removed again while being rewritten keeps its history") {
     int removed_in_between = 0;
     for (int round = 0; round < 1000 && removed_in_between < 10; ++round) { // the remover may be too late
         Scratch scratch;
@@ -335,7 +337,7 @@ TEST_CASE("a file that is removed again while it is made anew loses nothing of i
     CHECK(removed_in_between == 10);
 }
 
-TEST_CASE("no state file: what it is instead, and what to do") {
+TEST_CASE("a file that is not a state file is refused with its kind and a remedy") {
     Scratch scratch;
     auto refusal = [&](const char* name) {
         StateContent content;
@@ -353,20 +355,22 @@ TEST_CASE("no state file: what it is instead, and what to do") {
               fmt::format("{}: this state file cannot be used: {}", (scratch / "state").string(), because));
         CHECK(scratch.read("state") == text);
     };
-    std::string away =
-        fmt::format("; put a whole one there without state-journal, or move {} away and begin with nothing known",
-                    (scratch / "state").string());
-    refused("", ("it is empty" + away).c_str());
-    refused("rubbish", ("it is not a state file of the monitor" + away).c_str());
+    std::string away = fmt::format(
+        "; restore an undamaged copy and remove state-journal, or move {} away and start without known machines",
+        (scratch / "state").string());
+    refused("", ("the file is empty" + away).c_str());
+    refused("rubbish", ("the file is not a state file of the monitor" + away).c_str());
     refused("{\"placedpar_monitor_state\":1,\"settings\":\"--seed 1\"",
-            "it was written by an earlier placedpar monitor, as JSON, which this one does not read; use another "
+            "an earlier placedpar monitor wrote the file as JSON, which this version cannot read; use another "
             "--state file");
-    refused("01234567 placedpar-monitor-journal 1 epoch 3\n",
-            "it is the journal of an earlier placedpar monitor, which this one does not read; use another --state "
-            "file");
+    refused(
+        "01234567 placedpar-monitor-journal 1 epoch 3\n",
+        "the file is the journal of an earlier placedpar monitor, which this version cannot read; use another --state "
+        "file");
     std::filesystem::remove(scratch / "state");
     scratch.write("state.journal", "");
-    CHECK(refusal("state").find("state.journal is: the journal of an earlier placedpar monitor") != std::string::npos);
+    CHECK(refusal("state").find("state.journal exists, the journal of an earlier placedpar monitor") !=
+          std::string::npos);
     scratch.write("state-wal", "");
     CHECK(refusal("state").find("what was written to it last is: ") != std::string::npos);
     std::filesystem::create_directory(scratch / "folder");
@@ -385,19 +389,19 @@ TEST_CASE("another program's database, another version and other settings are re
         CHECK(scratch.read(name) == before);
     };
     store::Database(scratch / "other").run("CREATE TABLE t(x)");
-    refused("other", "settings", "it is a database of another program (its application_id is 0x00000000");
+    refused("other", "settings", "the file is a database of another program (application_id 0x00000000");
     {
         StateContent content;
         StateFile(scratch / "state", "settings", most_history, content);
     }
-    refused("state", "others", "it was written with settings, this is others; use the same options");
+    refused("state", "others", "the file was written with settings, but this monitor has others; use the same options");
     std::string text = scratch.read("state");
     text[63] = 9;
     scratch.write("state", text);
-    refused("state", "settings", "it is of version 9, this program reads 4");
+    refused("state", "settings", "the file has version 9, but this program reads version 4");
 }
 
-TEST_CASE("one at a time, by any of its names") {
+TEST_CASE("only one monitor can use a state file, by any of its names") {
     Scratch scratch;
     StateContent content;
     StateFile file(scratch / "state", "settings", most_history, content);
@@ -405,5 +409,5 @@ TEST_CASE("one at a time, by any of its names") {
     std::filesystem::create_hard_link(scratch / "state", scratch / "hard");
     for (const char* name : {"state", "soft", "hard"})
         CHECK_THROWS_WITH_AS(StateFile(scratch / name, "settings", most_history, content),
-                             doctest::Contains("another placedpar monitor is using it"), UserError);
+                             doctest::Contains("another placedpar monitor is using the file"), UserError);
 }

@@ -85,7 +85,7 @@ std::string known_after(const Scratch& scratch, std::string* said = nullptr) {
 
 } // namespace
 
-TEST_CASE("a killed service comes back to the bit") {
+TEST_CASE("a killed service restores its state to the bit") {
     Scratch scratch, killed;
     Running running(scratch / "state");
     running.hello("m");
@@ -97,14 +97,14 @@ TEST_CASE("a killed service comes back to the bit") {
     CHECK(running.diagnoses.all().at("m").sets().begin()->second.state().generations > 0);
     std::string said;
     CHECK(known_after(killed, &said) == text_of(running.diagnoses));
-    CHECK(said.find("1 machine restored, 21 messages taken again") != std::string::npos);
-    // The messages taken again are now part of the machine's state.
+    CHECK(said.find("1 machine restored, 21 messages processed again") != std::string::npos);
+    // The messages processed again are now part of the machine's state.
     CHECK(known_after(killed, &said) == text_of(running.diagnoses));
     CHECK(said.find("1 machine restored") != std::string::npos);
-    CHECK(said.find("taken again") == std::string::npos);
+    CHECK(said.find("processed again") == std::string::npos);
 }
 
-TEST_CASE("a sample that is not whole yet outlives a restart") {
+TEST_CASE("an incomplete sample survives a restart") {
     ExcavatorParameters parameters = excavator_parameters(Parameters::excavator());
     parameters.period_s = 0.001;
     auto machine = [&] {
@@ -133,7 +133,7 @@ TEST_CASE("a sample that is not whole yet outlives a restart") {
     CHECK(back.state() == whole.state());
 }
 
-TEST_CASE("a long backlog goes into states, the oldest machine's first") {
+TEST_CASE("a long backlog is merged into states, beginning with the oldest machine") {
     Scratch scratch, killed;
     Running running(scratch / "state");
     for (const char* machine : {"a", "b", "c"}) {
@@ -153,7 +153,7 @@ TEST_CASE("a long backlog goes into states, the oldest machine's first") {
     CHECK(again >= 8);
 }
 
-TEST_CASE("a machine that was forgotten and came again is the new one") {
+TEST_CASE("a machine that was forgotten and announced again has its new state") {
     Scratch scratch, killed;
     Running running(scratch / "state");
     for (int i = 0; i < 2; ++i) {
@@ -175,7 +175,7 @@ TEST_CASE("a machine that was forgotten and came again is the new one") {
     CHECK(known_after(killed).empty());
 }
 
-TEST_CASE("nothing is written behind what a full disk lost, until all is anew") {
+TEST_CASE("after a full disk nothing is appended until the file is rewritten") {
     Scratch scratch, killed;
     Running running(scratch / "state");
     running.hello("m");
@@ -205,7 +205,7 @@ TEST_CASE("nothing is written behind what a full disk lost, until all is anew") 
     CHECK(known_after(killed) == text_of(running.diagnoses));
 }
 
-TEST_CASE("a clean end leaves one file and nothing to take again") {
+TEST_CASE("a clean end leaves one file and no backlog") {
     Scratch scratch;
     Running running(scratch / "state");
     running.hello("m");
@@ -215,10 +215,10 @@ TEST_CASE("a clean end leaves one file and nothing to take again") {
     CHECK_FALSE(std::filesystem::exists(scratch / "state-journal"));
     std::string said;
     CHECK(known_after(scratch, &said) == text_of(running.diagnoses));
-    CHECK(said.find("taken again") == std::string::npos);
+    CHECK(said.find("processed again") == std::string::npos);
 }
 
-TEST_CASE("machines are known with one set of parameters") {
+TEST_CASE("a machine's second set of parameters is refused") {
     Diagnoses diagnoses = none();
     auto greet = [&](const std::string& text) -> Diagnosis& {
         return diagnoses.greet(std::get<Hello>(parse_message(text)));
@@ -235,5 +235,5 @@ TEST_CASE("machines are known with one set of parameters") {
     for (int i = 1; i < 10; ++i)
         greet(fmt::format(R"({{"type":"hello","version":1,"machine":"m{}"}})", i));
     CHECK_THROWS_WITH_AS(greet(R"({"type":"hello","version":1,"machine":"eleventh"})"),
-                         doctest::Contains("10 machines already"), BadMessage);
+                         doctest::Contains("already has 10 machines"), BadMessage);
 }

@@ -21,11 +21,11 @@ void check(const RefusedSample::Reason& reason, const std::string& field, const 
 
 } // namespace
 
-TEST_CASE("a sample that cannot be taken is refused in the words of the protocol") {
-    check(NoConfiguration{}, "type", "a sample before any configuration",
+TEST_CASE("a refused sample is reported in the terms of the protocol") {
+    check(NoConfiguration{}, "type", "a sample arrived before the configuration",
           R"(first {"type":"configuration","configuration":"a","active":["BU","BO"]})");
-    check(LinkNotRead{hydraulics::Link::boom}, "links.BO", "it is missing, and the link is active",
-          "a reading of each active link, or a configuration without it");
-    check(TimeNotLater{3, 4.5}, "time_s", "it is 3, not after the last sample's",
-          "more than 4.5; send hello again to restart time");
+    check(LinkNotRead{hydraulics::Link::boom}, "links.BO", "it is missing, but the link is active",
+          "a reading of each active link, or a configuration without the link");
+    check(TimeNotLater{3, 4.5}, "time_s", "it is 3, not later than the time of the last sample",
+          "a time later than 4.5, or a new hello to restart time");
 }

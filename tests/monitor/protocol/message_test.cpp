@@ -29,7 +29,7 @@ T parsed(const std::string& line) {
 
 } // namespace
 
-TEST_CASE("hello") {
+TEST_CASE("a hello is parsed with its defaults") {
     auto plain = parsed<Hello>(R"({"type":"hello","version":1,"machine":"digger-7"})");
     CHECK(plain.machine == "digger-7");
     CHECK(plain.role == Role::control);
@@ -49,7 +49,7 @@ TEST_CASE("hello") {
     CHECK(full.parameters.links[index_of(Link::stick)].spool_lag_per_s == 9);
 }
 
-TEST_CASE("configuration") {
+TEST_CASE("a configuration is parsed") {
     auto change =
         parsed<ConfigurationChange>(R"({"type":"configuration","configuration":"b","active":["BU","stick"]})");
     CHECK(change.configuration == Configuration::b);
@@ -57,7 +57,7 @@ TEST_CASE("configuration") {
     CHECK(parsed<ConfigurationChange>(R"({"type":"configuration","configuration":"e","active":[]})").active.empty());
 }
 
-TEST_CASE("sample: the valve by spool, voltage or areas") {
+TEST_CASE("a sample gives the valve's position by spool, voltage or areas") {
     auto sample = parsed<ExcavatorSample>(
         R"({"type":"sample","time_s":1.5,"links":{"BO":{"inlet_psi":1800,"angle_deg":3,"spool_in":0.25},)"
         R"("BU":{"inlet_psi":1900,"angle_deg":-4.5,"servo_V":0.3},)"
@@ -70,7 +70,7 @@ TEST_CASE("sample: the valve by spool, voltage or areas") {
     CHECK(sample.links[index_of(Link::bucket)]->angle_deg == -4.5);
 }
 
-TEST_CASE("baseline, status, load, ping, bye") {
+TEST_CASE("messages without fields are parsed") {
     auto baseline = parsed<Baseline>(R"({"type":"baseline","links":{"BO":0.0086}})");
     CHECK(baseline.compliance_in3_per_psi[index_of(Link::boom)] == 0.0086);
     CHECK_FALSE(baseline.compliance_in3_per_psi[index_of(Link::bucket)]);
@@ -80,7 +80,7 @@ TEST_CASE("baseline, status, load, ping, bye") {
     CHECK_NOTHROW(parsed<Bye>(R"( { "type" : "bye" } )"));
 }
 
-TEST_CASE("a line that is no JSON is refused with the column") {
+TEST_CASE("a line that is not JSON is refused with the column") {
     CHECK(refusal(R"({"type":"sample" "time_s":1})").column().value_or(0) == 18);
     CHECK(refusal("nonsense").column().value_or(0) == 1);
     CHECK(refusal(R"({"type":"status"} x)").column().value_or(0) == 19);
@@ -90,7 +90,7 @@ TEST_CASE("a line that is no JSON is refused with the column") {
     CHECK(refusal(std::string(10000, '[')).column().value() <= 10);
 }
 
-TEST_CASE("a field is given once") {
+TEST_CASE("a repeated field is refused") {
     struct Case {
         const char *line, *field;
     };
@@ -116,7 +116,7 @@ TEST_CASE("a field is given once") {
                       R"("BU":{"inlet_psi":1,"angle_deg":1,"spool_in":0.2}}})"));
 }
 
-TEST_CASE("a wrong field is named, with what would be right") {
+TEST_CASE("a wrong field is refused with the expected value") {
     struct Case {
         const char *line, *field, *wrong, *right;
     };

@@ -93,14 +93,14 @@ class Alarms(ServiceTest):
         self.assertIsNotNone(self.tell(service, "acknowledge", "digger", kind, "BO")["alarms"][0]["acknowledged_at"])
         self.assertIsNotNone(self.tell(service, "shelve", "digger", kind, "boom")["alarms"][0]["shelved_until"])
         self.assertIsNone(self.tell(service, "shelve", "digger", kind, "BO", "--for", "0")["alarms"][0]["shelved_until"])
-        self.assertIn("1 are connected", self.tell(service, "forget", "digger", code=1))
+        self.assertIn("1 are still connected", self.tell(service, "forget", "digger", code=1))
         client.close()
         while self.tell(service, "load")["clients"] > 1:
             pass
         self.assertEqual(self.tell(service, "forget", "digger")["type"], "forgotten")
         self.assertEqual(self.tell(service, "alarms")["alarms"], [])
         self.assertIn("expected one of: alarms, load, forget MACHINE", self.tell(service, "remember", code=1))
-        self.assertIn("is followed by 0 words", self.tell(service, "forget", code=1))
+        self.assertIn("wrong number of words after forget: 0", self.tell(service, "forget", code=1))
 
     def test_the_command_knows_tokens_and_sockets(self):
         token = self.folder / "token"

@@ -86,7 +86,7 @@ class Flood(ServiceTest):
         self.sampled(service, "known", KNOWN)
         strangers = [self.client(service, f"stranger-{i}") for i in range(4)]
         self.assertEqual({client.welcome["type"] for client in strangers}, {"welcome"})
-        self.assertIn("4 clients already", self.client(service, "one-more").welcome["wrong"])
+        self.assertIn("already has 4 clients", self.client(service, "one-more").welcome["wrong"])
         self.assertEqual(self.client(service, "known").welcome["samples"], KNOWN)
         self.assertIn("a machine that is known", strangers[0].receive()["wrong"])
 
@@ -118,7 +118,7 @@ class Flood(ServiceTest):
         self.assertEqual(said, 3 * ["welcome"] + ["error"])  # until both peers have three connections
         self.assertIn("a peer with fewer connections", flood[1].receive()["wrong"])
         self.assertEqual(flood[0].ask(type="ping")["type"], "pong")  # it stays connected, since it has sent samples
-        self.assertIn("6 clients already", self.client(service, "again").welcome["wrong"])
+        self.assertIn("already has 6 clients", self.client(service, "again").welcome["wrong"])
 
     def test_idle_browsers_shut_nobody_out(self):
         service = self.service("--http", 0)
@@ -153,7 +153,7 @@ class Hosts(ServiceTest):
         self.assertEqual(ask_page(port, b"Host: localhost\r\nhost: evil.example\r\n"), 400)
         self.assertEqual(ask_page(port, b"", version=b"1.0"), 200)
         self.assertEqual(ask_page(port, b"Host: evil.example\r\n", version=b"1.0"), 421)
-        self.assertIn("--host-name a b: this is not the name of a computer, such as digger.example", self.refusal("--host-name", "a b"))
+        self.assertIn("--host-name a b: expected the name of a computer, such as digger.example", self.refusal("--host-name", "a b"))
 
 
 class Files(ServiceTest):

@@ -58,7 +58,7 @@ class Crowd(ServiceTest):
         service = self.service("--max-machines-per-peer", 3, "--unix", path, "--port", 0)
         clients = [self.client(service, f"name-{i}") for i in range(3)]
         refused = self.client(service, "one-more").welcome
-        self.assertIn("loopback has introduced 3 machines already", refused["wrong"])
+        self.assertIn("loopback has already announced 3 machines", refused["wrong"])
         self.assertEqual(self.client(service, "one-more", path=path).welcome["type"], "welcome")
         clients[0].ask(type="bye")
         self.assertIsNone(clients[0].receive())
@@ -69,7 +69,7 @@ class Crowd(ServiceTest):
         service = self.service("--max-clients-per-peer", 2, "--unix", path, "--port", 0)
         first, _ = self.client(service, "digger"), self.client(service, "dozer")
         third = self.client(service, "crane")
-        self.assertIn("there are 2 clients already", third.welcome["wrong"])
+        self.assertIn("the monitor already has 2 clients", third.welcome["wrong"])
         self.assertIsNone(third.receive())
         self.assertEqual(self.client(service, "lorry", path=path).welcome["type"], "welcome")
         first.ask(type="bye")

@@ -42,4 +42,4 @@ void check_equal(const Record& file, const Record& simulated) {
 
 } // namespace
 
-TEST_CASE("the record of the example is what its description says") { check_equal(example("boom.csv"), measured()); }
+TEST_CASE("the example's record agrees with its description") { check_equal(example("boom.csv"), measured()); }

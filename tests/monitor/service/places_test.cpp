@@ -35,7 +35,7 @@ bool never(const std::string&) { return false; }
 
 } // namespace
 
-TEST_CASE("two peers that have all places make room for a third, until all have alike") {
+TEST_CASE("two peers that hold all places give way to a third until all have equal numbers") {
     std::vector<Occupant> places;
     CHECK(crowd_in(places, "flooder", 128) == 128);
     CHECK(crowd_in(places, "other flooder", 128) == 128);
@@ -47,7 +47,7 @@ TEST_CASE("two peers that have all places make room for a third, until all have 
     CHECK(places.size() == limit);
 }
 
-TEST_CASE("no peer takes what is kept, though all else is taken") {
+TEST_CASE("kept places are not given away even if all others are taken") {
     std::vector<Occupant> places;
     crowd_in(places, "site", 100, true);
     crowd_in(places, "flooder", 1000);
@@ -56,7 +56,7 @@ TEST_CASE("no peer takes what is kept, though all else is taken") {
     CHECK(std::ranges::count(places, true, &Occupant::kept) == 100);
 }
 
-TEST_CASE("of one peer the idle goes first, then what has fewest samples, then what was silent longest") {
+TEST_CASE("within a peer, idle machines go first, then those with fewest samples, then the longest silent") {
     std::vector<Occupant> places{{"p", false, false, 0, at(3)}, {"p", false, false, 0, at(2)},
                                  {"p", false, false, 9, at(1)}, {"p", false, true, 9, at(9)},
                                  {"q", false, true, 0, at(0)},  {"p", true, true, 0, at(0)}};
@@ -71,7 +71,7 @@ TEST_CASE("of one peer the idle goes first, then what has fewest samples, then w
     CHECK_FALSE(gives_way(std::span(places).last(1), "new", true));
 }
 
-TEST_CASE("a machine is known by its samples and by the time in which they came") {
+TEST_CASE("a machine becomes known by the number of its samples and their time span") {
     ServiceLimits limits;
     MachinePlaces machines(limits);
     machines.introduced("m", "p", at(0));
@@ -87,7 +87,7 @@ TEST_CASE("a machine is known by its samples and by the time in which they came"
     CHECK(machines.heard("slow", limits.known_samples, at(10001)));
 }
 
-TEST_CASE("however many machines of one peer are known, others' machines find a place and become known") {
+TEST_CASE("many known machines of one peer do not keep out other peers' machines") {
     ServiceLimits limits;
     MachinePlaces machines(limits);
     std::size_t count = 0;
@@ -127,7 +127,7 @@ TEST_CASE("however many machines of one peer are known, others' machines find a 
     CHECK(known("site") == 400);
 }
 
-TEST_CASE("what was restored is known, as far as places may be kept, until others have proved themselves") {
+TEST_CASE("restored machines count as known within the limit of kept places") {
     ServiceLimits limits;
     limits.machines = 8;
     MachinePlaces machines(limits);

@@ -69,7 +69,7 @@ class Restart(ServiceTest):
                 client.ask(**boom(i))
             code, errors = service.stop(number)
             self.assertEqual(code, 0)
-            self.assertIn(f"stopped; {state} is written", errors)
+            self.assertIn(f"stopped; the state was written to {state}", errors)
             self.assertEqual(client.receive()["type"], "closing")
             self.assertIsNone(client.receive())
             self.assertEqual([path.name for path in self.folder.glob(number.name + "*")], [number.name])
@@ -114,7 +114,7 @@ class Restart(ServiceTest):
         self.service("--state", self.state)
         for name, link in (("soft", os.symlink), ("hard", os.link)):
             link(self.state, self.folder / name)
-            self.assertIn("another placedpar monitor is using it", self.refusal("--state", self.folder / name))
+            self.assertIn("another placedpar monitor is using the file", self.refusal("--state", self.folder / name))
 
     def test_a_full_disk_does_not_end_the_diagnosis(self):
         service = self.service("--state", self.state)
@@ -125,7 +125,7 @@ class Restart(ServiceTest):
             client.send(**boom(i))
             self.assertEqual(client.receive_type("estimates")["samples"], i + 1)
         _, errors = service.stop(signal.SIGKILL)
-        self.assertEqual(errors.count("the service continues, but a restart would lose what was not written"), 1)
+        self.assertEqual(errors.count("the service continues, but a restart would lose the unwritten state"), 1)
         again = self.service("--state", self.state)
         known = self.client(again, "digger").welcome["samples"]
         self.assertGreater(known, 10)
@@ -176,13 +176,13 @@ class Restart(ServiceTest):
 
     def test_what_cannot_be_is_refused(self):
         service = self.service("--state", self.state, *UNSETTLED)
-        self.assertIn("another placedpar monitor is using it", self.refusal("--state", self.state))
+        self.assertIn("another placedpar monitor is using the file", self.refusal("--state", self.state))
         self.assertIn("Address already in use", self.refusal("--port", service.address[1]))
         service.stop()
         self.assertIn("--seed 1 ", self.refusal("--state", self.state, *UNSETTLED, "--seed", 2))
         self.state.write_text("rubbish")
         self.assertIn(f"{self.state}: this state file cannot be used", self.refusal("--state", self.state, *UNSETTLED))
-        self.assertIn("cannot be made", self.refusal("--state", self.folder / "none" / "state"))
+        self.assertIn("cannot be created", self.refusal("--state", self.folder / "none" / "state"))
         self.assertIn("--address nowhere", self.refusal("--address", "nowhere"))
         self.assertIn("population", self.refusal("--population", 1))
         self.assertIn("bits", self.refusal("--bits", 40))

@@ -20,7 +20,7 @@ class Robustness(ServiceTest):
         with socket.create_connection(service.address, SECONDS) as raw:
             raw.sendall(b"POST / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 111\r\n\r\n" + body)
             answers = b"".join(iter(lambda: raw.recv(4096), b""))
-        self.assertIn(b'"wrong":"it is HTTP"', answers)
+        self.assertIn(b'"wrong":"the line is an HTTP request"', answers)
         self.assertEqual(answers.count(b"\n"), 1)
         self.assertEqual(self.client(service).ask(type="load")["machines"], 1)
 
@@ -148,7 +148,7 @@ class Robustness(ServiceTest):
 
     def test_who_falls_silent_is_told_and_dropped(self):
         idle = self.client(self.service("--idle-timeout", 0.5), "digger")
-        self.assertIn("nothing for 0.5 s", idle.receive()["wrong"])
+        self.assertIn("no line for 0.5 s", idle.receive()["wrong"])
         self.assertIsNone(idle.receive())
 
     def test_who_dribbles_is_told_and_dropped(self):
@@ -164,7 +164,7 @@ class Robustness(ServiceTest):
         except OSError:
             pass  # the connection has been closed
         reader.join()
-        self.assertIn("half a line for 0.3 s", answers[0]["wrong"])
+        self.assertIn("an incomplete line for 0.3 s", answers[0]["wrong"])
 
     def test_two_hundred_clients_at_once(self):
         service = self.service("--max-clients-per-peer", 256)
@@ -185,10 +185,10 @@ class Robustness(ServiceTest):
     def test_one_too_many_is_turned_away(self):
         service = self.service("--max-clients", 2, "--max-machines", 1)
         first, second = self.client(service, "digger"), self.client(service)
-        self.assertIn("1 machines already", second.ask(type="hello", version=1, machine="other")["wrong"])
+        self.assertIn("already has 1 machines", second.ask(type="hello", version=1, machine="other")["wrong"])
         self.client(service, "digger", role="watch")
         third = self.client(service, "digger", role="watch")
-        self.assertIn("2 clients already", third.welcome["wrong"])
+        self.assertIn("already has 2 clients", third.welcome["wrong"])
         self.assertIsNone(third.receive())
         first.ask(type="bye")
         self.assertIsNone(first.receive())

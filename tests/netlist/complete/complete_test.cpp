@@ -18,7 +18,7 @@ int sending_link(const Network& network, const NetworkChannel& at) {
 
 } // namespace
 
-TEST_CASE("switches are followed to the processors at the ends") {
+TEST_CASE("wires through switches connect the processors at their ends") {
     auto network = good("switch.cfs");
     REQUIRE(network.connections.size() == 2);
     const auto& through = network.connections[0];
@@ -39,7 +39,7 @@ TEST_CASE("switches are followed to the processors at the ends") {
     CHECK(network.processes[0].parameters.at("least") == Value(std::numeric_limits<std::int64_t>::min()));
 }
 
-TEST_CASE("channels share out the links between neighbours") {
+TEST_CASE("channels between neighbours are spread over their links") {
     auto network = good("shared.cfs");
     auto link = [&](int i) {
         return sending_link(
@@ -57,7 +57,7 @@ TEST_CASE("channels share out the links between neighbours") {
     CHECK_FALSE(back.placement.in_packets); // the only channel in its direction
 }
 
-TEST_CASE("channels at the edge") {
+TEST_CASE("channels at the edge are placed on links to it") {
     auto network = good("edges.cfs");
     const auto& keys = channel(network, "from_host -> app.keys");
     CHECK(keys.from.at_edge());
@@ -109,7 +109,7 @@ TEST_CASE("a channel between processors that are not neighbours takes the shorte
     CHECK(network.channels[0].placement.in_packets);
 }
 
-TEST_CASE("the netlist tells routes: by what processors ask for, hop by hop, in part, by a wire") {
+TEST_CASE("a netlist can state routes: by cost, hop by hop, in part, or by a wire") {
     std::string across = "place q[0] on t[2]; place q[1] on t[0];";
     CHECK(route_of(ring_of_four(across + "place p[0].out on t[0].link[2];")) == "t[0].link[2] t[1].link[2]");
     CHECK(route_of(ring_of_four(across + "place q[0].in on t[2].link[1];")) == "t[0].link[2] t[1].link[2]");
@@ -127,7 +127,7 @@ TEST_CASE("the netlist tells routes: by what processors ask for, hop by hop, in 
     CHECK(route_of(by_cost) == "t[0].link[2] t[1].link[2]");
 }
 
-TEST_CASE("a linkquota keeps channels from leading through a processor, or by its higher links") {
+TEST_CASE("a linkquota keeps channels from passing through a processor or its higher links") {
     auto route_with = [](const std::string& quota, const std::string& from, const std::string& to) {
         // Routes lead from hub to each of three processors, and by a detour through `far`.
         return route_of(good_text("T800 (linkquota = " + quota + ") hub; T800 a, b, c, far;" +
@@ -152,8 +152,8 @@ TEST_CASE("a linkquota keeps channels from leading through a processor, or by it
     }
 }
 
-TEST_CASE(
-    "a tolerance is warned of where a channel leads through a processor, which the real tool might lead elsewhere") {
+TEST_CASE("a tolerance gives a warning if a channel passes through a processor, since the real tool may choose "
+          "another route") {
     auto said_with = [](const std::string& to) {
         return render(read_netlist_text("T800 a, b; T800 (tolerance = 3) c; connect a.link[0] to b.link[0];"
                                         "connect b.link[1] to c.link[0]; process p, q; use \"pump\" for p;"
@@ -167,7 +167,7 @@ TEST_CASE(
                                    "channel \"p.out -> q.in\"\n"));
 }
 
-TEST_CASE("room for packets that is more than a processor's stated memory is warned of, at each processor on the way") {
+TEST_CASE("packets that need more than a processor's stated memory give a warning at each processor of the route") {
     auto said_with = [](int channels, const std::string& memory) {
         const std::string n = std::to_string(channels);
         return render(read_netlist_text("T800 " + memory +
@@ -185,12 +185,13 @@ TEST_CASE("room for packets that is more than a processor's stated memory is war
     CHECK(said_with(4, "(memory = 4K)").find("\"b\" has 4096 bytes of memory") != std::string::npos);
     std::string said = said_with(8, "(memory = 8K)"); // 4 packets of 260 bytes each, in 8192 bytes
     for (const char* node : {"a", "b", "c"})
-        CHECK(said.find("warning: \"" + std::string(node) +
-                        "\" has 8192 bytes of memory; the packets of the 8 channels that lead there or through it "
-                        "need 8320\n") != std::string::npos);
+        CHECK(said.find(
+                  "warning: \"" + std::string(node) +
+                  "\" has 8192 bytes of memory, but the packets of the 8 channels that end at it or pass through it "
+                  "need 8320 bytes\n") != std::string::npos);
 }
 
-TEST_CASE("a placement of a channel by a wire leads it over that wire") {
+TEST_CASE("a channel placed on a wire uses that wire") {
     auto network =
         good_text("connection c, w; T800 t[4]; rep i = 0 for 3 connect t[i].link[2] to t[i + 1].link[1];"
                   "connect t[3].link[2] to t[0].link[1] by w; process p, q; use \"pump\" for p; use \"sink\" for q;"

@@ -34,7 +34,7 @@ Network torus_of(std::mt19937_64& random, bool with_quotas) {
 
 } // namespace
 
-TEST_CASE("of many routes to and from a processor, each is the one that is found alone") {
+TEST_CASE("routes found together are the routes found one by one") {
     for (std::uint64_t seed : test::seeds(6)) {
         INFO(test::replay(seed));
         std::mt19937_64 random(seed);

@@ -43,7 +43,7 @@ TEST_CASE("M means a million in a frequency and 1048576 elsewhere") {
     CHECK(network.nodes[0].integer("linkspeed") == 20'000'000);
 }
 
-TEST_CASE("names live to the end of their block") {
+TEST_CASE("a name is valid to the end of its block") {
     auto network =
         good_text("T800 t; rep i = 0 for 3 { val t_of_i i * 10; process (interface (int n)) p; p (n = t_of_i);"
                   "place p on t; use \"p.lku\" for p; } process p; use \"p.lku\" for p; place p on t;");
@@ -56,7 +56,7 @@ TEST_CASE("names live to the end of their block") {
     CHECK(good_text("val one 1; if one == 1 T800 t; else T414 t; process p; place p on t;").nodes[0].type == "T800");
 }
 
-TEST_CASE("expressions") {
+TEST_CASE("expressions have the values of C") {
     CHECK(integer("2 + 3 * 4") == 14);
     CHECK(integer("(2 + 3) * 4") == 20);
     CHECK(integer("10 - 4 - 3") == 3);
@@ -105,7 +105,7 @@ TEST_CASE("a leading 0 makes a number octal") {
     CHECK(integer("0777777777777777777777") == std::numeric_limits<std::int64_t>::max());
 }
 
-TEST_CASE("operators on bits bind as in C") {
+TEST_CASE("bit operators have the precedence of C") {
     CHECK(integer("~0") == -1);
     CHECK(integer("~5 & 0xFF") == 250);
     CHECK(integer("6 & 3 | 8 ^ 12") == ((6 & 3) | (8 ^ 12)));
@@ -120,7 +120,7 @@ TEST_CASE("operators on bits bind as in C") {
     CHECK(good_text("T800 (clock = 5M << 2) t;").nodes[0].integer("clock") == 20'000'000);
 }
 
-TEST_CASE("a conditional expression looks at one of its branches") {
+TEST_CASE("a conditional expression evaluates only one branch") {
     CHECK(integer("1 ? 2 : 3") == 2);
     CHECK(integer("0 ? 1 / 0 : 3") == 3);
     CHECK(integer("0 ? 1 : 0 ? 2 : 3") == 3);
@@ -130,7 +130,7 @@ TEST_CASE("a conditional expression looks at one of its branches") {
     CHECK(integer("10 + (1 ? 1 : 2)") == 11);
 }
 
-TEST_CASE("size counts elements") {
+TEST_CASE("size counts the elements of arrays and the characters of strings") {
     CHECK(integer("size(a)") == 3);
     CHECK(integer("size(table) * 10 + size(table[1])") == 23);
     CHECK(integer("size(\"four\")") == 4);
@@ -138,7 +138,7 @@ TEST_CASE("size counts elements") {
     CHECK(good_text("val size 2; T800 t[size]; connect t[0].link[0] to t[1].link[0];").nodes.size() == 2);
 }
 
-TEST_CASE("rep counts, or goes to a last value") {
+TEST_CASE("rep has a count or a last value") {
     CHECK(rounds("2 for 3") == 3);
     CHECK(rounds("2 to 3") == 2);
     CHECK(rounds("0 to 0") == 1);

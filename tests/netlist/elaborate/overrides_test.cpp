@@ -84,7 +84,7 @@ bool says(const std::string& text, const std::string& part) { return text.find(p
 
 } // namespace
 
-TEST_CASE("a name by itself is a val, or an attribute or a parameter of every element that has it") {
+TEST_CASE("--set with a plain name sets a val, or an attribute or parameter of every element that has it") {
     constexpr std::int64_t slow = 10'000'000;
     auto network = good_text(sound, {{"linkspeed", "10M"}});
     CHECK(speeds(network) == std::vector(5, slow));
@@ -100,7 +100,7 @@ TEST_CASE("a name by itself is a val, or an attribute or a parameter of every el
     CHECK(val.set[0].elements.empty());
 }
 
-TEST_CASE("one element, or all of an array, by its name") {
+TEST_CASE("--set with a name sets one element or all elements of an array") {
     CHECK(process(good_text(sound, {{"m.mutation", "0.5"}}), "m").parameters.at("mutation") == Value(0.5));
     auto one = good_text(sound, {{"t[1].clock", "25M"}});
     CHECK(one.nodes[1].integer("clock") == 20'000'000);
@@ -116,21 +116,21 @@ TEST_CASE("one element, or all of an array, by its name") {
     CHECK(process(good_text(sound, {{"m.stacksize", "4k"}}), "m").other.at("stacksize") == Value(std::int64_t{4096}));
 }
 
-TEST_CASE("a length is that of every wire, with or without a name, and what is printed loads again") {
+TEST_CASE("--set length sets the length of every wire, named or not, and the printed network loads again") {
     auto network = good_text(sound, {{"length", "10"}});
     for (const LinkConnection& connection : network.connections)
         CHECK(connection.metres == 10);
     CHECK(good_text(print_cfs(network)).hash == network.hash);
 }
 
-TEST_CASE("a parameter that the netlist does not give, and one without a default") {
+TEST_CASE("--set sets parameters that the netlist leaves out, with and without a default") {
     std::string text = "T800 t; process m, s; use \"ga.master\" for m; use \"ga.slave\" for s; connect m.out to s.in; "
                        "connect s.out to m.back; place m on t; place s on t;";
     CHECK_FALSE(read_netlist_text(text, small_catalogue()).network);
     CHECK(process(good_text(text, {{"m.population", "8"}}), "m").parameters.at("population") == Value(std::int64_t{8}));
 }
 
-TEST_CASE("a string needs no quotes where one is wanted") {
+TEST_CASE("--set takes strings without quotes") {
     auto code = [](const Overrides& overrides) {
         return process(good_text(sound, overrides), "m").parameters.at("code");
     };
@@ -149,11 +149,11 @@ TEST_CASE("a string needs no quotes where one is wanted") {
     CHECK(says(refusal({{"m.population", "many"}}), "--set:1:14: error: the name \"many\" is undefined"));
 }
 
-TEST_CASE("values are checked as the netlist's own, where the option says them") {
+TEST_CASE("values of --set are checked like the netlist's, with errors at the option") {
     CHECK(says(refusal({{"m.mutation", "2"}}), "--set:1:12: error: the parameter \"mutation\" is out of range: 2\n"
                                                "    m.mutation=2\n"
                                                "               ^\n"
-                                               "hint: it goes from 0 to 1\n"));
+                                               "hint: expected from 0 to 1\n"));
     CHECK(says(refusal({{"m.code", "grey"}}), "--set:1:8: error: illegal value of the parameter \"code\": \"grey\""));
     CHECK(says(refusal({{"m.code", "grey"}}), "did you mean \"gray\"?"));
     CHECK(says(refusal({{"m.population", "\"x\""}}), "--set:1:14: error: wrong type for the parameter"));
@@ -161,21 +161,21 @@ TEST_CASE("values are checked as the netlist's own, where the option says them")
     CHECK(says(refusal({{"linkspeed", "2G"}}), "--set:1:11: error: \"2G\" is not a number"));
     CHECK(says(refusal({{"people", "3x"}}), "--set:1:8: error: \"3x\" is not a number"));
     CHECK(says(refusal({{"c.length", "\"x\""}}), "--set:1:10: error: wrong type for the attribute \"length\""));
-    CHECK(says(refusal({{"m.priority", "2"}}), "a priority is HIGH, which is 0, or LOW, which is 1"));
+    CHECK(says(refusal({{"m.priority", "2"}}), "expected HIGH (0) or LOW (1)"));
     CHECK(says(refusal({{"people", "1.5"}}), "--set:1:8: error: wrong type for the val \"people\""));
     CHECK(says(refusal({{"other.label", "123456789012345678901"}}), "--set:1:13: error: the string is too long"));
     CHECK(says(refusal({{"other.size", "{1, 2, 3}"}}), "--set:1:12: error: wrong type for the parameter \"size\""));
     CHECK(says(refusal({{"other.size[1]", "3"}}), "\"size\" is set as a whole"));
 }
 
-TEST_CASE("nothing is set twice") {
+TEST_CASE("setting a value twice is refused") {
     CHECK(says(refusal({{"s[1].cycles", "1"}, {"s[times - 1].cycles", "2"}}), "\"cycles\" of \"s[1]\" is set twice\n"));
     CHECK(says(refusal({{"s.cycles", "1"}, {"s .cycles", "2"}}), "note: set first here\n"));
     CHECK(says(refusal({{"people", "1"}, {" people", "2"}}), "the val \"people\" is set twice\n"));
     CHECK(says(refusal({{"m.mutation", "1"}, {"m . mutation", "1"}}), "\"mutation\" of \"m\" is set twice\n"));
 }
 
-TEST_CASE("what is set of one goes before what is set of an array, and that before what is set of all") {
+TEST_CASE("a setting of one element overrides one of its array, which overrides one of all elements") {
     Overrides overrides{{"clock", "5M"}, {"t.clock", "10M"}, {"t[1].clock", "25M"}};
     auto network = good_text(sound, overrides);
     std::vector<std::int64_t> clocks;
@@ -191,7 +191,7 @@ TEST_CASE("what is set of one goes before what is set of an array, and that befo
     CHECK(none_left.set.size() == 1);
 }
 
-TEST_CASE("a wire without a name is called as reports call it") {
+TEST_CASE("--set accepts a wire without a name by its name in reports") {
     auto network = good_text(sound, {{"wire[0].length", "10"}});
     CHECK(network.connections[0].metres == 0); // c
     CHECK(network.connections[1].metres == 10);
@@ -228,7 +228,7 @@ std::vector<PlaceOnBus> places_on_bus(const Overrides& overrides) {
 
 } // namespace
 
-TEST_CASE("the level and the release of a master on a bus, of one or of all") {
+TEST_CASE("--set sets level and release of one master on a bus or of all") {
     using Places = std::vector<PlaceOnBus>;
     CHECK(places_on_bus({}) == Places{{3, false}, {3, false}});
     CHECK(places_on_bus({{"at_a.level", "1"}, {"at_a.release", "ROR"}}) == Places{{1, true}, {3, false}});
@@ -241,7 +241,7 @@ TEST_CASE("the level and the release of a master on a bus, of one or of all") {
     CHECK(good_text(on_bus, {{"length", "2"}}).set[0].elements == Elements{"cable"}); // the attachments are not set
 }
 
-TEST_CASE("what is no attribute of a place on a bus, or no value of it, is refused") {
+TEST_CASE("wrong attributes and values of a place on a bus are refused") {
     auto told = [](const char* name, const char* value) {
         return render(read_netlist_text(on_bus, small_catalogue(), {{name, value}}));
     };
@@ -250,45 +250,45 @@ TEST_CASE("what is no attribute of a place on a bus, or no value of it, is refus
     CHECK(says(told("cable.level", "1"), "note: it has linkspeed, length\n"));
     CHECK(says(told("spare.level", "1"), "note: it has nothing that can be set\n"));
     CHECK(says(told("at_a.level", "4"), "illegal value of the attribute \"level\": 4\n"));
-    CHECK(says(told("at_a.level", "top"), "hint: it takes an integer: it goes from 0 to 3\n"));
+    CHECK(says(told("at_a.level", "top"), "hint: expected an integer from 0 to 3\n"));
     CHECK(says(told("a.level", "1"), "hint: the place of \"a\" on its bus has: --set at_a.level=...\n"));
     CHECK(says(told("b.release", "ROR"), "hint: the place of \"b\" on its bus has: --set attachment[0].release=...\n"));
     CHECK(!says(told("t.release", "ROR"), "hint: "));
-    CHECK(says(told("release", "ROAK"), "hint: it is one of RWD, ROR\n"));
+    CHECK(says(told("release", "ROAK"), "hint: expected one of RWD, ROR\n"));
     CHECK(says(told("relase", "ROR"), "hint: did you mean \"release\"?\n"));
-    CHECK(says(told("vme.arbiter", "SQL"), "hint: it is one of PRI, RRS, SGL\n"));
+    CHECK(says(told("vme.arbiter", "SQL"), "hint: expected one of PRI, RRS, SGL\n"));
     CHECK(says(told("relase", "ROR"), "at_a, attachment (level, release)"));
 }
 
-TEST_CASE("what cannot be set so is told how it can") {
+TEST_CASE("the message about a wrong setting shows the right form") {
     auto told = [](const std::string& text, const Overrides& overrides) {
         return render(read_netlist_text(text, small_catalogue(), overrides));
     };
     const std::string vals = "val numbers {1, 2, 3}; val b 5; val ch 'x'; T800 a; T800 t[2];";
     auto said = [&](const char* name, const char* value) { return told(vals, {{name, value}}); };
     CHECK(
-        says(said("numbers[0]", "4"), "1:1: error: the val \"numbers\" is set as a whole, not one of its elements\n"));
-    CHECK(says(said("numbers[0]", "4"), "hint: the netlist gives it {1, 2, 3}: --set 'numbers=...'\n"));
+        says(said("numbers[0]", "4"), "1:1: error: the val \"numbers\" can be set only as a whole, not by element\n"));
+    CHECK(says(said("numbers[0]", "4"), "hint: in the netlist its value is {1, 2, 3}: --set 'numbers=...'\n"));
     CHECK(says(said("b[0]", "4"), "1:1: error: the val \"b\" is not an array\n"));
     CHECK(says(said("numbers", "4"), "wrong type for the val \"numbers\": 4 is an integer\n"));
-    CHECK(says(said("numbers", "4"), "hint: the netlist gives it {1, 2, 3}, an array\n"));
+    CHECK(says(said("numbers", "4"), "hint: in the netlist its value is {1, 2, 3}, an array\n"));
     CHECK(says(said("b", "{1,2}"), "wrong type for the val \"b\": {1, 2} is an array\n"));
-    CHECK(says(said("a.", "3"), "the name of an attribute or a parameter is missing: \"=\" stands here\n"));
+    CHECK(says(said("a.", "3"), "the name of an attribute or a parameter is missing: found \"=\"\n"));
     CHECK(says(said("ch", "q"), "the name \"q\" is undefined\n"));
-    CHECK(says(said("ch", "q"), "hint: the netlist gives it 120, an integer; a character is written 'c'\n"));
-    CHECK(says(said("linkspeed", "fast"), "hint: it takes an integer: it goes from 1 to 1000000000 bit/s\n"));
+    CHECK(says(said("ch", "q"), "hint: in the netlist its value is 120, an integer; a character is written 'c'\n"));
+    CHECK(says(said("linkspeed", "fast"), "hint: expected an integer from 1 to 1000000000 bit/s\n"));
     CHECK_FALSE(says(said("linkspeed", "fast"), "FALSE"));
     CHECK(says(said("linkspeed", "numbrs"), "did you mean \"numbers\"?"));
     CHECK(says(said("a[1].clock", "3"), "1:1: error: \"a\" is not an array\n"));
     CHECK(says(said("t[1]", "3"), "1:1: error: \"t\" is a node: name the attribute or parameter to set\n"));
     CHECK(says(said("t[1]", "3"), "hint: --set t[1].NAME=VALUE\n"));
-    CHECK(says(refusal({{"m.priority", "hihg"}}), "hint: it takes HIGH or LOW\n"));
-    CHECK(says(refusal({{"seed", "3"}}), "hint: the seed of a run is an option of its own: --seed N\n"));
+    CHECK(says(refusal({{"m.priority", "hihg"}}), "hint: expected HIGH or LOW\n"));
+    CHECK(says(refusal({{"seed", "3"}}), "hint: set the seed of a run with the option --seed N\n"));
     CHECK(says(told("val long {1000000000, 2000000000, 3000000000, 4, 5};", {{"long", "4"}}),
                "{1000000000, 2000000000, 3000000000, ...}"));
 }
 
-TEST_CASE("what does not exist is answered with what does, the nearest name first") {
+TEST_CASE("the message about an unknown name gives the nearest name or all names") {
     auto unknown = refusal({{"peeple", "3"}});
     CHECK(unknown == "--set:1:1: error: the netlist has no val, attribute or parameter \"peeple\"\n"
                      "    peeple=3\n"
@@ -309,7 +309,7 @@ TEST_CASE("what does not exist is answered with what does, the nearest name firs
     CHECK(says(refusal({{"rot.clock", "3"}}), "hint: did you mean \"root\"?\n"));
     // "people" is a similar name, but that of a val.
     CHECK_FALSE(says(refusal({{"peoples.clock", "3"}}), "did you mean"));
-    CHECK(says(refusal({{"t[2].clock", "3"}}), "nothing is called \"t[2]\"\n    t[2].clock=3\n    ^\n"
+    CHECK(says(refusal({{"t[2].clock", "3"}}), "nothing has the name \"t[2]\"\n    t[2].clock=3\n    ^\n"
                                                "hint: there is t[0] to t[1]\n"));
     CHECK(
         says(refusal({{"s[1].clock", "3"}}), "hint: the node that \"s[1]\" is placed on has: --set t[1].clock=...\n"));

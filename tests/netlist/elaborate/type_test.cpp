@@ -21,7 +21,7 @@ Node declared(const std::string& declaration) { return good_text(declaration + "
 
 } // namespace
 
-TEST_CASE("a processor's type is named in either case, or by a board") {
+TEST_CASE("a processor's type may be in either case, or a board") {
     CHECK(declared("PROCESSOR (type = \"T805\")").type == "T805");
     CHECK(declared("processor (type = \"t805\")").type == "T805");
     CHECK(declared("processor (type = \"B404\")").type == "T800");
@@ -33,7 +33,7 @@ TEST_CASE("a processor's type is named in either case, or by a board") {
     CHECK(declared("node (element = \"processor\", type = \"M212\")").type == "M212");
 }
 
-TEST_CASE("boards and modules carry what they were sold with") {
+TEST_CASE("boards and modules have the processor and memory that they were sold with") {
     struct Board {
         const char *name, *type;
         std::int64_t kilobytes;
@@ -74,7 +74,7 @@ TEST_CASE("processes are declared by process types") {
     CHECK(node("old").integer("memory") == 4 * 1024 * 1024);
 }
 
-TEST_CASE("the attributes of a process type can be changed for those that follow") {
+TEST_CASE("changed attributes of a process type apply to later declarations") {
     auto network = good_text("T800 t; define process (stacksize = 1k) small; small a; small (stacksize = 4k); small b;"
                              "process c; place a on t; place b on t; place c on t;");
     CHECK(typed_process(network, "a").other.at("stacksize") == Value(std::int64_t{1024}));
@@ -82,7 +82,7 @@ TEST_CASE("the attributes of a process type can be changed for those that follow
     CHECK(typed_process(network, "c").other.empty());
 }
 
-TEST_CASE("names of types that no printed netlist uses are free") {
+TEST_CASE("type names of the toolset that are not in use can be declared") {
     auto network = good_text("T800 node, PROCESS, B404; connect node.link[0] to PROCESS.link[0];"
                              "connect PROCESS.link[1] to B404.link[0];");
     CHECK(network.nodes[0].name == "node");
@@ -90,7 +90,7 @@ TEST_CASE("names of types that no printed netlist uses are free") {
     CHECK(network.nodes[2].name == "B404");
 }
 
-TEST_CASE("rows of char are strings") {
+TEST_CASE("arrays of char rows are arrays of strings") {
     auto network = good("tables.cfs");
     const auto& parameters = typed_process(network, "p[2]").parameters;
     CHECK(parameters.at("all[3]") == Value(std::string("west")));

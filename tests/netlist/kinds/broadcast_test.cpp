@@ -85,7 +85,7 @@ RunReport run_broadcast(const std::string& text) {
 
 } // namespace
 
-TEST_CASE("channels that are placed on a bus are one broadcast: each byte is written once") {
+TEST_CASE("channels placed on a bus form one broadcast, which writes each byte once") {
     RunReport each = run_broadcast(one_to_three("")), all = run_broadcast(one_to_three());
     for (const RunReport* report : {&each, &all}) {
         CHECK(report->result.ending == Ending::completed);
@@ -114,7 +114,7 @@ TEST_CASE("channels that are placed on a bus are one broadcast: each byte is wri
     CHECK(all.result.time < each.result.time);
 }
 
-TEST_CASE("a part of a port array may be broadcast, and what is not goes by itself") {
+TEST_CASE("a part of a port array may be broadcast; the other elements are separate channels") {
     RunReport report = run_broadcast(one_to_three("rep i = 0 for 2 place p.out[i] on vme;"));
     CHECK(report.result.ending == Ending::completed);
     REQUIRE(report.buses[0].broadcasts.size() == 1);
@@ -122,7 +122,7 @@ TEST_CASE("a part of a port array may be broadcast, and what is not goes by itse
     CHECK(report.buses[0].broadcasts[0].messages == 5);
 }
 
-TEST_CASE("what is printed of a broadcast is the same network again") {
+TEST_CASE("the printed form of a network with a broadcast loads as the same network") {
     Network network = network_of_broadcast(one_to_three());
     std::string printed = print_cfs(network);
     CHECK(printed.find("place p.out[1] on vme;\nplace c[1].in on t[1].link[1];\n") != std::string::npos);
@@ -133,7 +133,7 @@ TEST_CASE("what is printed of a broadcast is the same network again") {
     CHECK(print_json(network).find("\"broadcast_on\": \"vme\"") != std::string::npos);
 }
 
-TEST_CASE("of several adapters of a receiver's processor a broadcast takes the one that is told, or one that is free") {
+TEST_CASE("a broadcast uses the stated adapter of the receiver's processor, or a free one") {
     std::string two = R"(VME vme; workstation (clock = 25M) sun; C012 a[2]; T800 t;
         connect sun.bus[0] to vme.slot[1];
         rep i = 0 for 2 { connect a[i].bus[0] to vme.slot[2]; connect a[i].link[0] to t.link[2 + i]; }
@@ -167,7 +167,7 @@ std::string passed_on_by(const std::string& kind) {
 
 } // namespace
 
-TEST_CASE("who outputs to all in a PAR broadcasts") {
+TEST_CASE("a process that outputs to all receivers in a PAR broadcasts") {
     RunReport report = run_broadcast(passed_on_by("csp.par_delta"));
     CHECK(report.result.ending == Ending::completed);
     CHECK(report.buses[0].broadcasts[0].messages == 5);
@@ -175,7 +175,7 @@ TEST_CASE("who outputs to all in a PAR broadcasts") {
         CHECK(report.measured(consumer, "last_number") == 4);
 }
 
-TEST_CASE("who outputs to one after the other waits for ever, and the report says for what") {
+TEST_CASE("a process that outputs to the receivers in turn waits for ever, and the report says for which output") {
     RunReport report = run_broadcast(passed_on_by("csp.delta"));
     CHECK(report.result.ending == Ending::stuck);
     REQUIRE(report.result.deadlock);
@@ -186,7 +186,7 @@ TEST_CASE("who outputs to one after the other waits for ever, and the report say
                                  "one message goes to all of them, which a program outputs in a PAR"});
 }
 
-TEST_CASE("messages that differ are no broadcast: an error with the process and its place") {
+TEST_CASE("a broadcast of different messages is an error with the process and its place") {
     auto refused = [](const std::string& parameters) {
         std::string text = one_to_three();
         replace(text, "bytes = 200", parameters);
@@ -209,7 +209,7 @@ TEST_CASE("messages that differ are no broadcast: an error with the process and 
     CHECK(other.find("is another one") != std::string::npos);
 }
 
-TEST_CASE("Spin's channels do not wait for each other, as those of a broadcast do") {
+TEST_CASE("a broadcast cannot be printed as a model for Spin") {
     std::string text = one_to_three();
     replace(text, "\"test.shout\" for p", "\"csp.producer\" for p");
     CHECK_THROWS_WITH_AS(print_promela(network_of_broadcast(text), broadcasting_catalogue()),

@@ -88,7 +88,7 @@ const BusMasterUse& use_by(const RunReport& report, const std::string& name) {
 
 } // namespace
 
-TEST_CASE("channels lead over buses, adapters and bus masters, from nothing but where processes are placed") {
+TEST_CASE("placement alone leads channels over buses, adapters and bus masters") {
     Network network = network_with_bus(machine_on_bus);
     auto hops = [&](std::size_t channel) { return network.channels[channel].placement.route.size(); };
     CHECK(hops(0) == 1);
@@ -108,7 +108,7 @@ TEST_CASE("channels lead over buses, adapters and bus masters, from nothing but 
     CHECK(report.buses.at(0).busy > Time{0});
 }
 
-TEST_CASE("what is printed of a bus is the same network again") {
+TEST_CASE("the printed form of a network with a bus loads as the same network") {
     Network network = network_with_bus(machine_on_bus);
     std::string printed = print_cfs(network);
     Network again = network_with_bus(printed);
@@ -121,7 +121,7 @@ TEST_CASE("what is printed of a bus is the same network again") {
     CHECK(print_dot(network).find("taillabel=\"4\", headlabel=\"\"") != std::string::npos);
 }
 
-TEST_CASE("a route over a bus is told by the link of an adapter, or by a master's place on the bus") {
+TEST_CASE("a route over a bus is stated by an adapter's link or a master's place on the bus") {
     const std::string machine = R"(VME vme; workstation (clock = 25M) sun; busmaster bbk; C012 adapter[3]; T800 t[3];
         connect sun.bus[0] to vme.slot[1];
         connect bbk.bus[0] to vme.slot[2];
@@ -172,7 +172,7 @@ TEST_CASE("a route over a bus is told by the link of an adapter, or by a master'
     }
 }
 
-TEST_CASE("a host sets a switch by a link adapter") {
+TEST_CASE("a host sets a switch through a link adapter") {
     Catalogue kinds = csp_catalogue();
     kinds.add({.name = "test.agent",
                .about = "Passes on what comes, and the answer back.",
@@ -232,7 +232,7 @@ TEST_CASE("a host sets a switch by a link adapter") {
     CHECK(report.measured("visitor", "setting_per_visit") > 2 * (9 + 1) * 1.71);
 }
 
-TEST_CASE("a host's rate through an adapter is that of polling, among those of real machines") {
+TEST_CASE("a host's data rate through an adapter is that of polling, within the range of real machines") {
     auto rate = [](const char* from, const char* to) {
         std::string text = R"(workstation (clock = 25M) sun; VME vme; C012 adapter; T800 t;
             connect sun.bus[0] to vme.slot[1]; connect adapter.bus[0] to vme.slot[2];

@@ -11,7 +11,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("a name stands for one kind") {
+TEST_CASE("a second kind of the same name is refused") {
     Catalogue catalogue;
     add_csp_kinds(catalogue);
     CHECK_THROWS_WITH_AS(add_csp_kinds(catalogue), "process kind \"csp.producer\" is in the catalogue already",
@@ -26,7 +26,7 @@ TEST_CASE("a name stands for one kind") {
         std::logic_error);
 }
 
-TEST_CASE("the catalogue lists device kinds, and each says all that the stages ask") {
+TEST_CASE("the catalogue's device kinds are complete") {
     Catalogue catalogue;
     std::vector<std::string> names;
     for (const auto& [name, kind] : catalogue.devices()) {

@@ -34,7 +34,7 @@ std::string first_message(const std::string& text) { return read(text).diagnosti
 
 } // namespace
 
-TEST_CASE("a wire goes through it, and it is printed with its attributes") {
+TEST_CASE("a new device passes a wire through and is printed with its attributes") {
     ReadResult result = read("T800 a, b; R2 (label = \"cable 7\") r; R8 unused;\n"
                              "connect a.link[0] to r.link[0]; connect r.link[0] to r.link[1];\n"
                              "connect r.link[1] to b.link[3];");
@@ -50,7 +50,7 @@ TEST_CASE("a wire goes through it, and it is printed with its attributes") {
     CHECK(print_dot(*result.network).find("1 R2") != std::string::npos);
 }
 
-TEST_CASE("and what is wrong with it is said") {
+TEST_CASE("errors of a new device are reported") {
     CHECK(first_message("R2 (gain = 11) r;") == "illegal value of the attribute \"gain\": 11");
     CHECK(first_message("R2 (gain = \"high\") r;") == "wrong type for the attribute \"gain\": \"high\" is a string");
     CHECK(first_message("R2 (label = 3) r;") == "wrong type for the attribute \"label\": 3 is an integer");

@@ -4,7 +4,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("a name and its subscripts") {
+TEST_CASE("names are split into base and subscripts") {
     CHECK(base_name("out[2]") == "out");
     CHECK(base_name("t[0][1]") == "t");
     CHECK(base_name("root") == "root");

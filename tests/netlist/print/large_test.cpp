@@ -38,13 +38,13 @@ TEST_CASE("processes with every parameter of their kind") {
                       "place m[i] on t; place s[i] on t; }");
 }
 
-TEST_CASE("channels over a link, each of which is placed in what is printed" * doctest::skip(test::sanitized)) {
+TEST_CASE("a network with many placed channels on one link loads again" * doctest::skip(test::sanitized)) {
     check_loads_again("val n 5000; T800 a, b; connect a.link[0] to b.link[0]; edge e[229000]; process p[n], s[n];\n"
                       "use \"pump\" for p; use \"sink\" for s;\n"
                       "rep i = 0 for n { connect p[i].out to s[i].in; place p[i] on a; place s[i] on b; }");
 }
 
-TEST_CASE("as many things as a network may have, and the edge that is not declared" * doctest::skip(test::sanitized)) {
+TEST_CASE("a network of the largest size loads again" * doctest::skip(test::sanitized)) {
     check_loads_again("T800 t; process p[249997]; rep i = 0 for 249997 place p[i] on t; connect t.link[0] to host;");
 }
 
@@ -71,10 +71,10 @@ TEST_CASE("the longest names, declared again and again") {
                       "; process (interface (input in)) " + name.substr(1) + "; connection c" + name.substr(2) +
                       "; connect " + name + ".out[0][0][0] to " + name.substr(1) + ".in by c" + name.substr(2) +
                       "; place " + name + " on t; place " + name.substr(1) + " on t; }");
-    CHECK(message_for("T800 " + name + "n;") == "the name is too long: 255 characters are allowed");
+    CHECK(message_for("T800 " + name + "n;") == "the name is too long: at most 255 characters are allowed");
 }
 
-TEST_CASE("a network whose routes alone are too long is refused with its size, of which no text was made") {
+TEST_CASE("a network whose routes are too long is refused with its size before its text is made") {
     const std::string pipeline = "T800 t[n]; process p[n - 1], s[n - 1]; use \"pump\" for p; use \"sink\" for s;\n"
                                  "rep i = 0 for n - 1 { connect t[i].link[2] to t[i + 1].link[1];\n"
                                  "connect p[i].out to s[i].in; place p[i] on t[0]; place s[i] on t[i + 1]; }";
@@ -84,7 +84,7 @@ TEST_CASE("a network whose routes alone are too long is refused with its size, o
     CHECK(message_for("val n 1200;" + pipeline).starts_with("the network is too large: written out it would have"));
 }
 
-TEST_CASE("what would be too large when it is printed is refused when it is read") {
+TEST_CASE("a netlist whose printed form would be too large is refused") {
     std::string program(1900, 'x');
     CHECK(message_for("T800 t; rep i = 0 for 10000 { process p; use \"" + program + ".lku\" for p; place p on t; }")
               .starts_with("the network is too large: written out it would have"));

@@ -33,7 +33,7 @@ void check_round_trip(const Network& network) {
 
 } // namespace
 
-TEST_CASE("what is printed loads again to the same network") {
+TEST_CASE("a printed network loads again as the same network") {
     int files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(netlist_folder() + "/good")) {
         if (entry.path().extension() != ".cfs")
@@ -48,7 +48,7 @@ TEST_CASE("what is printed loads again to the same network") {
     CHECK(files >= 5);
 }
 
-TEST_CASE("and so it does for every number of slaves") {
+TEST_CASE("a printed network loads again for every number of slaves") {
     for (int slaves = 0; slaves < 12; ++slaves) {
         auto result = read_netlist(netlist_folder() + "/good/cluster_of_n.cfs", small_catalogue(),
                                    {{"slaves", std::to_string(slaves)}});
@@ -57,14 +57,14 @@ TEST_CASE("and so it does for every number of slaves") {
     }
 }
 
-TEST_CASE("the hash is that of the network, not of the file") {
+TEST_CASE("the hash depends on the network, not on the file") {
     auto hash = [](const std::string& text) { return read_netlist_text(text, small_catalogue()).network.value().hash; };
     CHECK(hash("T800 a, b; connect a.link[0] to b.link[0];") ==
           hash("val n 0; /* the same */ T800 (memory = 4k) a, b;\nconnect a.link[n], b.link[n];"));
     CHECK(hash("T800 a, b; connect a.link[0] to b.link[0];") != hash("T800 a, b; connect a.link[0] to b.link[1];"));
 }
 
-TEST_CASE("the JSON document") {
+TEST_CASE("the JSON document has nodes, wires, processes and channels") {
     auto result = read_netlist(netlist_folder() + "/good/shared.cfs", small_catalogue());
     REQUIRE(result.network);
     auto document = boost::json::parse(print_json(*result.network)).as_object();
@@ -78,7 +78,7 @@ TEST_CASE("the JSON document") {
     CHECK(channel.at("carrier").as_object().at("in_packets") == true);
 }
 
-TEST_CASE("the JSON document is UTF-8 whatever the file is") {
+TEST_CASE("the JSON document is UTF-8 for any bytes in the file") {
     auto text = [](const std::string& value) {
         auto result = read_netlist_text("T800 t; process (interface (char s[9])) p; use \"p.lku\" for p; place p on t;"
                                         "p (s = \"" +
@@ -96,7 +96,7 @@ TEST_CASE("the JSON document is UTF-8 whatever the file is") {
     CHECK(text("\xed\xa0\x80") == "\xc3\xad\xc2\xa0\xc2\x80"); // half of a surrogate pair, not a character
 }
 
-TEST_CASE("the drawing names what there is and the links of each wire") {
+TEST_CASE("the drawing names nodes, processes and the links of each wire") {
     auto result = read_netlist(netlist_folder() + "/good/shared.cfs", small_catalogue());
     REQUIRE(result.network);
     auto dot = print_dot(*result.network);
@@ -122,7 +122,7 @@ TEST_CASE("an interface is printed in its order, with its types and sizes") {
     CHECK(printed.find("p[1] (name = \"east\", first = 4, initial = 101);") != std::string::npos);
 }
 
-TEST_CASE("parameters are printed in the order of the netlist, which changes no hash") {
+TEST_CASE("parameters are printed in the order of the netlist, which does not affect the hash") {
     auto text = [](const char* parameters) {
         return std::string("T800 t; process m; use \"ga.master\" for m; process s; use \"ga.slave\" for s; m (") +
                parameters + "); connect m.out to s.in; connect s.out to m.back; place m on t; place s on t;";
@@ -144,7 +144,7 @@ TEST_CASE("parameters are printed in the order of the netlist, which changes no 
     check_round_trip(*stand_in.network);
 }
 
-TEST_CASE("what the toolset's include declares stands behind it") {
+TEST_CASE("the toolset's include is printed before the first use of its declarations") {
     auto printed = [](const char* text) {
         auto result = read_netlist_text(text, small_catalogue());
         INFO(render(result.diagnostics));
@@ -162,7 +162,7 @@ TEST_CASE("what the toolset's include declares stands behind it") {
     CHECK(printed("edge near; T800 t; connect t.link[0] to near;").starts_with(include + "edge near;\n"));
 }
 
-TEST_CASE("an interface is kept for a process whose kind is known") {
+TEST_CASE("a process of a known kind keeps its interface") {
     auto result = read_netlist_text("T800 t; process (interface (input in, int cycles, output out)) s;"
                                     "use \"ga.slave\" for s; input i; output o; connect i to s.in; connect s.out to o;"
                                     "connect t.link[0] to host; place s on t;",

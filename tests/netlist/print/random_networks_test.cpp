@@ -205,7 +205,7 @@ bool same_interfaces(const Network& a, const Network& b) {
 
 } // namespace
 
-TEST_CASE("random networks are printed so that they load again") {
+TEST_CASE("printed random networks load again") {
     for (std::uint64_t number = 0; number < 400; ++number) {
         CAPTURE(number);
         auto text = RandomNetlist(number).text();

@@ -52,14 +52,14 @@ std::vector<std::string> texts_of(const std::vector<PathShare>& shares) {
 
 } // namespace
 
-TEST_CASE("of two processes that do not meet the path leads over the one that ends last") {
+TEST_CASE("of two independent processes the path takes the one that ends last") {
     Sought sought;
     sought.simulation.process("short", [] { wait_for(1us); });
     sought.simulation.process("long", [] { wait_for(3us); });
     CHECK(sought.parts() == Lines{"delayed: long, 0 to 3000"});
 }
 
-TEST_CASE("a message leads to the one of its processes that came later") {
+TEST_CASE("at a message the path leads to the later process") {
     Sought sought;
     Channel<int> c("c");
     sought.simulation.process("early", [&] {
@@ -74,7 +74,7 @@ TEST_CASE("a message leads to the one of its processes that came later") {
     CHECK(sought.parts() == Lines{"delayed: late, 0 to 5000", "delayed: early, 5000 to 7000"});
 }
 
-TEST_CASE("so does one that an alternation takes") {
+TEST_CASE("at a message taken by an alternation the path leads to the later process") {
     Sought sought;
     Channel<int> c("c"), never("never");
     sought.simulation.process("chooses", [&] {
@@ -88,7 +88,7 @@ TEST_CASE("so does one that an alternation takes") {
     CHECK(sought.parts() == Lines{"delayed: late, 0 to 5000", "delayed: chooses, 5000 to 6000"});
 }
 
-TEST_CASE("a process that waits for its processor waited for what the processor did") {
+TEST_CASE("while a process waits for its processor, the path has the processor's work") {
     Sought sought;
     hardware::Processor& t = sought.processor();
     for (const char* name : {"first", "second"})
@@ -100,7 +100,7 @@ TEST_CASE("a process that waits for its processor waited for what the processor 
     CHECK(parts[1].starts_with("computing: second on t, "));
 }
 
-TEST_CASE("the end of a PAR leads to its last component") {
+TEST_CASE("at the end of a PAR the path leads to its last component") {
     Sought sought;
     sought.simulation.process("p", [] {
         par([] { wait_for(1us); }, [] { wait_for(2us); });
@@ -109,21 +109,21 @@ TEST_CASE("the end of a PAR leads to its last component") {
     CHECK(sought.parts() == Lines{"delayed: p, 0 to 3000"}); // listed under the process's name
 }
 
-TEST_CASE("where the run ends later than what its processes did, nothing more is done until then") {
+TEST_CASE("the path ends with an idle part if the run ends after its processes") {
     Sought sought;
     sought.simulation.process("p", [] { wait_for(1us); });
     sought.simulation.process("late", [] { wait_for(9us); });
     CHECK(sought.parts(5us) == Lines{"delayed: p, 0 to 1000", "nothing more, 1000 to 5000"});
 }
 
-TEST_CASE("the path does not lead over a process that never goes on") {
+TEST_CASE("the path avoids processes that never continue") {
     Sought sought;
     sought.simulation.process("p", [] { wait_for(1us); });
     sought.simulation.process("stuck", [] { stop(); });
     CHECK(sought.parts() == Lines{"delayed: p, 0 to 1000"});
 }
 
-TEST_CASE("a process that moves words over a bus waited for what the bus did before") {
+TEST_CASE("while a process waits for a bus, the path has the bus's work") {
     Sought sought;
     struct Memory final : hardware::BusSlave {
         std::string name = "memory";
@@ -142,7 +142,7 @@ TEST_CASE("a process that moves words over a bus waited for what the bus did bef
     CHECK(sought.path.accounts().at("p1").communicating == 700ns);
 }
 
-TEST_CASE("a path with more points than it may have is given up, the accounts are not") {
+TEST_CASE("a path with too many points is not kept, but the accounts are") {
     Sought sought(4);
     sought.simulation.process("p", [] {
         for (int i = 0; i < 100; ++i)
@@ -153,7 +153,7 @@ TEST_CASE("a path with more points than it may have is given up, the accounts ar
     CHECK(sought.path.accounts().at("p").delayed == 100us);
 }
 
-TEST_CASE("the time of a process is what it computed, was ready, delayed, and waited for whom") {
+TEST_CASE("a process's time is divided into computing, ready, delays, and waits by partner") {
     Sought sought;
     Channel<int> c("c");
     hardware::Processor& t = sought.processor();
@@ -179,7 +179,7 @@ TEST_CASE("the time of a process is what it computed, was ready, delayed, and wa
     CHECK(waits.life() == waits.delayed + waits.waiting + waits.communicating);
 }
 
-TEST_CASE("shares add up what parts have in common, the longest first, and arrays are taken together") {
+TEST_CASE("shares sum equal parts, the longest first, with arrays combined") {
     auto part = [](Activity activity, const char* subject, int begin, int end) {
         return PathPart{activity, subject, "", Time{1ns * begin}, Time{1ns * end}};
     };
@@ -189,9 +189,10 @@ TEST_CASE("shares add up what parts have in common, the longest first, and array
     CHECK(texts_of(shares_of(path)) ==
           Lines{"computing: slave[0] on t[0] 4", "communicating: a[0] -> b 2", "computing: slave[1] on t[1] 1"});
     CHECK(texts_of(shares_by_array(path)) == Lines{"computing: slave[] on t[] 5", "communicating: a[] -> b 2"});
+    CHECK(texts_of(shares_by_activity(path)) == Lines{"computing 5", "communicating 2"});
 }
 
-TEST_CASE("of equal shares those of computing come before those of a wait, whatever they are called") {
+TEST_CASE("of equal shares, computing comes before waits") {
     auto part = [](Activity activity, int begin) {
         return PathPart{activity, "p", "", Time{begin}, Time{begin + 1000}};
     };

@@ -19,7 +19,7 @@ Accounts beginning(Activity activity) {
 
 } // namespace
 
-TEST_CASE("time goes to what the process does") {
+TEST_CASE("time is assigned to the process's activity") {
     Accounts accounts = beginning(Activity::ready);
     accounts.turn("p", Activity::ready, Activity::computing, at(2));
     accounts.turn("p", Activity::computing, Activity::moving, at(5));
@@ -46,7 +46,7 @@ TEST_CASE("a process computes while any of its components does") {
     CHECK(p.most_waited_for().empty());
 }
 
-TEST_CASE("every kind of wait is one") {
+TEST_CASE("every kind of wait counts as a wait") {
     for (Activity wait : {Activity::delayed, Activity::outputting, Activity::inputting, Activity::alternating,
                           Activity::joining, Activity::after_work, Activity::stopped}) {
         Accounts accounts = beginning(wait);
@@ -55,7 +55,7 @@ TEST_CASE("every kind of wait is one") {
     }
 }
 
-TEST_CASE("a wait is for its partner until both are there, and then communicates") {
+TEST_CASE("a wait for a partner ends when both are ready, and communication begins") {
     Accounts accounts = beginning(Activity::inputting);
     accounts.explain("p", "slow", at(7), at(10));
     const Account& p = accounts.all().at("p");
@@ -67,7 +67,7 @@ TEST_CASE("a wait is for its partner until both are there, and then communicates
     CHECK(p.most_waited_for() == "slow");
 }
 
-TEST_CASE("a wait without a partner is a delay") {
+TEST_CASE("a wait without a partner counts as a delay") {
     Accounts accounts = beginning(Activity::delayed);
     accounts.explain("p", "", at(5), at(5));
     CHECK(accounts.all().at("p").delayed == at(5));

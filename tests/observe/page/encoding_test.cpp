@@ -16,7 +16,7 @@ std::string number_as_bytes(std::uint64_t number) {
 
 } // namespace
 
-TEST_CASE("a number takes as many bytes as it needs") {
+TEST_CASE("a number takes the fewest bytes") {
     CHECK(number_as_bytes(0) == "\0"s);
     CHECK(number_as_bytes(127) == "\x7f");
     CHECK(number_as_bytes(128) == "\x80\x01");
@@ -24,7 +24,7 @@ TEST_CASE("a number takes as many bytes as it needs") {
     CHECK(number_as_bytes(1ull << 62).size() == 9);
 }
 
-TEST_CASE("bytes as text") { // RFC 4648, section 10
+TEST_CASE("bytes are encoded as text") { // RFC 4648, section 10
     CHECK(page::base64("").empty());
     CHECK(page::base64("f") == "Zg==");
     CHECK(page::base64("fo") == "Zm8=");
@@ -33,7 +33,7 @@ TEST_CASE("bytes as text") { // RFC 4648, section 10
     CHECK(page::base64("\xff\xfe\0"s) == "//4A");
 }
 
-TEST_CASE("what is compressed is smaller, and comes back") {
+TEST_CASE("compressed data are smaller and can be restored") {
     std::string bytes(10'000, 'a'), packed = page::deflated(bytes), back(bytes.size(), '\0');
     CHECK(packed.size() < 100);
     uLongf size = back.size();

@@ -13,7 +13,7 @@ std::string levels_of(const LoadBins& bins, std::size_t track = 0) { return bins
 
 } // namespace
 
-TEST_CASE("a bin says what share of its time a track was running") {
+TEST_CASE("a bin has the share of its time in which a track was running") {
     LoadBins bins(8, Time{});
     bins.add(0, running, Time{500}, Time{2500});
     CHECK(bins.width() == Time{1000});
@@ -22,13 +22,13 @@ TEST_CASE("a bin says what share of its time a track was running") {
     CHECK(levels_of(bins, 7).empty());
 }
 
-TEST_CASE("what is there at all is seen") {
+TEST_CASE("a bin with any activity is not shown as empty") {
     LoadBins bins(8, Time{});
     bins.add(0, running, Time{0}, Time{1});
     CHECK(levels_of(bins) == "B");
 }
 
-TEST_CASE("bins grow wider with the run, and lose nothing") {
+TEST_CASE("bins become wider as the run grows and lose nothing") {
     LoadBins bins(4, Time{});
     bins.add(0, running, Time{0}, Time{1000});
     bins.add(1, ready, Time{3000}, Time{4000});

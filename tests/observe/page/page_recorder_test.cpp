@@ -55,7 +55,7 @@ struct Recorded {
 
 } // namespace
 
-TEST_CASE("the page knows from when to when it is, and why the trace ended") {
+TEST_CASE("the page has its begin, its end, and the reason for the trace's end") {
     boost::json::object json = Recorded().json();
     CHECK(json.at("begin") == 0);
     CHECK(json.at("end") == 10000);
@@ -64,7 +64,7 @@ TEST_CASE("the page knows from when to when it is, and why the trace ended") {
     CHECK_FALSE(json.contains("lost"));
 }
 
-TEST_CASE("the numbers of activities have names, in the order that stretches count in") {
+TEST_CASE("activities have names in the order of their numbers in stretches") {
     boost::json::array names = Recorded().json().at("doing").as_array();
     REQUIRE(names.size() == 11);
     CHECK(names[static_cast<std::size_t>(Activity::executing)] == "executes");
@@ -75,7 +75,7 @@ TEST_CASE("the numbers of activities have names, in the order that stretches cou
     CHECK(names[static_cast<std::size_t>(Activity::stopped)] == "stopped");
 }
 
-TEST_CASE("each track has its name, its place, and how loaded it was: waits are no load") {
+TEST_CASE("each track has its name, place and load, without waits") {
     boost::json::array tracks = Recorded().json().at("tracks").as_array();
     REQUIRE(tracks.size() == 2);
     CHECK(tracks[0].at("kind") == "processor");
@@ -87,7 +87,7 @@ TEST_CASE("each track has its name, its place, and how loaded it was: waits are 
     CHECK(tracks[1].at("ready") == "AA////");
 }
 
-TEST_CASE("slices lie in stretches") {
+TEST_CASE("slices are stored in stretches") {
     Recorded recorded;
     boost::json::object json = recorded.json();
     CHECK(json.at("stretches") == boost::json::array{0, 10000, 3});
@@ -95,7 +95,7 @@ TEST_CASE("slices lie in stretches") {
     CHECK(recorded.recorder.stretches().all().size() == 1);
 }
 
-TEST_CASE("the critical path is drawn where it has a place") {
+TEST_CASE("the critical path is drawn at parts with a track") {
     const PathPart path[] = {{Activity::delayed, "q", "", Time{0}, Time{1000}},
                              {Activity::computing, "p on t", "t", Time{1000}, Time{3000}}};
     boost::json::object json = Recorded().json(path);

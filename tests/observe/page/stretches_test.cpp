@@ -27,7 +27,7 @@ Stretches steps_and_a_long_one(const Tracks& tracks, int steps, const page::Room
 
 } // namespace
 
-TEST_CASE("of many stretches, the first and the last are kept") {
+TEST_CASE("if there are too many stretches, the first and last are kept") {
     BothEnds ends(25);
     for (int i = 0; i < 4; ++i)
         ends.add(ten_bytes(i, i + 1));
@@ -45,7 +45,7 @@ TEST_CASE("of many stretches, the first and the last are kept") {
     CHECK(begins == std::vector{Time{0}, Time{1}, Time{4}, Time{5}});
 }
 
-TEST_CASE("what takes longer than a stretch lies in another row, and each stretch says when it was") {
+TEST_CASE("slices longer than a stretch are in another row, and each stretch has its time") {
     Network network;
     Tracks tracks(network);
     Stretches stretches = steps_and_a_long_one(tracks, 10, {.entries_of_stretch = 4});
@@ -60,7 +60,7 @@ TEST_CASE("what takes longer than a stretch lies in another row, and each stretc
     CHECK_FALSE(stretches.are_deflated());
 }
 
-TEST_CASE("a run that is not short is compressed, also what had come before") {
+TEST_CASE("the stretches of a long run are compressed, including earlier ones") {
     Network network;
     Tracks tracks(network);
     Stretches plain = steps_and_a_long_one(tracks, 400, {.entries_of_stretch = 100, .entries_at_once = 401});
@@ -72,7 +72,7 @@ TEST_CASE("a run that is not short is compressed, also what had come before") {
         CHECK(packed.all()[i]->bytes.size() < plain.all()[i]->bytes.size() / 4);
 }
 
-TEST_CASE("what there is no room for is said") {
+TEST_CASE("stretches without room are reported as left out") {
     Network network;
     Tracks tracks(network);
     Stretches stretches = steps_and_a_long_one(tracks, 400, {.entries_of_stretch = 10, .bytes_of_each_end = 500});
@@ -87,7 +87,7 @@ TEST_CASE("what there is no room for is said") {
     CHECK(entries + stretches.left_out() == 401);
 }
 
-TEST_CASE("a stretch as bytes") {
+TEST_CASE("a stretch has a known encoding") {
     page::Stretch stretch(Time{100});
     stretch.add(Slice{2, Activity::inputting, Time{110}, Time{115}, true, "", 0, {{"c", "p"}}});
     stretch.add(Slice{1, Activity::computing, Time{100}, Time{300}, false, "w"});

@@ -56,7 +56,7 @@ struct ToldLines final : TraceSink {
 
 } // namespace
 
-TEST_CASE("a process starts, waits, is ready, goes on and ends") {
+TEST_CASE("the log follows a process that starts, waits, is ready, continues and ends") {
     Simulation simulation;
     Channel<int> c("c");
     ToldLines notes;
@@ -83,7 +83,7 @@ TEST_CASE("a process computes while it has its processor, and is ready from then
     CHECK(notes.lines == Lines{"0 p ready", "0 p starts", "0 p computes", "100 p ready", "100 p ended", "100 over"});
 }
 
-TEST_CASE("a PAR joins its components, and what ends it is said of them alone") {
+TEST_CASE("a PAR joins its components, whose end is logged only for them") {
     Simulation simulation;
     ToldLines notes;
     simulation.trace_to(notes);
@@ -125,7 +125,7 @@ void run_on_bus_and_link(TraceSink& sink) {
 
 } // namespace
 
-TEST_CASE("of a bus it is told who waits for it, who has it, and for which process it moved words since when") {
+TEST_CASE("the log of a bus has its waiting masters, its holder, and the process it serves") {
     ToldLines notes;
     run_on_bus_and_link(notes);
     for (const char* line : {"0 waits at BR3 takes bus <- m1 from 0", "350 bus left at 350, 0 bytes, p0's from 50",
@@ -134,7 +134,7 @@ TEST_CASE("of a bus it is told who waits for it, who has it, and for which proce
         CHECK_MESSAGE(std::ranges::count(notes.lines, line) == 1, line);
 }
 
-TEST_CASE("several sinks are told the same, all of it") {
+TEST_CASE("several sinks receive all events") {
     ToldLines alone, one, other;
     TraceFork fork({&one, &other});
     run_on_bus_and_link(alone);

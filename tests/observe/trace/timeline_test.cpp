@@ -81,7 +81,7 @@ struct Traced {
 
 } // namespace
 
-TEST_CASE("a PAR in a loop uses the same tracks again, and they are drawn behind their parent") {
+TEST_CASE("a PAR in a loop reuses its tracks, which follow their parent") {
     Traced traced({"p", "q"});
     for (const char* name : {"p", "q"})
         traced.simulation.process(name, [] {
@@ -97,7 +97,7 @@ TEST_CASE("a PAR in a loop uses the same tracks again, and they are drawn behind
     CHECK(traced.notes.about("p:").size() == 5); // p waits for its components
 }
 
-TEST_CASE("a wait says what it is for") {
+TEST_CASE("a wait has its cause") {
     Traced traced({"p", "q"});
     Channel<int> c("c"), d("d");
     traced.simulation.process("p", [&] {
@@ -116,7 +116,7 @@ TEST_CASE("a wait says what it is for") {
     CHECK(notes.about("q:") == Lines{"q: delayed 0 to 6000, timer"});
 }
 
-TEST_CASE("a message leaves with the output and arrives where the other process goes on") {
+TEST_CASE("a message begins at the output and ends where the other process continues") {
     Traced traced({"p", "q"});
     Channel<int> c("c");
     hardware::Processor& t = traced.processor();
@@ -190,7 +190,7 @@ TEST_CASE("at a deadlock, at the limit of time and at the end of the window the 
     }
 }
 
-TEST_CASE("of the waits at the end of the work those are open that never end") {
+TEST_CASE("at the end of the work only endless waits are open") {
     auto run = [](bool stuck) {
         Traced traced({"p", "q", "r"});
         Channel<int> c("c"), never("never");
@@ -217,7 +217,7 @@ TEST_CASE("of the waits at the end of the work those are open that never end") {
     }
 }
 
-TEST_CASE("a full trace ends where it is full, and says so") {
+TEST_CASE("a full trace ends and reports its end") {
     Traced traced({"p"}, {.most_entries = 3});
     traced.simulation.process("p", [] {
         for (int i = 0; i < 9; ++i)
@@ -229,7 +229,7 @@ TEST_CASE("a full trace ends where it is full, and says so") {
     CHECK(traced.timeline.full_at() == Time{3us});
 }
 
-TEST_CASE("what takes no time is not drawn") {
+TEST_CASE("slices without duration are not drawn") {
     Traced traced({"p", "q"});
     Channel<int> c("c");
     traced.simulation.process("p", [&] {

@@ -45,7 +45,7 @@ struct Written {
 
 } // namespace
 
-TEST_CASE("the ending of its name says the format, in letters of any size") {
+TEST_CASE("the suffix of the name, in either case, gives the format") {
     Written json("placedpar_trace_file_test.JSON"), vcd("placedpar_trace_file_test.vcd");
     CHECK(json.run().empty());
     CHECK(json.first_line() == R"({"displayTimeUnit":"ns","traceEvents":[)");
@@ -53,25 +53,24 @@ TEST_CASE("the ending of its name says the format, in letters of any size") {
     CHECK(vcd.first_line() == "$version PlacedPar $end");
 }
 
-TEST_CASE("another ending is refused before anything is written, standard output is not") {
+TEST_CASE("another suffix is refused before writing, but standard output is accepted") {
     CHECK_THROWS_AS(require_trace_format("trace.txt"), UserError);
     CHECK_THROWS_AS(Written("placedpar_trace_file_test.txt").run(), UserError);
     CHECK_NOTHROW(require_trace_format("-"));
 }
 
-TEST_CASE("a window without time is refused") {
+TEST_CASE("an empty window is refused") {
     Written file("placedpar_trace_file_test.json");
     CHECK_THROWS_WITH_AS(file.run({.from = 2us, .until = 2us}),
-                         "the trace would end at 2.000000 us, and begin at 2.000000 us: give it a later end",
-                         UserError);
+                         "the trace would begin at 2.000000 us but end at 2.000000 us: choose a later end", UserError);
     CHECK_FALSE(std::filesystem::exists(file.path));
 }
 
-TEST_CASE("what is not in the trace is said") {
+TEST_CASE("the parts missing in the trace are reported") {
     Written file("placedpar_trace_file_test.json");
     std::string full = file.run({.most_entries = 3});
-    CHECK(full.find("the trace is full at 3.000000 us, with 3 entries") != std::string::npos);
+    CHECK(full.find("the trace ends at 3.000000 us, where it is full with 3 entries") != std::string::npos);
     std::string empty = file.run({.from = 20us});
-    CHECK(empty.find("the trace is empty: the run was over at 10.000000 us") != std::string::npos);
+    CHECK(empty.find("the trace is empty: the run ended at 10.000000 us") != std::string::npos);
     CHECK(file.run({.from = 2us, .until = 5us}).empty());
 }

@@ -40,13 +40,13 @@ Network two_wired_nodes() {
 
 } // namespace
 
-TEST_CASE("a node has its processor, its processes, and what leaves it over its links, in this order") {
+TEST_CASE("a node's tracks are its processor, its processes and its outgoing links, in this order") {
     Tracks tracks(two_wired_nodes());
     CHECK(names_of(tracks) ==
           std::vector<std::string>{"t", "p", "t.link[0] -> u.link[0]", "u", "q", "u.link[0] -> t.link[0]"});
 }
 
-TEST_CASE("a device with tracks of its own has them behind all others") {
+TEST_CASE("a device's own tracks follow all others") {
     Network network = two_wired_nodes();
     DeviceKind kind = *network.nodes[1].kind;
     kind.executes = Execution::none;
@@ -60,7 +60,7 @@ TEST_CASE("a device with tracks of its own has them behind all others") {
     CHECK(tracks.all()[tracks.of_place("u waits")].place.kind == Track::Kind::bus);
 }
 
-TEST_CASE("processors, links and buses are found by their names, and processes are none of them") {
+TEST_CASE("tracks of processors, links and buses are found by name, those of processes are not") {
     Tracks tracks(two_wired_nodes());
     for (const char* name : {"t", "u", "t.link[0] -> u.link[0]", "u.link[0] -> t.link[0]"}) {
         REQUIRE(tracks.of_place(name) != Tracks::none);
@@ -70,7 +70,7 @@ TEST_CASE("processors, links and buses are found by their names, and processes a
     CHECK(tracks.of_place("") == Tracks::none);
 }
 
-TEST_CASE("a process of the netlist has its track from the beginning, and one of the machine when it is first seen") {
+TEST_CASE("a netlist's process has its track from the beginning, a machine's process from its first event") {
     Tracks tracks(on_one_node({"p"}));
     Simulation simulation;
     hardware::Processor& t = simulation.add<hardware::Processor>("t", 1'000'000'000);

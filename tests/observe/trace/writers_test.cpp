@@ -3,6 +3,7 @@
 #include "on_one_node.hpp"
 
 #include "observe/trace/perfetto_trace.hpp"
+#include "observe/trace/svg_trace.hpp"
 #include "observe/trace/vcd_trace.hpp"
 
 #include <doctest/doctest.h>
@@ -62,12 +63,12 @@ TEST_CASE("Perfetto: a slice has a place, a beginning and a length in microsecon
           R"({"ph":"X","name":"computes","cat":"compute","pid":1,"tid":3,"ts":0.001000,"dur":0.001500})");
 }
 
-TEST_CASE("Perfetto: one that goes on begins and does not end") {
+TEST_CASE("Perfetto: an open slice has a beginning and no end") {
     CHECK(shown({1, Activity::computing, Time{1000}, Time{2500}, true}) ==
           R"({"ph":"B","name":"computes","cat":"compute","pid":1,"tid":3,"ts":0.001000})");
 }
 
-TEST_CASE("Perfetto: a wait says for whom, and on which channel") {
+TEST_CASE("Perfetto: a wait names its partner and channel") {
     CHECK(name_shown(waiting(Activity::inputting, {{"c", "q"}})) == "inputs from q");
     CHECK(name_shown(waiting(Activity::inputting, {{"c", ""}})) == "inputs from c");
     CHECK(name_shown(waiting(Activity::inputting)) == "waits for packets to send");
@@ -79,7 +80,7 @@ TEST_CASE("Perfetto: a wait says for whom, and on which channel") {
     CHECK(has(shown(waiting(Activity::inputting, {{"c", ""}})), R"("args":{"channel":"c","partner":"none yet"})"));
 }
 
-TEST_CASE("Perfetto: an alternation names a few partners, and counts many") {
+TEST_CASE("Perfetto: an alternation names few partners and counts many") {
     CHECK(name_shown(waiting(Activity::alternating, {{"c", "q"}, {"d", "r"}})) == "alternates: input from q or r");
     CHECK(name_shown(waiting(Activity::alternating, {{"c", "q"}}, true)) == "alternates: input from q, or its timer");
     CHECK(name_shown(waiting(Activity::alternating, {{"a", ""}, {"b", ""}, {"c", ""}, {"d", ""}})) ==
@@ -97,7 +98,7 @@ TEST_CASE("Perfetto: a message is a flow from slice to slice") {
     CHECK(has(text, R"({"ph":"f","bp":"e","name":"c","cat":"message","id":1,"pid":1,"tid":4,"ts":0.000020})"));
 }
 
-TEST_CASE("Perfetto: the critical path stands above all, whole and by place") {
+TEST_CASE("Perfetto: the critical path is shown above all, whole and by processor and link") {
     Tracks tracks(on_one_node({"p"}));
     const PathPart path[] = {{Activity::computing, "p on t", "t", Time{0}, Time{5}},
                              {Activity::delayed, "p", "", Time{5}, Time{9}}};
@@ -108,7 +109,7 @@ TEST_CASE("Perfetto: the critical path stands above all, whole and by place") {
     CHECK(has(text, R"("args":{"name":"via processor t"})"));
 }
 
-TEST_CASE("Perfetto: the end says why, and every track has its name") {
+TEST_CASE("Perfetto: the end has its reason, and every track its name") {
     Tracks tracks(on_one_node({"p"}));
     std::string text = written<PerfettoTrace>(tracks, [](TraceWriter&) {});
     CHECK(text.starts_with("{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n"));
@@ -132,7 +133,7 @@ std::string changes(const std::vector<Slice>& slices) {
 
 } // namespace
 
-TEST_CASE("VCD: a node is a scope, a processor a wire, and a process has a wire for each thing that it can do") {
+TEST_CASE("VCD: a node is a scope, a processor a wire, and a process has a wire for each activity") {
     Tracks tracks(on_one_node({"p[0]"}));
     std::string text = written<VcdTrace>(tracks, [](TraceWriter&) {});
     CHECK(text.starts_with("$version PlacedPar $end\n$timescale 1 ps $end\n$comment completed at 9.000 ns $end\n"
@@ -149,9 +150,45 @@ TEST_CASE("VCD: a wire is 1 while a slice lasts") {
     CHECK(has(text, "$end\n#1000\n1!\n#2000\n0!\n#5000\n1!\n#9000\n"));
 }
 
-TEST_CASE("VCD: what follows at once, and what waits for components, changes nothing") {
+TEST_CASE("VCD: an immediate successor and a wait for components change no wire") {
     std::string text = changes({{0, Activity::executing, Time{1000}, Time{2000}, false, "p"},
                                 {0, Activity::executing, Time{2000}, Time{3000}, false, "q"},
                                 {1, Activity::joining, Time{1000}, Time{3000}, false}});
     CHECK(has(text, "$end\n#1000\n1!\n#3000\n0!\n#9000\n"));
+}
+
+TEST_CASE("SVG: a slice is a bar from its beginning to its end, in the look of its activity") {
+    Tracks tracks(on_one_node({"p"}));
+    // The axis has 860 pixels for 9000 ps and begins 60 pixels to the right of the edge.
+    std::string text = written<SvgTrace>(tracks, [](TraceWriter& writer) {
+        writer.write(Slice{1, Activity::computing, Time{0}, Time{4500}, false});
+        writer.write(waiting(Activity::inputting));
+    });
+    CHECK(has(text, R"(<path class="compute" d="M60 52.5h430v11h-430z"/>)"));
+    CHECK(has(text, R"(<path class="wait" d="M155.6 57.2h191.1v1.6h-191.1z"/>)"));
+    CHECK(has(text, R"(<text class="title" x="0" y="14">0 to 9 ns: completed</text>)"));
+}
+
+TEST_CASE("SVG: a processor names what it executes where the bar has room, and a row without slices is left out") {
+    Tracks tracks(on_one_node({"p"}));
+    std::string text = written<SvgTrace>(tracks, [](TraceWriter& writer) {
+        writer.write(Slice{0, Activity::executing, Time{0}, Time{4500}, false, "p"});
+        writer.write(Slice{0, Activity::executing, Time{5000}, Time{5040}, false, "q"});
+    });
+    CHECK(has(text, R"( y="61.5">processor</text>)"));
+    CHECK(has(text, R"( y="61">p</text>)"));
+    CHECK(!has(text, ">q</text>"));
+    CHECK(!has(text, R"( y="61.5">p</text>)"));
+}
+
+TEST_CASE("SVG: bars that touch are joined, and a message is an arrow between two rows") {
+    Tracks tracks(on_one_node({"p", "q"}));
+    std::string text = written<SvgTrace>(tracks, [](TraceWriter& writer) {
+        writer.write(Slice{1, Activity::computing, Time{0}, Time{900}, false});
+        writer.write(Slice{1, Activity::computing, Time{901}, Time{1800}, false});
+        writer.write(Slice{2, Activity::computing, Time{4500}, Time{9000}, false});
+        writer.write(MessageArrow{"c", 1, 2, Time{900}, Time{4500}});
+    });
+    CHECK(has(text, R"(<path class="compute" d="M60 52.5h172v11h-172z"/>)"));
+    CHECK(has(text, R"(x1="146" y1="58" x2="490" y2="74")"));
 }

@@ -52,7 +52,7 @@ void check_optimum(const Function& function) {
 
 } // namespace
 
-TEST_CASE("each function has its optimum where the literature says") {
+TEST_CASE("each function has its published optimum") {
     CHECK(at(Sphere{}, 0) == 0);
     CHECK(at(Rosenbrock{}, 1) == 0);
     CHECK(at(Rastrigin{}, 0) == 0);
@@ -66,7 +66,7 @@ TEST_CASE("each function has its optimum where the literature says") {
     CHECK(std::abs(at(Foxholes{}, -32) - Foxholes{}.optimum()) < 1e-6);
 }
 
-TEST_CASE("nothing is better than the optimum, by chance") {
+TEST_CASE("no random point is better than the optimum") {
     check_optimum(Sphere{});
     check_optimum(Rosenbrock{});
     check_optimum(Rastrigin{});
@@ -76,7 +76,7 @@ TEST_CASE("nothing is better than the optimum, by chance") {
     check_optimum(Foxholes{});
 }
 
-TEST_CASE("nothing is better than the optimum, of all strings") {
+TEST_CASE("no string is better than the optimum") {
     CHECK(least_of_all(small<Sphere>(8)) == 0);
     CHECK(least_of_all(small<Rastrigin>(8)) == 0);
     CHECK(least_of_all(small<Griewank>(8)) == 0);
@@ -87,7 +87,7 @@ TEST_CASE("nothing is better than the optimum, of all strings") {
     CHECK(std::abs(least_of_all(Foxholes{.bits = 8}) - 0.998004) < 0.01);
 }
 
-TEST_CASE("values away from the optimum, by hand") {
+TEST_CASE("values away from the optimum agree with a hand computation") {
     CHECK(at(Sphere{}, 2) == 12);
     CHECK(at(Rosenbrock{}, 0) == 1);
     CHECK(Rosenbrock{}.objective(std::vector<double>{-1, 2}) == 104);
@@ -101,7 +101,7 @@ TEST_CASE("values away from the optimum, by hand") {
     CHECK(at(Foxholes{}, 16) == doctest::Approx(18.304).epsilon(1e-3)); // hole 19
 }
 
-TEST_CASE("the noise of the quartic is normal, and the same for equals") {
+TEST_CASE("the noise of the quartic is normal, and equal for equal strings") {
     Quartic noisy = small<Quartic>(8), quiet = noisy, other = noisy;
     quiet.noise = 0;
     other.seed = 2;

@@ -57,7 +57,7 @@ TEST_CASE("a trap rewards zeros until all are ones") {
     CHECK(wide.objective(Genome(192)) == 3 * 63);
 }
 
-TEST_CASE("an NK landscape by hand") {
+TEST_CASE("an NK landscape agrees with a hand computation") {
     // Bits i and i + 1 choose one of four numbers; the three bits form a ring.
     Landscape landscape(3, 1, {1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048});
     CHECK(landscape.objective(Genome::from_string("000")) == 1 + 16 + 256);
@@ -66,7 +66,7 @@ TEST_CASE("an NK landscape by hand") {
     CHECK(landscape.optimum() == 8 + 128 + 2048);
 }
 
-TEST_CASE("the optimum of an NK landscape is that of all strings, for any number of neighbours") {
+TEST_CASE("the optimum of an NK landscape is the best of all strings, for any number of neighbours") {
     for (std::size_t bits : {1u, 2u, 5u, 10u})
         for (std::size_t k = 0; k < std::min<std::size_t>(bits, 9); ++k)
             for (std::size_t seed : {1u, 2u}) {
@@ -79,7 +79,8 @@ TEST_CASE("the optimum of an NK landscape is that of all strings, for any number
     CHECK(nk(64, 2, 1).problem().optimum().value() < 1);
 }
 
-TEST_CASE("an optimum that would take long to find is not known, and no bit has all others for neighbours twice") {
+TEST_CASE("the optimum of a large NK landscape is not computed, and too many neighbours are refused") {
     CHECK_FALSE(nk(10000, 8, 1).problem().optimum());
-    CHECK_THROWS_WITH_AS(nk(4, 4, 1).problem(), "k = 4, but a bit of 4 has only 3 neighbours", UserError);
+    CHECK_THROWS_WITH_AS(nk(4, 4, 1).problem(), "k = 4, but each bit in a string of 4 bits has only 3 neighbours",
+                         UserError);
 }

@@ -30,7 +30,7 @@ LatticeTour lattice(std::size_t rows, std::size_t columns) { return {.rows = row
 
 } // namespace
 
-TEST_CASE("the shortest tours around a circle and on a lattice are those of all tours") {
+TEST_CASE("the known shortest tours around a circle and on a lattice are the shortest of all tours") {
     for (std::size_t cities : {1u, 2u, 3u, 4u, 7u}) {
         Tour tour = CircleTour{.cities = cities}.problem();
         CHECK(tour.optimum().value() == doctest::Approx(shortest_of_all(tour)));
@@ -43,7 +43,7 @@ TEST_CASE("the shortest tours around a circle and on a lattice are those of all 
     CHECK(lattice(5, 5).problem().optimum().value() == doctest::Approx(24 + std::sqrt(2)));
 }
 
-TEST_CASE("random cities are those of the seed, and their shortest tour is not known") {
+TEST_CASE("random cities depend on the seed, and their shortest tour is unknown") {
     Tour one = RandomTour{.cities = 8, .seed = 1}.problem(), other = RandomTour{.cities = 8, .seed = 2}.problem();
     std::vector<std::size_t> order{0, 1, 2, 3, 4, 5, 6, 7};
     CHECK(one.objective(order) == RandomTour{.cities = 8, .seed = 1}.problem().objective(order));
@@ -65,7 +65,7 @@ TEST_CASE("a search finds the shortest tour of eight random cities, of all 2520,
     CHECK(search(circle, 300) == doctest::Approx(*circle.optimum()));
 }
 
-TEST_CASE("every benchmark is there by name, with numbers by default, and says what a string is") {
+TEST_CASE("every benchmark exists by name, with default numbers and a string for its solutions") {
     ProblemRegistry problems;
     add_benchmark_problems(problems);
     CHECK(problems.names().size() == 14);

@@ -37,19 +37,19 @@ TEST_CASE("noise, its colour, the change and the length of the record are given 
     CHECK(plant_named("plant(noise = 0.3)").record() != plant_named("plant").record());
 }
 
-TEST_CASE("its error is that of a prediction, or of a simulation") {
+TEST_CASE("the plant's error is of a prediction or of a simulation") {
     CHECK_FALSE(plant_named("plant(simulated = 0)").problem()->depends_on_window());
     CHECK(plant_named("plant(simulated = 1)").problem()->depends_on_window());
     CHECK(plant_named("plant(simulated = 1)").record() == plant_named("plant").record());
 }
 
-TEST_CASE("the true parameters are those at the record's end") {
+TEST_CASE("the true parameters are the parameters at the record's end") {
     CHECK(plant_named("plant").problem()->true_parameters()[1] == 0.25);
     CHECK(plant_named("plant(a1 = 1.5)").problem()->true_parameters()[1] == 0.75);
     CHECK(plant_named("plant(generations = 300)").problem()->true_parameters()[1] == 0.5);
 }
 
-TEST_CASE("numbers that are no plant's are refused") {
+TEST_CASE("impossible numbers of a plant are refused") {
     CHECK_THROWS_WITH_AS(plant_named("plant(a1 = 2)"), "a1 = 2 is out of range: a1 is a number from -1.67 to 1.67",
                          UserError);
     CHECK_THROWS_WITH_AS(plant_named("plant(noise = -1)"),

@@ -35,7 +35,7 @@ Genome string_of(std::array<std::uint64_t, 6> codes) {
 
 } // namespace
 
-TEST_CASE("the string of the plant is Table 5.1: 37 bits, resolution 1 and 1/64") {
+TEST_CASE("the plant's string has the 37 bits and resolutions of Table 5.1") {
     PlantProblem problem;
     CHECK(problem.bits() == 37);
     CHECK(problem.decode(string_of({0, 0, 64, 112, 48, 127})) ==
@@ -44,7 +44,7 @@ TEST_CASE("the string of the plant is Table 5.1: 37 bits, resolution 1 and 1/64"
           std::vector<double>{4, 1 - 1. / 64, 1. / 64, -1, -1, 1. / 64});
 }
 
-TEST_CASE("the plant of 5.8 lies on the grid but for beta, and there the error vanishes") {
+TEST_CASE("the plant of 5.8 is on the grid except for beta, and its error is 0") {
     PlantProblem problem;
     std::vector<double> truth = parameters_of(Plant{});
     CHECK(truth[1] == .75);
@@ -74,7 +74,7 @@ TEST_CASE("a negative delta is a real pair of zeros, a positive one a complex pa
     }
 }
 
-TEST_CASE("a population of plants in lanes has the fitness of one after the other, in both codings") {
+TEST_CASE("plants computed together have the fitness of separate plants, in both codings") {
     auto record = unchanging(0.3);
     auto window = std::span<const Sample>(record).last(30);
     RandomStream random(3, "population");
@@ -87,7 +87,7 @@ TEST_CASE("a population of plants in lanes has the fitness of one after the othe
     }
 }
 
-TEST_CASE("a simulated plant goes on from its own outputs") {
+TEST_CASE("a simulated plant continues from its own outputs") {
     SimulatedPlantProblem problem;
     auto record = unchanging(0.3);
     auto window = std::span<const Sample>(record).last(10);
@@ -111,7 +111,7 @@ TEST_CASE("a simulated plant goes on from its own outputs") {
     CHECK(errors[1] != make_search_problem(PlantProblem())->errors(genome, window)[1]);
 }
 
-TEST_CASE("the true plant, simulated, has no error without noise, and as much as the noise with it") {
+TEST_CASE("the true simulated plant has the noise as its error") {
     std::vector<double> truth = parameters_of(Plant{});
     const auto weights = PoleZeroPlant{truth[0], truth[1], truth[2], truth[3], truth[4], truth[5]}.weights();
     auto error = SimulatedPlantProblem().errors_along<double>(weights);
@@ -119,7 +119,7 @@ TEST_CASE("the true plant, simulated, has no error without noise, and as much as
         CHECK(error(sample) == doctest::Approx(0).epsilon(1e-9));
 }
 
-TEST_CASE("simulated plants in lanes have the fitness of one after the other, in both codings") {
+TEST_CASE("simulated plants computed together have the fitness of separate plants, in both codings") {
     auto record = unchanging(0.3);
     auto window = std::span<const Sample>(record).last(30);
     RandomStream random(4, "population");

@@ -32,7 +32,7 @@ double root_mean_square(const std::vector<double>& values) {
 
 } // namespace
 
-TEST_CASE("a1 changes from 1.5 to .5: the pole moves along a circle of modulus .837") {
+TEST_CASE("a change of a1 from 1.5 to .5 moves the pole along a circle of modulus .837") {
     for (auto change : {PlantChange::ramp, PlantChange::step}) {
         CHECK(a1_at(change, 0) == 1.5);
         CHECK(a1_at(change, 199) == 1.5);
@@ -80,7 +80,7 @@ TEST_CASE("the change takes most of the signal's energy") {
     CHECK(root_mean_square(after) == doctest::Approx(1.63).epsilon(0.15));
 }
 
-TEST_CASE("noise has its deviation, and its colour") {
+TEST_CASE("noise has its standard deviation and its colour") {
     PlantExperiment experiment{.change = PlantChange::none, .noise = 0.3, .generations = 30000};
     auto deviation_with = [&](std::array<double, 2> colour) {
         experiment.colour = colour;
@@ -100,12 +100,12 @@ TEST_CASE("noise has its deviation, and its colour") {
     CHECK(some == test::nearly(0.09 * (-1 - 0.2), 0.05));
 }
 
-TEST_CASE("a record depends on its stream alone, and the input begins anywhere in its period") {
+TEST_CASE("a record depends only on its random stream, and its input begins anywhere in the period") {
     CHECK(record_of({}, 7) == record_of({}, 7));
     CHECK(record_of({}, 7) != record_of({}, 8));
 }
 
-TEST_CASE("experiments that cannot be") {
+TEST_CASE("impossible experiments are refused") {
     CHECK_THROWS_WITH_AS(record_of({.window = 0}),
                          "the plant's record begins with a window of 0 samples, expected at least 1", UserError);
     CHECK_THROWS_WITH_AS(record_of({.per_sample = 0}), "0 generations per sample, expected at least 1", UserError);

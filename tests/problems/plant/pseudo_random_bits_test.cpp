@@ -19,7 +19,7 @@ std::vector<int> signs(std::size_t count, std::size_t start = 0) {
 
 } // namespace
 
-TEST_CASE("every seven bits but zeros come up once in a period of 127") {
+TEST_CASE("every seven bits except zeros occur once in a period of 127") {
     PseudoRandomBits bits;
     std::set<unsigned> seen;
     unsigned last = 0;
@@ -32,7 +32,7 @@ TEST_CASE("every seven bits but zeros come up once in a period of 127") {
     CHECK(!seen.contains(0));
 }
 
-TEST_CASE("pseudo random bits look like noise: shifted against themselves they agree once less than they do not") {
+TEST_CASE("shifted pseudo random bits agree with themselves one time less than they differ") {
     constexpr int period = PseudoRandomBits::period;
     auto sequence = signs(2 * PseudoRandomBits::period);
     for (int shift = 0; shift < period; ++shift) {
@@ -43,7 +43,7 @@ TEST_CASE("pseudo random bits look like noise: shifted against themselves they a
     }
 }
 
-TEST_CASE("pseudo random bits start where they are told") {
+TEST_CASE("pseudo random bits start at the given position") {
     auto sequence = signs(60);
     CHECK(signs(50, 10) == std::vector<int>(sequence.begin() + 10, sequence.end()));
 }

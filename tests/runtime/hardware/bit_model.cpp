@@ -8,7 +8,7 @@ namespace placedpar::test {
 namespace {
 std::int64_t whole_ns(Time t) { return t.count() / 1000; }
 
-/// Returns the transfers of the sender, or of the receiver, for these messages.
+/// Returns the transfers of the sender (or the receiver) for the messages.
 std::vector<Traffic::Transfer> transfers_of(const std::vector<Traffic::Message>& messages, bool sender) {
     std::vector<Traffic::Transfer> transfers;
     for (const auto& message : messages)
@@ -55,7 +55,7 @@ std::array<Course, 2> BitModel::run_until_quiet(std::int64_t limit) {
     while (!is_quiet()) {
         if (now_ > limit)
             throw std::runtime_error("the link never falls quiet");
-        for (int i = 0; i < 20; ++i) // 20 steps at once, since the test for the end takes as long as a step
+        for (int i = 0; i < 20; ++i) // 20 steps at once, because the test for the end takes as long as a step
             step();
     }
     return course_;
@@ -96,7 +96,7 @@ std::int64_t BitModel::bit_at(std::int64_t time) const {
     return bit_ * factor;
 }
 
-/// Whether a fault loses the packet that now begins on the wire that leaves `end`.
+/// Returns whether a fault loses the packet that begins now on the wire that leaves `end`.
 bool BitModel::loses_packet(std::size_t end, bool acknowledge) {
     for (auto fault = faults_.begin(); fault != faults_.end(); ++fault) {
         bool strikes = (end == 0 ? fault->wire_from_a : fault->wire_from_b) && whole_ns(fault->from) <= now_ &&
@@ -118,7 +118,7 @@ bool BitModel::over() const {
     return true;
 }
 
-/// Whether nothing travels, waits to be sent or noticed, or is about to resume.
+/// Returns whether nothing travels, waits to be sent or noticed, or is about to resume.
 bool BitModel::is_quiet() const {
     for (std::size_t d : {0u, 1u}) {
         const Sender& sender = sender_[d];
@@ -135,8 +135,8 @@ bool BitModel::is_quiet() const {
     return true;
 }
 
-/// Reads the wire from `end` at its far side. A packet starts with a one; its second bit distinguishes data (11 bits)
-/// from an acknowledge (2 bits).
+/// Reads the wire that leaves `end` at its far side. A packet begins with a 1. Its second bit distinguishes data (11
+/// bits) from an acknowledge (2 bits).
 void BitModel::decode(std::size_t end) {
     Decoder& decoder = decoder_[end];
     if (now_ < delay_)

@@ -10,43 +10,43 @@
 
 namespace placedpar::test {
 
-/// The traffic in one direction of a link: messages or transfers, each after a pause.
+/// The traffic in one direction of a link: messages or transfers, with a pause before each.
 struct Traffic {
     struct Message {
         std::int64_t sender_pause, receiver_pause; ///< nanoseconds
         std::vector<std::uint32_t> parts;          ///< bytes
-        bool alternates = false;                   ///< the receiver asks for the message only when the first byte has
+        bool alternates = false;                   ///< the receiver asks for the message only after the first byte has
                                                    ///< arrived
     };
-    /// A number of bytes that one end gives or takes. The counts at the two ends need not agree. A transfer ends when
-    /// its own bytes have passed, and the next one at this end may begin in the middle of a transfer of the other end.
+    /// A number of bytes that one end gives or takes. The counts at the two ends may differ. A transfer ends when its
+    /// own bytes have passed. The next transfer at this end may begin in the middle of a transfer of the other end.
     struct Transfer {
-        std::int64_t pause; ///< nanoseconds since the previous transfer ended
+        std::int64_t pause; ///< nanoseconds from the end of the previous transfer
         std::uint32_t bytes;
-        bool alternates = false;  ///< the receiver asks for the transfer only when a byte has arrived
-        bool ends_message = true; ///< false: the transfer is a part of a message but not its last, and its end is not
-                                  ///< in the Course
+        bool alternates = false;  ///< the receiver asks for the transfer only after a byte has arrived
+        bool ends_message = true; ///< false: the transfer is a part of a message but not the last, and the Course does
+                                  ///< not include its end
     };
     std::vector<Message> messages;
     std::vector<Transfer> given, taken; ///< REQUIRES: empty if there are messages
 };
 
-/// The times at which outputs and inputs of the messages, or transfers, ended, in nanoseconds.
+/// The times at which outputs and inputs of messages or transfers ended, in nanoseconds.
 struct Course {
     std::vector<std::int64_t> output_ended, input_ended;
     bool operator==(const Course&) const = default;
 };
 
-/// Models a link as a clocked circuit, one nanosecond a step: levels on two wires, and packets decoded from the levels.
-/// It shares only the figures of LinkTiming with the runtime, and serves as the reference for
-/// runtime/hardware/link.cpp, which uses events. A message is a sequence of transfers, one for each part, whose counts
-/// agree at both ends.
+/// Models a link as a clocked circuit with steps of one nanosecond: levels on two wires, and packets decoded from the
+/// levels. It shares only the figures of LinkTiming with the runtime. It is the reference for
+/// runtime/hardware/link.cpp, which uses events. A message is a sequence of transfers, one for each part, with equal
+/// counts at both ends.
 class BitModel {
 public:
     /// A packet: a byte or an acknowledge.
     struct Packet {
         std::int64_t began; ///< nanoseconds
-        std::size_t wire;   ///< 0: it left a; 1: it left b
+        std::size_t wire;   ///< 0: the packet left a; 1: it left b
         bool acknowledge, lost;
         bool operator==(const Packet&) const = default;
     };
@@ -57,22 +57,23 @@ public:
     std::array<Course, 2> run(std::int64_t limit);
     /// Steps up to and including this time.
     std::array<Course, 2> run_until(std::int64_t end);
-    /// Steps until nothing more can happen: all traffic has passed, or the link is stuck. Throws if this takes longer
-    /// than the limit.
+    /// Steps until nothing more can happen, because all traffic has passed or the link is stuck. Throws if this takes
+    /// longer than the limit.
     std::array<Course, 2> run_until_quiet(std::int64_t limit);
 
-    /// Replaces the faults from the next step on. A copy of the model can thus continue with other faults.
+    /// Replaces the faults from the next step on. So a copy of the model can continue with other faults.
     void suffer(const std::vector<hardware::LinkFault>& faults) { faults_ = faults; }
 
     /// Returns the packets in the order in which they began.
     const std::vector<Packet>& packets() const { return packets_; }
-    /// Returns when bytes of direction 0 (from a to b) or 1 arrived unasked for, so that an alternation could see them.
+    /// Returns the times at which bytes of direction 0 (from a to b) or 1 arrived before the receiver asked for them,
+    /// so that an alternation could see them.
     const std::vector<std::int64_t>& byte_waited(std::size_t direction) const {
         return receiver_[direction].byte_waited;
     }
-    /// Whether such a byte is waiting now.
+    /// Returns whether such a byte is waiting now.
     bool byte_waits(std::size_t direction) const { return receiver_[direction].arrived > receiver_[direction].asked; }
-    /// Returns the bytes whose acknowledges have reached the sender, or (below) that have arrived completely.
+    /// Return how many bytes have an acknowledge that reached the sender, and how many bytes have arrived completely.
     std::uint64_t bytes_acknowledged(std::size_t direction) const { return sender_[direction].acknowledged; }
     std::uint64_t bytes_arrived(std::size_t direction) const { return receiver_[direction].arrived; }
 
@@ -90,7 +91,7 @@ private:
     };
     struct Sender {
         std::vector<Traffic::Transfer> transfers;
-        std::size_t transfer = 0; ///< the current transfer, or the next one
+        std::size_t transfer = 0; ///< current transfer, or the next one
         std::uint32_t to_start = 0;
         std::uint64_t acknowledged = 0; ///< bytes
         bool sending = false, awaits_acknowledge = false;
@@ -99,7 +100,7 @@ private:
     };
     struct Receiver {
         std::vector<Traffic::Transfer> transfers;
-        std::size_t transfer = 0;                       ///< the current transfer, or the next one
+        std::size_t transfer = 0;                       ///< current transfer, or the next one
         std::uint64_t asked = 0, seen = 0, arrived = 0; ///< bytes
         std::int64_t notice_at = -1, wakes_at = 0, arrives_at = -1;
         bool owed = false, receiving = false, alternating = false;
@@ -129,8 +130,8 @@ private:
     bool overlapped_;
     std::vector<hardware::LinkFault> faults_;
     std::int64_t now_ = 0;
-    // Direction d leads from end d to the other. Its sender, its receiver and the transmitter of its bytes have index
-    // d; the other transmitter sends its acknowledges.
+    // Direction d leads from end d to the other end. The sender and the receiver of direction d, and the transmitter of
+    // its bytes, have index d. The other transmitter sends its acknowledges.
     std::array<Transmitter, 2> transmitter_;
     std::array<Decoder, 2> decoder_; ///< indexed by the wire that they read
     std::array<Sender, 2> sender_;

@@ -1,5 +1,5 @@
-// Tests the bit model in cases that can be computed by hand. At 20 Mbit/s a bit lasts 50 ns: a byte takes 550 ns, its
-// acknowledge begins 260 ns after the byte's start, and the next byte 300 ns after the acknowledge's start.
+// Tests the bit model in cases that can be computed by hand. At 20 Mbit/s a bit lasts 50 ns and a byte 550 ns. The
+// acknowledge begins 260 ns after the start of its byte, and the next byte 300 ns after the start of the acknowledge.
 
 #include "bit_model.hpp"
 
@@ -13,11 +13,11 @@ using namespace placedpar;
 using namespace placedpar::test;
 using Nanoseconds = std::vector<std::int64_t>;
 
-TEST_CASE("bit model: a receiver that takes fewer bytes than the sender gives leaves the next one waiting") {
+TEST_CASE("bit model: a receiver that takes fewer bytes than the sender gives leaves the next byte waiting") {
     Traffic traffic{.messages = {}, .given = {{0, 3}}, .taken = {{0, 2}, {890, 1}}};
     BitModel model({}, {traffic, {}});
     auto course = model.run_until_quiet(10'000)[0];
-    CHECK(course.input_ended == Nanoseconds{1110, 2000}); // 560 + 550, and 890 later the third byte, which is there
+    CHECK(course.input_ended == Nanoseconds{1110, 2000}); // 560 + 550; 890 later the third byte, which waits already
     CHECK(model.byte_waited(0) == Nanoseconds{1670});     // 2 * 560 + 550
     CHECK(course.output_ended == Nanoseconds{2100});      // the acknowledge is asked for at 2000
     CHECK(model.packets().back() == BitModel::Packet{2000, 1, true, false});
@@ -30,7 +30,7 @@ TEST_CASE("bit model: a receiver that takes more bytes than the sender gives wai
     CHECK(course.input_ended == Nanoseconds{1550, 1000 + 2 * 560 + 550});
 }
 
-TEST_CASE("bit model: an alternation sees the first byte for which nothing has asked, also in the middle") {
+TEST_CASE("bit model: an alternation sees the first byte that the receiver has not asked for, also within a transfer") {
     Traffic traffic{.messages = {}, .given = {{0, 3}}, .taken = {{0, 1}, {0, 2, true}}};
     BitModel model({}, {traffic, {}});
     auto course = model.run_until_quiet(10'000)[0];
@@ -40,7 +40,7 @@ TEST_CASE("bit model: an alternation sees the first byte for which nothing has a
     CHECK(!model.byte_waits(0));
 }
 
-TEST_CASE("bit model: what is left of a transfer when the other end has done with its own stays under way") {
+TEST_CASE("bit model: the rest of a transfer continues after the other end has finished its own") {
     Traffic gives_more{.messages = {}, .given = {{0, 3}}, .taken = {{0, 1}}};
     BitModel model({}, {gives_more, {}});
     auto course = model.run_until_quiet(10'000)[0];
@@ -55,7 +55,7 @@ TEST_CASE("bit model: what is left of a transfer when the other end has done wit
     CHECK(course.input_ended.empty());
 }
 
-TEST_CASE("bit model: a copy goes on with other faults than the model") {
+TEST_CASE("bit model: a copy continues with other faults than the model") {
     Traffic traffic{.messages = {{0, 0, {3}}}, .given = {}, .taken = {}};
     BitModel model({}, {traffic, {}});
     model.run_until(559); // the second byte has yet to begin

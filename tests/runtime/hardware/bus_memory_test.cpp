@@ -84,7 +84,7 @@ TEST_CASE("a host reads a message from a bus master's memory") {
     CHECK(received == copied + interrupt + read + told);
 }
 
-TEST_CASE("a bus master moves a message into another's memory as one block, in parts if it is long") {
+TEST_CASE("a bus master moves a message into another's memory as one block, or in parts if it is long") {
     Machine machine;
     auto& other = machine.simulation.add<Processor>("other");
     auto& memory = machine.simulation.add<DualPortedMemory>("other.memory");
@@ -98,5 +98,5 @@ TEST_CASE("a bus master moves a message into another's memory as one block, in p
     CHECK(machine.simulation.run().ending == Ending::completed);
     CHECK(received == sent);
     CHECK(machine.master.words_moved() == 20'001);
-    CHECK(machine.master.grants() == 2); // of 65536 bytes each at most
+    CHECK(machine.master.grants() == 2); // of at most 65536 bytes each
 }

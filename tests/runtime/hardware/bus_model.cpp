@@ -91,7 +91,7 @@ private:
         return false;
     }
 
-    /// Checks the levels in order, and the slots within each level.
+    /// Decides between the masters: checks the levels in order, and the slots within each level.
     void decide() {
         if (decides_at_ != now_)
             return;

@@ -6,7 +6,7 @@
 
 namespace placedpar::test {
 
-/// A small world of masters on a VMEbus, in abstract units of time: a word takes `word`, arbitration `arbitration`.
+/// A small world of masters on a VMEbus, in abstract units of time.
 struct BusWorld {
     struct Block {
         int pause;
@@ -15,7 +15,8 @@ struct BusWorld {
     struct Master {
         int level, slot;
         bool on_request;
-        std::vector<Block> blocks; ///< each is requested after a pause when the previous one has been moved
+        std::vector<Block> blocks; ///< each is requested after a pause, which begins when the previous block has been
+                                   ///< moved
     };
     enum class Rule { priority, round_robin, single_level };
     Rule rule;
@@ -26,7 +27,8 @@ struct BusWorld {
     std::string text() const;
 };
 
-/// Returns the ends of each master's blocks, computed step by step, as a reference for the runtime's bus.
+/// Returns the times at which each master's blocks end. They are computed step by step, as a reference for the
+/// runtime's bus.
 std::vector<std::vector<int>> ends_of_blocks(const BusWorld&);
 
 } // namespace placedpar::test

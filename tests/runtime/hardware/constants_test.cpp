@@ -21,7 +21,7 @@ double value_of(std::string_view group, std::string_view name) {
 
 } // namespace
 
-TEST_CASE("every constant stands once among those of its group, with what it is and where it is from") {
+TEST_CASE("every constant is listed once in its group, with its provenance and source") {
     std::set<std::pair<std::string_view, std::string_view>> seen;
     std::string_view group;
     std::set<std::string_view> groups;
@@ -37,7 +37,7 @@ TEST_CASE("every constant stands once among those of its group, with what it is 
     CHECK(groups.size() == 7);
 }
 
-TEST_CASE("the constants said make up the times that are simulated") {
+TEST_CASE("the listed constants give the simulated times") {
     const LinkTiming link{.bits_per_second = 10'000'000};
     auto bits = [](const char* name) { return 100 * value_of("links", name); };
     auto ns = [](placedpar::Time time) { return static_cast<double>(time.count()) / 1000; };
@@ -45,7 +45,7 @@ TEST_CASE("the constants said make up the times that are simulated") {
     CHECK(ns(link.acknowledge()) == bits("an acknowledge"));
     CHECK(ns(link.acknowledge_latency()) == bits("from a byte to its acknowledge"));
     CHECK(ns(link.restart_latency()) ==
-          bits("from an acknowledge to the next byte") + value_of("links", "besides, at any speed"));
+          bits("from an acknowledge to the next byte") + value_of("links", "in addition, at any speed"));
     const RouterPacket packet{.route = nullptr, .acknowledge = true, .last = true, .hop = 0, .bytes = 0};
     CHECK(static_cast<double>(packet.wire_form().total()) == value_of("channels in packets", "header of a packet"));
 }

@@ -45,7 +45,8 @@ void obey(Input<SwitchCommand> commands, Output<SwitchAnswer> answers, int count
             answers.output(*answer);
 }
 
-/// A processor whose link 0 leads through links 0 and 1 of a switch to one partner, and through 0 and 2 to another.
+/// A processor whose link 0 leads through a switch to two partners: through the switch's links 0 and 1 to a, and
+/// through links 0 and 2 to b.
 struct Exchange {
     Simulation simulation;
     Crossbar& sw = simulation.add<Crossbar>("sw");
@@ -67,7 +68,7 @@ struct Exchange {
         sw.obey({Kind::ready});
     }
     /// Sends 1000 bytes to a, which is connected at the start. `change` takes effect after 100 us, when 179 bytes have
-    /// begun, one each 560 ns.
+    /// begun, one every 560 ns.
     RunResult change_in_message(std::function<void()> change) {
         set(0);
         simulation.process("root", [this] { a.out().output({1000, 1}); });
@@ -83,7 +84,7 @@ struct Exchange {
 
 } // namespace
 
-TEST_CASE("each command does what its contract says, and an answer says what an output is connected to") {
+TEST_CASE("each command has the effect of its contract, and an enquiry returns the input of an output") {
     Simulation simulation;
     Crossbar& sw = simulation.add<Crossbar>("sw");
     auto answer = [&](std::uint8_t output) { return static_cast<int>(sw.obey({Kind::enquire, output})->byte); };
@@ -118,7 +119,7 @@ TEST_CASE("each command does what its contract says, and an answer says what an 
     CHECK_THROWS_AS(sw.obey({static_cast<Kind>(7)}), std::invalid_argument);
 }
 
-TEST_CASE("random commands give what a table of the outputs gives") {
+TEST_CASE("random commands give the connections that a table of the outputs gives") {
     RandomStream random(1, "commands");
     Simulation simulation;
     Crossbar& sw = simulation.add<Crossbar>("sw");
@@ -153,7 +154,7 @@ TEST_CASE("random commands give what a table of the outputs gives") {
     }
 }
 
-TEST_CASE("commands take their bytes' time on the configuration link, and act when their last byte is there") {
+TEST_CASE("commands take the time of their bytes on the configuration link, and act when their last byte has arrived") {
     Simulation simulation;
     Crossbar& sw = simulation.add<Crossbar>("sw");
     Processor& root = simulation.add<Processor>("root");
@@ -181,11 +182,12 @@ TEST_CASE("commands take their bytes' time on the configuration link, and act wh
     CHECK(answer == (0x80 | 4));
     // 19 cycles, then two bytes of 11.2 bits and the third up to the end of its acknowledge
     CHECK(sent == 950ns + 2 * 560ns + 260ns + 100ns);
-    // The answer takes the same for a byte, then for two. It has arrived when its input begins, except for 19 cycles.
+    // The answer takes this time for one byte, then for two bytes. It has arrived when its input begins, except for 19
+    // cycles.
     CHECK(answered == sent + (950ns + 360ns) + (950ns + 560ns + 360ns) + 950ns);
 }
 
-TEST_CASE("a link to one partner after the other, each message to the partner that is connected") {
+TEST_CASE("a switched link carries each message to the partner that is connected") {
     Exchange x;
     Processor& root = x.simulation.add<Processor>("root");
     std::vector<int> came_to_a, came_to_b;
@@ -211,7 +213,7 @@ TEST_CASE("a link to one partner after the other, each message to the partner th
     CHECK(x.links[0]->from_a_to_b().bytes_carried() == 300);
 }
 
-TEST_CASE("what is sent without a connection is lost: a deadlock, and the switch says which output it was") {
+TEST_CASE("a message without a connection is lost in a deadlock, and the switch names the output") {
     struct Case {
         std::vector<SwitchCommand> commands;
         int output;
@@ -247,7 +249,7 @@ TEST_CASE("what is sent without a connection is lost: a deadlock, and the switch
     }
 }
 
-TEST_CASE("what is lost both ways at once is said of each direction, with its own output") {
+TEST_CASE("losses in both directions are reported for each direction, with its own output") {
     Exchange x;
     SharedEngine out_of_a{"a.link[0]"};
     SwitchedLane& from_a = x.simulation.add<SwitchedLane>(x.links[0]->from_b_to_a(), out_of_a, x.in);
@@ -267,7 +269,7 @@ TEST_CASE("what is lost both ways at once is said of each direction, with its ow
         CHECK(loss.effect.bytes_lost == 1);
 }
 
-TEST_CASE("a connection that changes in a message cuts it: its byte is said, with and without the closed form") {
+TEST_CASE("a connection that changes within a message cuts it, and the loss names the byte") {
     for (bool every_byte : {false, true}) {
         Exchange x;
         if (every_byte)
@@ -283,7 +285,7 @@ TEST_CASE("a connection that changes in a message cuts it: its byte is said, wit
     }
 }
 
-TEST_CASE("the output to a partner goes on repeating its input when another has chosen that, too") {
+TEST_CASE("the output to a partner continues to repeat its input when another output chooses the same input") {
     Exchange x;
     CHECK(x.change_in_message([&] { x.set(1); }).ending == Ending::stuck);
     REQUIRE(x.sw.losses().size() == 1);
@@ -293,7 +295,7 @@ TEST_CASE("the output to a partner goes on repeating its input when another has 
     CHECK(x.sw.losses()[0].state == "was connected to input 2");
 }
 
-TEST_CASE("a connection that is there again before the next byte cuts nothing") {
+TEST_CASE("a connection that is restored before the next byte cuts nothing") {
     Exchange x;
     RunResult result = x.change_in_message([&] {
         x.sw.obey({Kind::reset});
@@ -303,7 +305,7 @@ TEST_CASE("a connection that is there again before the next byte cuts nothing") 
     CHECK(x.sw.losses().empty());
 }
 
-TEST_CASE("one engine is in one message at a time") {
+TEST_CASE("one engine cannot be in two messages at a time") {
     Exchange x;
     x.simulation.process("root", [&] { par([&] { x.a.out().output({10, 1}); }, [&] { x.b.out().output({10, 1}); }); });
     CHECK_THROWS_WITH_AS(x.simulation.run(),
@@ -312,7 +314,7 @@ TEST_CASE("one engine is in one message at a time") {
                          std::logic_error);
 }
 
-TEST_CASE("a process that is on no switch has none") {
+TEST_CASE("Crossbar::here() is refused for a process that is not on a switch") {
     Simulation simulation;
     simulation.process("p", [] { Crossbar::here(); });
     CHECK_THROWS_WITH_AS(simulation.run(), "process p is not on a crossbar switch", std::logic_error);
@@ -320,8 +322,8 @@ TEST_CASE("a process that is on no switch has none") {
 
 namespace {
 
-/// Sends messages of random lengths to both partners. Messages that take too long are given up, and the switch is set
-/// at random times.
+/// Sends messages of random lengths to both partners. Messages that take too long are given up. The switch is set at
+/// random times.
 struct RandomWorld : Exchange {
     RandomWorld(std::uint64_t seed, bool every_byte) : random(seed, "switching") {
         for (Link* link : links)
@@ -339,7 +341,7 @@ struct RandomWorld : Exchange {
             auto& to = lengths.chance(0.5) ? a : b;
             if (!output_or_fail(to.out(), Parcel{1 + lengths.below(300), i}, later(now(), Time{200us})))
                 reset(to.out());
-            wait_until(later(now(), Time{450us})); // both ends have given up by then
+            wait_until(later(now(), Time{450us})); // both ends have given up by this time
         }
     }
 
@@ -373,7 +375,7 @@ struct RandomWorld : Exchange {
 
 } // namespace
 
-TEST_CASE("whatever a switch does in the middle of messages, the closed form does as every byte does") {
+TEST_CASE("a switch set within messages at random has the same effect in the closed form as with every byte") {
     std::size_t received = 0, lost = 0;
     for (std::uint64_t seed : test::seeds(60)) {
         INFO(test::replay(seed));

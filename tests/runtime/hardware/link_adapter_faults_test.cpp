@@ -26,7 +26,7 @@ using test::Octets;
 
 namespace {
 
-/// Messages of random lengths in both directions through an adapter, and what their receivers got.
+/// Messages of random lengths in both directions through an adapter, with the messages that their receivers got.
 struct BothWays {
     explicit BothWays(std::uint64_t seed) {
         RandomStream random(seed, "messages");
@@ -81,7 +81,7 @@ LinkFault random_fault(Time duration, RandomStream& random) {
 
 } // namespace
 
-TEST_CASE("a fault beside an adapter: a slow link only slows; what is lost ends in a deadlock and is reported") {
+TEST_CASE("at an adapter a slow link only delays messages, and a lost packet ends in a reported deadlock") {
     std::size_t stuck = 0;
     for (std::uint64_t seed : test::seeds(100, 1)) {
         INFO(test::replay(seed));
@@ -114,7 +114,7 @@ TEST_CASE("a fault beside an adapter: a slow link only slows; what is lost ends 
         CHECK(stuck > 20);
 }
 
-TEST_CASE("messages by an adapter can be given up at either end, and the next ones come") {
+TEST_CASE("messages at an adapter can be given up at either end, and later messages arrive") {
     struct Numbered {
         int number;
         char bytes[12];
@@ -125,7 +125,8 @@ TEST_CASE("messages by an adapter can be given up at either end, and the next on
         for (std::uint64_t seed : test::seeds(60, 1)) {
             CAPTURE(down);
             INFO(test::replay(seed));
-            Host host(1 + static_cast<std::int64_t>(seed % 40)); // polls without success before it sleeps
+            Host host(1 + static_cast<std::int64_t>(seed % 40)); // number of unsuccessful polls before the program
+                                                                 // sleeps
             RandomStream random(seed, "fault");
             LinkFault fault = random_fault(milliseconds{3}, random);
             host.link.suffer(fault);
@@ -168,7 +169,7 @@ TEST_CASE("messages by an adapter can be given up at either end, and the next on
         CHECK(lost_some > 30);
 }
 
-TEST_CASE("a message to an adapter that is given up while its acknowledge waits leaves the next one alone") {
+TEST_CASE("a message to an adapter that is given up while its acknowledge waits does not affect the next message") {
     for (Time given_up = microseconds{500}; given_up < microseconds{1500}; given_up += microseconds{20}) {
         CAPTURE(given_up.count());
         Host host(32,
@@ -181,7 +182,7 @@ TEST_CASE("a message to an adapter that is given up while its acknowledge waits 
             [&] {
                 if (!output_or_fail(c.out(), std::uint8_t{1}, given_up))
                     reset(c.out());
-                wait_until(Time{milliseconds{15}}); // until the receiver has been reset as well
+                wait_until(Time{milliseconds{15}}); // the receiver is reset as well by this time
                 c.out().output(2);
             },
             &host.t800);
@@ -202,7 +203,7 @@ TEST_CASE("a message to an adapter that is given up while its acknowledge waits 
     }
 }
 
-TEST_CASE("what is broadcast cannot be given up") {
+TEST_CASE("a broadcast message cannot be given up") {
     Host host;
     auto& all = host.simulation.add<AdapterBroadcast>(std::vector{&host.driver});
     Channel<int> c("c");

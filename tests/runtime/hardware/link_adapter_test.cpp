@@ -29,10 +29,11 @@ using test::Octets;
 
 namespace {
 
-/// Time of an access to a register: program, arbitration, bus cycle.
+/// The time of an access to a register: program, arbitration, bus cycle.
 constexpr Time register_access = duration_of(30, 25'000'000) + nanoseconds{200} + nanoseconds{310};
 
-/// Returns when `bytes` have been written and the last is acknowledged, computed from the rules of polling alone.
+/// Returns the time at which `bytes` bytes have been written and the last is acknowledged. It is computed only from the
+/// rules of polling.
 Time time_of_writing(int bytes) {
     Time t{}, free{};
     auto poll = [&] {
@@ -49,7 +50,7 @@ Time time_of_writing(int bytes) {
     return t;
 }
 
-/// Returns the time at which `bytes` bytes have been read, if a link engine sends from the beginning.
+/// Returns the time at which `bytes` bytes have been read. A link engine sends from the beginning.
 Time time_of_reading(int bytes) {
     Time t{}, here = duration_of(19, 20'000'000) + adapter_timing.acknowledge_latency(); // after the instruction
     for (int i = 0; i < bytes; ++i) {
@@ -66,7 +67,7 @@ double kilobytes_per_second(int bytes, Time time) { return bytes / (static_cast<
 
 } // namespace
 
-TEST_CASE("a host writes bytes to an adapter as fast as polling and the link let it") {
+TEST_CASE("a host writes bytes to an adapter as fast as polling and the link allow") {
     for (int bytes : {1, 2, 7, 100}) {
         Host host(1'000'000);
         Channel<Octets> c("c", host.driver.to_link());
@@ -83,12 +84,12 @@ TEST_CASE("a host writes bytes to an adapter as fast as polling and the link let
             "node", [&] { received = c.in().input().size(); }, &host.t800);
         CHECK(host.simulation.run().ending == Ending::completed);
         CHECK(received == static_cast<std::size_t>(bytes));
-        CHECK(done == time_of_writing(4) + time_of_writing(bytes)); // INT::[]BYTE: the count goes first
+        CHECK(done == time_of_writing(4) + time_of_writing(bytes)); // INT::[]BYTE: the count is sent first
         CHECK(host.link.from_a_to_b().bytes_carried() == static_cast<std::uint64_t>(4 + bytes));
     }
 }
 
-TEST_CASE("the times of a single part are those of the rules") {
+TEST_CASE("a single part takes the time computed from the rules of polling") {
     struct Block {
         char bytes[100];
     };
@@ -121,7 +122,7 @@ TEST_CASE("the times of a single part are those of the rules") {
     }
 }
 
-TEST_CASE("messages of every length come over whole and in order, both ways at once") {
+TEST_CASE("messages of every length arrive completely and in order, in both directions at once") {
     Host host;
     Channel<Octets> down("down", host.driver.to_link()), up("up", host.driver.from_link());
     std::vector<Octets> sent, back;
@@ -152,7 +153,7 @@ TEST_CASE("messages of every length come over whole and in order, both ways at o
     CHECK(back == sent);
 }
 
-TEST_CASE("a host that has polled in vain sleeps until the adapter's interrupt") {
+TEST_CASE("a host sleeps after unsuccessful polls until the adapter's interrupt") {
     Host host;
     Channel<std::int32_t> c("c", host.driver.from_link());
     Time got{};
@@ -187,7 +188,7 @@ TEST_CASE("a host can wait for several adapters in an alternation") {
     CHECK(order == "21");
 }
 
-TEST_CASE("a transputer that never answers is a deadlock, and the host is named in it") {
+TEST_CASE("a transputer that never answers is a deadlock that names the host") {
     Host host;
     Channel<std::int32_t> c("c", host.driver.from_link());
     host.simulation.process(
@@ -237,8 +238,8 @@ TEST_CASE("a broadcast writes each byte once for all adapters") {
     };
     Time one_by_one = time_of(false), at_once = time_of(true);
     CHECK(at_once < one_by_one);
-    // Each of the 152 bytes takes four accesses to the status and four to the data. With a broadcast it takes four
-    // accesses to the status and one to the data.
+    // Without a broadcast, each of the 152 bytes takes four accesses to the status and four to the data. With a
+    // broadcast it takes four accesses to the status and one to the data.
     CHECK(one_by_one >= 2 * nodes * 152 * register_access);
     CHECK(at_once >= (nodes + 1) * 152 * register_access);
     CHECK(at_once < (nodes + 2) * 152 * register_access);
@@ -246,8 +247,8 @@ TEST_CASE("a broadcast writes each byte once for all adapters") {
 
 namespace {
 
-/// A host with several adapters on its bus and a transputer at each. It broadcasts to all of them on channels c0, c1
-/// ...
+/// A host with several adapters on its bus and a transputer at each adapter. It broadcasts to all of them on channels
+/// c0, c1, ...
 template <class T>
 struct BroadcastingHost : Host {
     explicit BroadcastingHost(std::size_t nodes, std::int64_t most_polls = 32) : Host(most_polls) {
@@ -275,7 +276,8 @@ struct BroadcastingHost : Host {
     std::list<Channel<T>> channels;
 };
 
-/// As time_of_writing, but the status of each adapter is polled in turn, and the byte written once.
+/// Returns the time at which a broadcast has been written. As in time_of_writing, but the status of each adapter is
+/// polled in turn, and each byte is written once.
 Time time_of_broadcasting(int bytes, std::size_t adapters) {
     Time t{}, free{};
     auto poll_all = [&] {
@@ -320,7 +322,7 @@ TEST_CASE("a broadcast takes the time of its accesses, to the picosecond") {
         }
 }
 
-TEST_CASE("what is output on the channels of a broadcast is one message") {
+TEST_CASE("different messages on the channels of a broadcast are refused") {
     auto run = [](auto first, auto second) {
         BroadcastingHost<decltype(first)> host(2);
         host.add_receivers();
@@ -345,7 +347,7 @@ TEST_CASE("what is output on the channels of a broadcast is one message") {
                          BroadcastError);
 }
 
-TEST_CASE("one who outputs the channels of a broadcast one after the other is stuck, and the report says why") {
+TEST_CASE("a program that outputs on a broadcast's channels in sequence is stuck, and the report gives the reason") {
     BroadcastingHost<std::int32_t> host(3);
     host.add_receivers();
     auto output_in_order = [&] {
@@ -372,7 +374,7 @@ TEST_CASE("one who outputs the channels of a broadcast one after the other is st
     }
 }
 
-TEST_CASE("a receiver that does not come holds up the others, and they are not taken for those at fault") {
+TEST_CASE("a receiver that does not come holds up the others, which the report does not blame") {
     BroadcastingHost<std::int32_t> host(3);
     for (std::size_t i : {std::size_t{0}, std::size_t{2}})
         host.simulation.process("node" + std::to_string(i), [&c = host.channel(i)] { c.in().input(); });

@@ -1,4 +1,4 @@
-// Tests random programs that alternate over links: no message is lost, doubled or out of order, and no run deadlocks.
+// Tests random programs that alternate over links. No message is lost, repeated or out of order, and no run deadlocks.
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"
@@ -28,7 +28,7 @@ struct Numbered {
 };
 
 /// Runs senders, each on its own link, and one receiver that takes their messages in any order. On the same processors,
-/// other processes compute or send over the links in the opposite direction, at random priorities.
+/// other processes compute, or send over the links in the opposite direction. Priorities are random.
 class Program {
 public:
     explicit Program(std::uint64_t seed, bool every_byte) : random_(seed, "alternation over links") {
@@ -60,7 +60,7 @@ private:
         sent_.push_back(1 + static_cast<int>(random_.below(6)));
         received_.push_back(0);
         Processor* t800 = receiver ? &simulation_.add<Processor>(fmt::format("sender {}", i)) : nullptr;
-        if (receiver && random_.chance(0.5)) // its link engines take memory cycles from computing processes
+        if (receiver && random_.chance(0.5)) // the link engines take memory cycles from computing processes
             receiver->has_link(link), t800->has_link(link);
         simulation_.process(
             fmt::format("sender {}", i), [this, i] { send_all(i); }, t800, some_priority());
@@ -69,7 +69,7 @@ private:
         add_computing(t800);
     }
 
-    /// Adds traffic in the opposite direction, from the receiver's processor to the sender's.
+    /// Adds traffic from `from` to `to` in the opposite direction.
     void add_traffic(Carrier& direction, Processor* from, Processor* to) {
         channels_back_.emplace_back("back").put_on(direction);
         auto out = channels_back_.back().out();
@@ -111,7 +111,7 @@ private:
             times_.push_back(now());
         }
     }
-    /// Returns a random sender that still has messages.
+    /// Returns a random sender that has messages left.
     std::size_t some_sender() {
         std::size_t sender = random_.below(static_cast<std::uint32_t>(left_.size()));
         while (left_[sender] == 0)
@@ -148,7 +148,7 @@ private:
 
 } // namespace
 
-TEST_CASE("random programs that alternate over links complete, every message in order") {
+TEST_CASE("random programs that alternate over links complete, with all messages in order") {
     for (std::uint64_t seed : test::seeds(2000)) {
         INFO(test::replay(seed));
         Program bytes(seed, true), closed(seed, false);

@@ -1,4 +1,4 @@
-// Tests links that move bytes by counts, which need not agree at the two ends, against the bit model: all pairs of
+// Tests links that move bytes by counts, which may differ at the two ends, against the bit model. Tries all pairs of
 // counts from 1 to 8, with either end first.
 
 #include "bit_model.hpp"
@@ -31,8 +31,8 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// One end of a direction, which makes one transfer after another, each after its pause. The first call is made from an
-/// event or a process. A transfer without a pause begins within the call that reports the end of the previous one.
+/// One end of a direction. It makes one transfer after another, with a pause before each. An event or a process makes
+/// the first call. A transfer without a pause begins within the call that reports the end of the previous transfer.
 class CountingEnd : public ByteUser, private Event {
 public:
     using Transfers = std::vector<Traffic::Transfer>;
@@ -48,7 +48,7 @@ public:
         wait_for(std::chrono::nanoseconds{transfers_[0].pause});
         act();
     }
-    /// Returns when its transfers ended, in nanoseconds.
+    /// Returns the times at which its transfers ended, in nanoseconds.
     const std::vector<std::int64_t>& ended() const { return ended_; }
 
 protected:
@@ -115,7 +115,7 @@ private:
     }
     void sent() override { FAIL_CHECK("a receiver is told that its bytes were sent"); }
 
-    bool alternates_ = false; ///< it waits for a byte to arrive before it asks for it
+    bool alternates_ = false; ///< the receiver waits for a byte to arrive before it asks for the byte
     std::vector<std::int64_t> byte_waited_;
 };
 
@@ -171,13 +171,13 @@ CountedCourses count_in_model(const LinkTiming& timing, const std::array<Traffic
     return courses;
 }
 
-/// Pauses of the first and of later transfers at each end, in nanoseconds.
+/// The pauses before the first and before later transfers at each end, in nanoseconds.
 struct Pauses {
     std::int64_t giver_first, taker_first, giver = 0, taker = 0;
 };
 
-/// Makes transfers of m bytes against transfers of n bytes, until both end together or 24 bytes have passed. At least
-/// one further byte is never taken.
+/// Returns transfers of m bytes against transfers of n bytes, until both ends finish a transfer together or 24 bytes
+/// have passed. At least one more byte is never taken.
 Traffic counts(std::uint32_t m, std::uint32_t n, const Pauses& pauses, bool alternates) {
     std::uint32_t takes = (std::min(std::lcm(m, n), 24u) + n - 1) / n, gives = takes * n / m + 1;
     Traffic traffic;
@@ -189,17 +189,17 @@ Traffic counts(std::uint32_t m, std::uint32_t n, const Pauses& pauses, bool alte
     return traffic;
 }
 
-/// Starting times of the two ends. At 20 Mbit/s over a wire of 35 ns, a byte arrives 585 ns after its start. It is
-/// noticed after 295 ns, or without overlapped acknowledges after 845 ns.
+/// The starting times of the two ends. At 20 Mbit/s over a wire of 35 ns, a byte arrives 585 ns after its start. It is
+/// noticed after 295 ns; without overlapped acknowledges, after 845 ns.
 constexpr std::array orders{
-    Pauses{300, 0}, // the receiver comes first
-    Pauses{0, 0},   // both come together
+    Pauses{300, 0}, // the receiver begins first
+    Pauses{0, 0},   // both begin together
     Pauses{0, 20},  // nothing has reached the receiver yet
     Pauses{0, 185}, // the first byte is on the wire
-    Pauses{0, 295}, // it is noticed, with overlap
-    Pauses{0, 435}, // it has been noticed, with overlap
-    Pauses{0, 585}, // it arrives
-    Pauses{0, 700}, // the byte has arrived, but without overlap is not noticed yet
+    Pauses{0, 295}, // the byte is just noticed, with overlap
+    Pauses{0, 435}, // the byte has been noticed, with overlap
+    Pauses{0, 585}, // the byte just arrives
+    Pauses{0, 700}, // the byte has arrived, but without overlap it is not noticed yet
     Pauses{0, 900}, // the byte has been noticed, and waits
 };
 
@@ -237,7 +237,7 @@ void compare_all_pairs(const LinkTiming& timing, const Pauses& pauses, Busy busy
 
 } // namespace
 
-TEST_CASE("bytes by counts, all pairs from 1 to 8, whichever end comes first: as on a circuit of bits") {
+TEST_CASE("bytes by counts, all pairs from 1 to 8 with either end first, take the time of a circuit of bits") {
     EveryNth some(9);
     for (bool overlapped : {true, false})
         for (bool alternates : {false, true})
@@ -247,9 +247,9 @@ TEST_CASE("bytes by counts, all pairs from 1 to 8, whichever end comes first: as
                         compare_all_pairs(at(20'000'000, overlapped), pauses, busy, alternates);
 }
 
-// At 10 Mbit/s an acknowledge and a byte may need the same wire. If both directions are busy, only the receivers pause:
-// a give and a take at the same time would compete for a wire, and the order of their events would decide.
-TEST_CASE("bytes by counts with pauses between the transfers: as on a circuit of bits") {
+// At 10 Mbit/s an acknowledge and a byte may need the same wire. If both directions are busy, only the receivers pause.
+// Otherwise a simultaneous give and take would compete for a wire, and the order of their events would decide.
+TEST_CASE("bytes by counts with pauses between the transfers take the time of a circuit of bits") {
     EveryNth some(5);
     for (bool overlapped : {true, false})
         for (bool alternates : {false, true}) {
@@ -264,14 +264,14 @@ TEST_CASE("bytes by counts with pauses between the transfers: as on a circuit of
         }
 }
 
-TEST_CASE("processes begin transfers by counts: as on a circuit of bits") {
+TEST_CASE("transfers by counts that processes begin take the time of a circuit of bits") {
     EveryNth some(9);
     for (const Pauses& pauses : orders)
         if (!some.passes_over())
             compare_all_pairs(at(20'000'000, true), pauses, Busy::both, false, Begins::in_process);
 }
 
-TEST_CASE("a direction whose bytes are moved by counts carries no messages, and the other way round") {
+TEST_CASE("a direction that moves bytes by counts carries no messages, and a direction with messages no counts") {
     struct User final : ByteUser {
     } user;
     struct Byte {
@@ -290,7 +290,7 @@ TEST_CASE("a direction whose bytes are moved by counts carries no messages, and 
     CHECK(simulation.run().ending == Ending::completed);
 }
 
-TEST_CASE("transfers by counts are refused when they are empty, and while the one before is under way") {
+TEST_CASE("an empty transfer by counts is refused, and a transfer before the end of the previous one") {
     struct User final : ByteUser {
     } user;
     Simulation simulation;
@@ -342,7 +342,7 @@ TEST_CASE("a long transfer that begins in sent() costs as few events as the one 
     CHECK(result.events < 20);
 }
 
-TEST_CASE("what faults do to bytes that are moved by counts is noted by the name of the direction") {
+TEST_CASE("the effects of faults on bytes by counts are recorded under the name of the direction") {
     struct Sender final : ByteUser {
         void sent() override { FAIL_CHECK("a byte was lost, and its sender goes on"); }
     } sender;

@@ -1,4 +1,4 @@
-// Tests that a link has only one event in the future: its next step that others can observe.
+// Tests that a link has only one event in the queue: its next step that others can observe.
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/kernel.hpp"
@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Counts the events in the future every microsecond, without its own, and keeps the maximum.
+/// Counts the events in the queue every microsecond, without its own event, and keeps the maximum.
 class Onlooker final : private Event {
 public:
     explicit Onlooker(Kernel& kernel) : kernel_(kernel) { kernel_.future().schedule(*this, 1us, EventQueue::timer); }
@@ -39,7 +39,7 @@ struct Packetful {
 
 } // namespace
 
-TEST_CASE("of a busy link one event stands in the future") {
+TEST_CASE("a busy link has one event in the queue") {
     constexpr std::size_t links = 10;
     Simulation simulation;
     auto& onlooker = simulation.add<Onlooker>();

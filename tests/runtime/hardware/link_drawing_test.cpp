@@ -24,7 +24,7 @@ struct Entry {
     Time at;
 };
 
-/// Returns all steps of a part of two bytes from a to b, whose receiver is waiting.
+/// Returns all steps of a part of two bytes from a to b. The receiver waits.
 std::vector<Entry> two_bytes(const PacketTimes& times) {
     LinkState state;
     state.directions[0].receiver = LinkState::Receiver::waits;
@@ -41,7 +41,7 @@ std::vector<Entry> two_bytes(const PacketTimes& times) {
 constexpr Time column = 20ns;
 std::size_t column_of(Time at) { return static_cast<std::size_t>(at / column); }
 
-/// Draws one wire: packets that begin at the steps `begins` and last for `carried`.
+/// Draws one wire. Its packets begin at the steps `begins` and last for `carried`.
 std::string wire(const std::vector<Entry>& trace, LinkStep begins, Time carried, char mark) {
     std::string line(column_of(1200ns), '.');
     for (const Entry& entry : trace)
@@ -50,7 +50,7 @@ std::string wire(const std::vector<Entry>& trace, LinkStep begins, Time carried,
     return line;
 }
 
-/// Describes a step; `bytes` and `acknowledges` are the numbers in the trace so far.
+/// Describes a step. `bytes` and `acknowledges` count those that have begun so far.
 std::string what_happens(LinkStep step, int bytes, int acknowledges) {
     switch (step) {
     case LinkStep::byte_begins: return fmt::format("byte {} begins", bytes);
@@ -83,7 +83,7 @@ std::string drawing() {
 
 } // namespace
 
-TEST_CASE("the drawing of two bytes and their acknowledges is what a link does") {
+TEST_CASE("the drawing of two bytes and their acknowledges in the README agrees with the link") {
     std::ifstream page(PLACEDPAR_SOURCE_DIR "/runtime/hardware/README.md");
     REQUIRE(page);
     const std::string text{std::istreambuf_iterator<char>(page), {}};

@@ -1,4 +1,4 @@
-// Counts the kernel's events for a message on a link.
+// Counts the kernel's events for each message on a link.
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/hardware/processor.hpp"
@@ -21,7 +21,7 @@ struct Payload {
 
 constexpr int messages = 100;
 
-/// Two processes that send messages of this length over a direction, one after the other.
+/// Two processes that send messages of this length over a direction, one after another.
 class Stream {
 public:
     Stream(Simulation& simulation, LinkDirection& direction, std::uint32_t bytes, Executive* from, Executive* to)
@@ -42,7 +42,7 @@ private:
     Channel<Payload> channel_;
 };
 
-/// Returns the events for each message on a link between processes that nothing else delays.
+/// Returns the number of events for each message on a link. Nothing else delays the two processes.
 double events_a_message(std::uint32_t bytes, bool both_ways, bool every_byte = false) {
     Simulation simulation;
     Link& link = simulation.add<Link>();
@@ -58,7 +58,7 @@ double events_a_message(std::uint32_t bytes, bool both_ways, bool every_byte = f
 
 } // namespace
 
-TEST_CASE("a message makes a handful of events, however long it is") {
+TEST_CASE("a message makes a handful of events, whatever its length") {
     for (bool both_ways : {false, true})
         for (std::uint32_t bytes : {16u, 256u, 4096u}) {
             CAPTURE(both_ways);

@@ -1,6 +1,6 @@
-// Tests faults and changes of speed that begin or end at every moment of a message of three bytes: the runtime's link
-// against the bit model. The start of a packet decides whether a fault affects it, so a picosecond before and a
-// picosecond after each start are also tried.
+// Tests faults and changes of speed that begin or end at every nanosecond of a message of three bytes. Compares the
+// runtime's link with the bit model. The start of a packet decides whether a fault affects the packet, so a picosecond
+// before and after each start are also tried.
 
 #include "bit_model.hpp"
 
@@ -31,7 +31,7 @@ struct SoManyBytes {
     WireForm wire_form() const { return WireForm(count); }
 };
 
-constexpr std::int64_t patience = 30'000; ///< nanoseconds until the processes give up; by then nothing more happens
+constexpr std::int64_t patience = 30'000; ///< nanoseconds until the processes give up; nothing more happens by then
 
 Time in_ns(std::int64_t nanoseconds) { return std::chrono::nanoseconds{nanoseconds}; }
 std::int64_t ns_of(Time t) {
@@ -39,7 +39,7 @@ std::int64_t ns_of(Time t) {
     return t.count() / 1000;
 }
 
-/// The outcome of an exchange: what became of the messages, and the effect of the fault.
+/// The outcome of an exchange: the ends of the messages, and the effect of the fault.
 struct Fate {
     std::array<Course, 2> course;
     std::array<std::uint64_t, 2> acknowledged{}, taken{}; ///< bytes of messages that were given up
@@ -48,7 +48,7 @@ struct Fate {
     bool operator==(const Fate&) const = default;
 };
 
-/// One message in each direction, or none if its first part has no bytes.
+/// One message in each direction. A message whose first part has no bytes is left out.
 struct TwoMessages {
     LinkTiming timing;
     std::array<Traffic::Message, 2> messages;
@@ -127,7 +127,7 @@ Fate fate_on_runtime(const TwoMessages& exchange, const LinkFault& fault, bool e
     return fate;
 }
 
-/// Moves one edge of a fault, its beginning or its end, through the time of an exchange.
+/// Moves one edge of a fault, which is its beginning or its end, through the time of an exchange.
 class MovingEdge {
 public:
     MovingEdge(const TwoMessages& exchange, const LinkFault& fault, Time LinkFault::*edge)
@@ -135,15 +135,15 @@ public:
           ahead_(exchange.timing, exchange.traffic(),
                  edge == &LinkFault::from ? std::vector<LinkFault>{} : std::vector{fault}) {}
 
-    /// Checks that runtime and model agree with the edge at each nanosecond from `first` to `last`. REQUIRES: if the
-    /// end of a fault moves, the fault begins before `first`.
+    /// Checks that runtime and model agree for an edge at each nanosecond from `first` to `last`. REQUIRES: if the edge
+    /// is the end of a fault, the fault begins before `first`.
     void pass(std::int64_t first, std::int64_t last) {
         if (first > 0)
             ahead_.run_until(first - 1);
         first_ = first;
         for (std::int64_t t = first; t <= last; ++t) {
             fault_.*edge_ = in_ns(t);
-            BitModel model = ahead_; // until now the place of the edge makes no difference
+            BitModel model = ahead_; // the edge makes no difference before this time
             model.suffer({fault_});
             fates_.push_back(fate_of(model, fault_));
             check(fates_.back());
@@ -151,8 +151,9 @@ public:
         }
     }
 
-    /// Checks the runtime with the edge a picosecond before and after the start of each packet. Before, the outcome
-    /// must be that at the start; after, that of a nanosecond later. REQUIRES: pass() was called.
+    /// Checks the runtime with the edge a picosecond before and after the start of each packet. With the edge before,
+    /// the outcome must be that of an edge at the start. With the edge after, it must be that of an edge a nanosecond
+    /// later. REQUIRES: pass() was called.
     void check_picoseconds() {
         for (const auto& packet : ahead_.packets()) {
             if (packet.began < first_ || packet.began >= last())
@@ -166,7 +167,7 @@ public:
         }
     }
 
-    /// Returns the times after which the outcome changes.
+    /// Returns the times of the edge after which the outcome changes.
     std::vector<std::int64_t> changes() const {
         std::vector<std::int64_t> all;
         for (std::int64_t t = first_; t < last(); ++t)
@@ -174,7 +175,7 @@ public:
                 all.push_back(t);
         return all;
     }
-    /// Returns the starts of packets that the fault would affect if the edge lay there.
+    /// Returns the starts of packets that the fault would affect with its edge at this start.
     std::vector<std::int64_t> starts() const {
         std::vector<std::int64_t> all;
         for (const auto& packet : ahead_.packets()) {
@@ -200,13 +201,13 @@ private:
     const TwoMessages& exchange_;
     LinkFault fault_;
     Time LinkFault::*edge_;
-    BitModel ahead_; ///< has been run up to the edge
+    BitModel ahead_; ///< has run up to the edge
     std::int64_t first_ = 0;
     std::vector<Fate> fates_; ///< for each nanosecond from first_ on
 };
 
-/// Returns messages of three bytes in one direction, and in both. Without overlapped acknowledges the wires are idle
-/// half of the time. Twice the speed halves the number of moments to try.
+/// Returns exchanges of three bytes in one direction, and in both. Without overlapped acknowledges the wires are idle
+/// half of the time; twice the speed then halves the number of times to try.
 std::vector<TwoMessages> exchanges() {
     std::vector<TwoMessages> all;
     for (bool overlapped : {true, false})
@@ -221,7 +222,7 @@ std::vector<TwoMessages> exchanges() {
     return all;
 }
 
-/// Calls the function with each exchange and its packets without a fault.
+/// Calls `f` with each exchange and its packets without a fault.
 template <typename F>
 void with_each_exchange(F f) {
     for (const TwoMessages& exchange : exchanges()) {
@@ -245,20 +246,20 @@ void check_beginnings(const LinkFault& fault) {
 
 } // namespace
 
-TEST_CASE("a link falls silent, at every moment of a message: as on a circuit of bits") {
+TEST_CASE("a link that falls silent at any moment of a message acts as a circuit of bits") {
     check_beginnings({.wire_from_b = false});
     check_beginnings({.wire_from_a = false});
 }
 
-TEST_CASE("a link loses an acknowledge, from every moment of a message on: as on a circuit of bits") {
+TEST_CASE("a link that loses an acknowledge from any moment of a message on acts as a circuit of bits") {
     check_beginnings({.kind = LinkFault::Kind::loses_acknowledge});
 }
 
-TEST_CASE("a link slows down, at every moment of a message: as on a circuit of bits") {
+TEST_CASE("a link that slows down at any moment of a message acts as a circuit of bits") {
     check_beginnings({.kind = LinkFault::Kind::slow, .factor = 2});
 }
 
-TEST_CASE("a silence that begins after a packet ends, at every moment until the next one: as on a circuit of bits") {
+TEST_CASE("a silence that ends at any moment before the next packet acts as on a circuit of bits") {
     for (bool wire_from_a : {true, false})
         with_each_exchange([&](const TwoMessages& exchange, std::vector<BitModel::Packet> packets) {
             std::erase_if(packets, [&](const auto& packet) { return (packet.wire == 0) != wire_from_a; });
@@ -273,7 +274,7 @@ TEST_CASE("a silence that begins after a packet ends, at every moment until the 
         });
 }
 
-TEST_CASE("a slow link becomes fast, at every moment of a message: as on a circuit of bits") {
+TEST_CASE("a slow link that becomes fast at any moment of a message acts as a circuit of bits") {
     with_each_exchange([&](const TwoMessages& exchange, const std::vector<BitModel::Packet>& packets) {
         MovingEdge edge(exchange, {.kind = LinkFault::Kind::slow, .factor = 2}, &LinkFault::until);
         edge.pass(1, 2 * packets.back().began + 2);

@@ -1,4 +1,4 @@
-// Tests the remains of messages that were given up: nothing arrives later, and a deadlocked run ends with their last
+// Tests the remains of messages that were given up. Nothing arrives later, and a deadlocked run ends with their last
 // packets.
 
 #include "runtime/alternation.hpp"
@@ -41,7 +41,7 @@ struct TwoWays {
     Channel<TwoParts> there{"there", link.from_a_to_b()}, back{"back", link.from_b_to_a()};
 };
 
-/// Returns when a run deadlocks in which no process receives a message.
+/// Returns the time at which a run without receivers deadlocks.
 Time end_without_receiver(bool overlapped, bool every_byte) {
     TwoWays ways({.overlapped_acknowledge = overlapped}, every_byte);
     ways.simulation.process("sender", [&] { ways.there.out().output({.bytes = 4}); });
@@ -50,7 +50,8 @@ Time end_without_receiver(bool overlapped, bool every_byte) {
     return result.time;
 }
 
-/// Returns when a run deadlocks in which a byte waits for the other direction's acknowledge, and both are given up.
+/// Returns the time at which a run deadlocks in which a byte waits for the other direction's acknowledge, and both
+/// messages are given up.
 Time end_after_withdrawals(bool every_byte) {
     TwoWays ways({.bits_per_second = 10'000'000}, every_byte);
     TwoParts received;
@@ -61,7 +62,7 @@ Time end_after_withdrawals(bool every_byte) {
     return ways.simulation.run().time;
 }
 
-/// Returns when a run deadlocks in which long messages in both directions are given up at these times.
+/// Returns the time at which a run deadlocks in which long messages in both directions are given up at the given times.
 Time end_after_giving_up(Time there, Time back, bool every_byte) {
     TwoWays ways({}, every_byte);
     constexpr TwoParts megabyte{.bytes = 1'000'000};
@@ -72,7 +73,7 @@ Time end_after_giving_up(Time there, Time back, bool every_byte) {
     return ways.simulation.run().time;
 }
 
-/// Returns how long each wire of a link at 1000 bit/s was occupied, if one of them is first used at `later`.
+/// Returns how long each wire of a link at 1000 bit/s was occupied. One wire is first used at `later`.
 std::vector<Time> occupied_at_1000_bits_per_second(Time later, bool every_byte) {
     TwoWays ways({.bits_per_second = 1000, .wire_delay = 40ms}, every_byte);
     std::vector<Time> occupied;
@@ -93,7 +94,7 @@ std::vector<Time> occupied_at_1000_bits_per_second(Time later, bool every_byte) 
 
 } // namespace
 
-TEST_CASE("what has asked early and is withdrawn leaves the step of another packet") {
+TEST_CASE("a packet that was requested early and is withdrawn leaves the other packet's step") {
     CHECK(end_after_withdrawals(false) == 1610ns);
     CHECK(end_after_withdrawals(true) == 1610ns);
 }
@@ -105,7 +106,7 @@ TEST_CASE("a message that its receiver has given up twice does not arrive") {
         std::size_t chosen = 0;
         ways.simulation.process("sender", [&] { ways.there.out().output({.head = 1, .bytes = 1}); });
         ways.simulation.process("receiver", [&] {
-            TwoParts message; // the second part begins at 10.56 us, and is noticed at 15.82
+            TwoParts message; // the second part begins at 10.56 us and is noticed at 15.82 us
             CHECK_FALSE(input_or_fail(ways.there.in(), message, Time{12us}));
             CHECK(reset(ways.there.in()) == 1);
             CHECK_FALSE(input_or_fail(ways.there.in(), message, Time{13us}));
@@ -119,8 +120,7 @@ TEST_CASE("a message that its receiver has given up twice does not arrive") {
     }
 }
 
-TEST_CASE(
-    "a first byte that is under way when the speed changes arrives as it began, also when its receiver gives up") {
+TEST_CASE("a first byte on the wire when the speed changes arrives at the old speed, also if its receiver gives up") {
     for (bool every_byte : {false, true}) {
         CAPTURE(every_byte);
         TwoWays ways({}, every_byte);
@@ -159,16 +159,16 @@ TEST_CASE("a run whose long messages are given up ends soon after, as with every
         }
 }
 
-TEST_CASE("periods that last longer than two milliseconds are passed as others are") {
+TEST_CASE("periods longer than two milliseconds are skipped as shorter ones are") {
     for (Time later = 1ms; later < 120ms; later += 7ms)
         REQUIRE(occupied_at_1000_bits_per_second(later, false) == occupied_at_1000_bits_per_second(later, true));
 }
 
-TEST_CASE("a sender gives up while an adapter's program fetches the byte: it is not there any more") {
+TEST_CASE("a byte that a sender gives up while an adapter's program fetches it is not read") {
     constexpr int count = 200;
     for (std::uint64_t seed : test::seeds(40, 1)) {
         INFO(test::replay(seed));
-        // At 100 kbit/s the next byte is still arriving when the program has read one.
+        // At 100 kbit/s the next byte is still arriving when the program has read a byte.
         bool slow = seed % 2 == 0;
         test::Host host(32, slow ? LinkTiming{.bits_per_second = 100'000} : test::adapter_timing);
         RandomStream random(seed, "patience");

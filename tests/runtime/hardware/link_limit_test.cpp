@@ -26,7 +26,8 @@ struct Done {
     bool operator==(const Done&) const = default;
 };
 
-/// Returns the progress of a message of 50 bytes, and of one of 3 that the other direction begins meanwhile.
+/// Returns the progress of a message of 50 bytes, and of a message of 3 bytes that begins meanwhile in the other
+/// direction.
 std::pair<Done, Done> done_until(Time limit, bool every_byte, bool other_direction = true) {
     Simulation simulation;
     Link& link = simulation.add<Link>(LinkTiming{});
@@ -52,7 +53,7 @@ std::pair<Done, Done> done_until(Time limit, bool every_byte, bool other_directi
 
 } // namespace
 
-TEST_CASE("a link that is stopped counts the bytes that it has begun, and of the last one what has passed") {
+TEST_CASE("a link that is stopped counts the bytes that have begun, and the elapsed time of the last one") {
     constexpr Time bit = 50ns, step = 10ns;
     Time before{0};
     for (Time limit{0}; limit < 60us; limit += step) {

@@ -21,7 +21,7 @@ struct Block {
     WireForm wire_form() const { return WireForm(bytes); }
 };
 
-/// Returns the rate over a link in Kbyte/s, in one direction or as the sum of both.
+/// Returns the data rate of a link in Kbyte/s, in one direction or as the sum of both.
 double rate(const LinkTiming& timing, bool both_ways) {
     constexpr std::uint32_t bytes = 100'000;
     Simulation simulation;
@@ -42,8 +42,8 @@ void check_within(double percent, double value, double published) {
     CHECK(std::abs(value - published) <= percent / 100 * published);
 }
 
-/// Returns half the round trip of a message of this many words in microseconds, between two high-priority processes, as
-/// measured on real T805s.
+/// Returns half the round trip of a message of `words` words in microseconds. Two high-priority processes exchange it,
+/// as measured on real T805s.
 double half_round_trip(std::uint32_t words) {
     constexpr int rounds = 10;
     Simulation simulation;
@@ -74,7 +74,7 @@ double half_round_trip(std::uint32_t words) {
 
 } // namespace
 
-TEST_CASE("table 8.1 of the databook: data rates at 5, 10 and 20 Mbit/s, one way and both ways") {
+TEST_CASE("links have the data rates of table 8.1 of the databook at 5, 10 and 20 Mbit/s, one way and both ways") {
     struct Row {
         std::int64_t bits_per_second;
         double one_way, both_ways;
@@ -87,19 +87,19 @@ TEST_CASE("table 8.1 of the databook: data rates at 5, 10 and 20 Mbit/s, one way
     }
 }
 
-TEST_CASE("without overlapped acknowledges a link carries about 0.8 Mbyte/s") {
+TEST_CASE("a link without overlapped acknowledges carries about 0.8 Mbyte/s") {
     LinkTiming timing;
     timing.overlapped_acknowledge = false;
     CHECK(std::abs(rate(timing, false) - 800) <= 50); // published with one digit
 }
 
-TEST_CASE("through three C004 in series a link carries the 0.923 to 0.930 Mbyte/s measured in Poznan") {
+TEST_CASE("a link through three C004s in series carries the 0.923 to 0.930 Mbyte/s measured in Poznan") {
     LinkTiming timing;
     timing.wire_delay = duration_of(3 * 175, 100 * timing.bits_per_second); // the manual: 1.75 bits each way
     check_within(1, rate(timing, false), (923 + 930) / 2.0);
 }
 
-TEST_CASE("through one C004 a link carries 1.33 Mbyte/s, where it carried 1.75 without") {
+TEST_CASE("a link through one C004 carries 1.33 Mbyte/s, and without it 1.75") {
     LinkTiming timing;
     check_within(3, rate(timing, false), 1750);
     timing.wire_delay = duration_of(175, 100 * timing.bits_per_second);

@@ -1,4 +1,4 @@
-// Tests what each end learns when a link loses a packet, and how the run continues.
+// Tests the information that each end gets when a link loses a packet, and the rest of the run.
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"
@@ -36,8 +36,8 @@ struct Letter {
     WireForm wire_form() const { return head > 0 ? WireForm(head, bytes) : WireForm(bytes); }
 };
 
-/// Returns the start of each packet of a message: byte, acknowledge, byte... At 20 Mbit/s a byte follows every 11.2
-/// bits of 50 ns, and its acknowledge 5.2 bits later.
+/// Returns the start of each packet of a message: byte, acknowledge, byte, ... At 20 Mbit/s a byte follows every 11.2
+/// bits of 50 ns, and its acknowledge begins 5.2 bits later.
 Time begin_of(std::uint32_t packet) { return packet / 2 * 560ns + packet % 2 * 260ns; }
 
 struct Told {
@@ -47,7 +47,7 @@ struct Told {
     FaultEffect effect;
 };
 
-/// Sends a message of this many bytes, and a fault loses one packet. Both ends give up after 1 ms, reset, and try
+/// Sends a message of this many bytes, of which a fault loses one packet. Both ends give up after 1 ms, reset, and try
 /// again.
 Told lose_packet(std::uint32_t bytes, std::uint32_t packet, bool every_byte) {
     Simulation simulation;
@@ -79,7 +79,7 @@ Told lose_packet(std::uint32_t bytes, std::uint32_t packet, bool every_byte) {
 
 } // namespace
 
-TEST_CASE("a lost byte and a lost acknowledge: nobody is told, but the receiver of all bytes") {
+TEST_CASE("a lost byte or acknowledge is an error for both ends, except for a receiver that has all bytes") {
     for (bool every_byte : {true, false})
         for (std::uint32_t bytes = 1; bytes <= 6; ++bytes)
             for (std::uint32_t packet = 0; packet < 2 * bytes; ++packet) {
@@ -100,7 +100,7 @@ TEST_CASE("a lost byte and a lost acknowledge: nobody is told, but the receiver 
             }
 }
 
-TEST_CASE("without a time-out a lost byte is a deadlock, in which the two are named") {
+TEST_CASE("a lost byte without a time-out is a deadlock that names both processes") {
     Simulation simulation;
     Link& link = simulation.add<Link>();
     link.suffer({.from = Time{3us}});
@@ -133,8 +133,8 @@ TEST_CASE("a lost message is a partial deadlock when a time limit ends the run")
 
 namespace {
 
-/// Returns the report of a run in which one end gives up a message at a given time, resets, and tries again, while the
-/// other end never resets; "" if nothing is held up.
+/// Returns the report of a run in which one end gives up a message at the given time, resets, and tries again. The
+/// other end never resets. Returns "" if nothing is held up.
 std::string held_up_after(bool sender_gives_up, Time at, std::uint32_t head, bool every_byte) {
     Simulation simulation;
     Link& link = simulation.add<Link>();
@@ -162,7 +162,7 @@ std::string held_up_after(bool sender_gives_up, Time at, std::uint32_t head, boo
 
 } // namespace
 
-TEST_CASE("where only one end of a channel is reset in the middle of a message, the report names the other") {
+TEST_CASE("if only one end of a channel is reset within a message, the report names the other end") {
     for (bool every_byte : {false, true})
         for (std::uint32_t head : {0U, 4U})
             for (Time at : {Time{1us}, Time{2us}, Time{100us}}) {
@@ -176,7 +176,7 @@ TEST_CASE("where only one end of a channel is reset in the middle of a message, 
             }
 }
 
-TEST_CASE("a sender that gives up before anybody asks leaves a byte behind, until the receiver resets its end") {
+TEST_CASE("a sender that gives up before a receiver asks leaves a byte on the link until the receiver resets its end") {
     Simulation simulation;
     Link& link = simulation.add<Link>();
     Channel<Letter> c("c", link.from_a_to_b());
@@ -194,7 +194,7 @@ TEST_CASE("a sender that gives up before anybody asks leaves a byte behind, unti
         alt(on(c.in(), [&](const Letter&) { chosen = true; }), after(Time{31us}, [] {}));
         CHECK(!chosen);
     });
-    CHECK(simulation.run().ending == Ending::stuck); // the byte made the guard ready, and the input then waits for ever
+    CHECK(simulation.run().ending == Ending::stuck); // the byte made the guard ready, but the input then waits for ever
 
     Simulation again;
     Link& other = again.add<Link>();
@@ -213,7 +213,7 @@ TEST_CASE("a sender that gives up before anybody asks leaves a byte behind, unti
     CHECK(again.run().ending == Ending::completed);
 }
 
-TEST_CASE("an end at which a message was given up refuses the next one until it is reset") {
+TEST_CASE("an end that gave up a message refuses the next one until it is reset") {
     Simulation simulation;
     Link& link = simulation.add<Link>();
     Channel<Letter> c("c", link.from_a_to_b());
@@ -226,7 +226,7 @@ TEST_CASE("an end at which a message was given up refuses the next one until it 
                          std::logic_error);
 }
 
-TEST_CASE("a processor that halts executes nothing from that moment on, and its neighbours wait for it") {
+TEST_CASE("a processor that halts executes nothing more, and its neighbours wait for it") {
     Simulation simulation;
     Processor& halting = simulation.add<Processor>("halting");
     Processor& other = simulation.add<Processor>("other");
@@ -262,7 +262,7 @@ TEST_CASE("a processor that halts executes nothing from that moment on, and its 
     CHECK(result.deadlock->processes[2].activity == Activity::inputting);
 }
 
-TEST_CASE("a processor that computes when it halts has computed until then") {
+TEST_CASE("a processor that halts during a computation is busy until it halts") {
     for (Priority priority : {Priority::low, Priority::high}) {
         Simulation simulation;
         Processor& t800 = simulation.add<Processor>("t800");
@@ -280,8 +280,8 @@ TEST_CASE("a processor that computes when it halts has computed until then") {
 namespace {
 
 /// Pairs of processes over links with random faults. Each end may give up, after a time-out or when a third process
-/// tells it to, and resets; some never give up. Each message that a sender knows to be sent must have arrived, once and
-/// in order.
+/// tells it to, and then resets. Some ends never give up. Each message that its sender knows to be sent must have
+/// arrived, once and in order.
 class RandomProgram {
 public:
     RandomProgram(std::uint64_t seed, bool every_byte) : random_(seed, "recovery over links") {
@@ -319,7 +319,7 @@ private:
         explicit Pair(std::string name) : channel(name), kill("kill " + name) {}
         Channel<Letter> channel;
         Channel<int> kill;
-        bool receiver_halts = false; ///< the receiver may have a message and stop
+        bool receiver_halts = false; ///< the receiver may get a message and halt before it can say so
         std::vector<int> told, received;
     };
 
@@ -377,7 +377,7 @@ private:
         Time deadline = soon(random);
         if (random.chance(0.7))
             return output_or_fail(pair.channel.out(), letter, deadline);
-        // A process beside the sender tells it, as the toolset does.
+        // A process in parallel with the sender tells it to give up, as in the toolset.
         bool gone = false;
         Channel<int> stop("stop");
         par(
@@ -416,7 +416,7 @@ private:
 
 } // namespace
 
-TEST_CASE("random programs over links with faults end, completed or diagnosed, and nobody is told what is not so") {
+TEST_CASE("random programs over links with faults end completed or diagnosed, with correct information at both ends") {
     constexpr std::size_t programs = test::sanitized ? 300 : 1500;
     std::size_t given_up = 0, completed = 0, stuck = 0;
     for (std::uint64_t seed : test::seeds(programs)) {

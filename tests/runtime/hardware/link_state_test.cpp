@@ -1,9 +1,9 @@
-// Tests a link's state and packets as values, without a kernel, against times worked out by hand.
+// Tests a link's state and packets as values, without a kernel, against times computed by hand.
 //
-// At 20 Mbit/s a bit takes 50 ns, and the wire delays by 40 ns. A byte occupies the wire for 550 ns and has arrived
-// after 590 ns. It is noticed after 5.2 bits and the wire's delay, 300 ns. Its acknowledge then occupies the wire for
-// 100 ns and has arrived after 140 ns. The next byte begins 3.6 bits, 120 ns and the wire's delay after the start of
-// the acknowledge, 340 ns. So a byte takes 640 ns.
+// At 20 Mbit/s a bit takes 50 ns, and the wire delays it by 40 ns. A byte occupies the wire for 550 ns and has arrived
+// after 590 ns. It is noticed after 5.2 bits and the wire's delay: 300 ns. Its acknowledge then occupies the wire for
+// 100 ns and has arrived after 140 ns. The next byte begins 340 ns after the start of the acknowledge: 3.6 bits, 120
+// ns, and the wire's delay. So bytes follow each other every 640 ns.
 
 #include "runtime/hardware/link_period.hpp"
 #include "runtime/hardware/link_state.hpp"
@@ -47,7 +47,7 @@ LinkState::Outcome take_next(LinkState& state, LinkState::Fate fate = LinkState:
     return state.perform(state.next(), usual, fate);
 }
 
-/// Takes all remaining steps.
+/// Performs all remaining steps and returns them.
 Steps drain(LinkState& state) {
     Steps steps;
     for (LinkState::Next next; (next = state.next()).at != never && steps.size() < 100;) {
@@ -57,7 +57,7 @@ Steps drain(LinkState& state) {
     return steps;
 }
 
-/// Starts a part that is to be sent.
+/// Begins a part.
 void begin_part(LinkState& state, std::size_t direction, std::uint32_t bytes, Receiver receiver) {
     state.directions[direction].part_bytes = state.packets.streams[direction].bytes_left = bytes;
     state.directions[direction].receiver = receiver;
@@ -66,7 +66,7 @@ void begin_part(LinkState& state, std::size_t direction, std::uint32_t bytes, Re
 
 } // namespace
 
-TEST_CASE("link state: a part of two bytes to a receiver that waits") {
+TEST_CASE("link state: a part of two bytes to a receiver that waits takes the steps computed by hand") {
     LinkState state;
     begin_part(state, 1, 2, Receiver::waits);
     CHECK(drain(state) == Steps{{LinkStep::byte_begins, 1, 0ns},
@@ -81,10 +81,10 @@ TEST_CASE("link state: a part of two bytes to a receiver that waits") {
     CHECK(!state.lasts_too_long);
 }
 
-TEST_CASE("link state: the receiver has a part from its last acknowledge on, and goes on when its last byte arrives") {
+TEST_CASE("link state: a receiver has a part from its last acknowledge on, and continues when its last byte arrives") {
     LinkState state;
     begin_part(state, 0, 1, Receiver::waits);
-    CHECK(state.runs_before(0, usual) == never); // the byte needs no event but its own times
+    CHECK(state.runs_before(0, usual) == never); // only the times of the byte must be computed
     CHECK(!take_next(state).delivers);
     CHECK(!state.expects_first_byte(0)); // its arrival has no visible effect
     LinkState::Outcome acknowledge = take_next(state);
@@ -112,10 +112,10 @@ TEST_CASE("link state: without overlap a byte arrives before it is acknowledged"
     CHECK(shown(state.next()) == Step{LinkStep::acknowledge_begins, 0, 850ns});
     CHECK(!state.perform(state.next(), in_turn).delivers);
     CHECK(shown(state.next()) == Step{LinkStep::sending_ends, 0, 990ns});
-    CHECK(state.may_start(0) == 850ns + 440ns); // the acknowledge, and what an overlapped one takes
+    CHECK(state.may_start(0) == 850ns + 440ns); // the acknowledge, then the restart as with overlap
 }
 
-TEST_CASE("link state: a byte for which nobody has asked waits, unacknowledged") {
+TEST_CASE("link state: a byte that no receiver has asked for waits without an acknowledge") {
     LinkState state;
     begin_part(state, 0, 1, Receiver::absent);
     CHECK(state.runs_before(0, usual) == 0ns);
@@ -167,7 +167,7 @@ TEST_CASE("link state: of two packets that wait for one wire the acknowledge goe
             }
 }
 
-TEST_CASE("link state: within an instant acknowledges are asked for, then packets begin, then they arrive") {
+TEST_CASE("link state: within an instant acknowledges are requested, then packets begin, then packets arrive") {
     auto priority_of_next = [](bool acknowledge, Time asks, std::size_t direction) {
         LinkState state;
         state.directions[direction].part_bytes = state.packets.streams[direction].bytes_left = 1;
@@ -187,7 +187,7 @@ TEST_CASE("link state: within an instant acknowledges are asked for, then packet
     }
 }
 
-TEST_CASE("link state: what arrives at one instant, and what begins then") {
+TEST_CASE("link state: simultaneous arrivals and packets are ordered") {
     LinkState state;
     state.arrivals.fill(1us);
     state.ask_for_byte(1, 1us);
@@ -221,7 +221,7 @@ TEST_CASE("link state: of two last bytes on a long wire the older arrives first,
     CHECK(drain(without_both).empty());
 }
 
-TEST_CASE("link state: a packet that is withdrawn leaves the end of what its wire carries, if it was due") {
+TEST_CASE("link state: a withdrawn packet that was due leaves the end of the packet on its wire") {
     auto left_of = [](Time asks, Time wire_is_free) {
         LinkState state;
         state.packets.now = 400ns;
@@ -236,7 +236,7 @@ TEST_CASE("link state: a packet that is withdrawn leaves the end of what its wir
     CHECK(left_of(400ns, 400ns).empty());
 }
 
-TEST_CASE("link state: nothing follows a packet that is lost") {
+TEST_CASE("link state: no packet follows a lost packet") {
     LinkState state;
     state.may_lose_packets = true;
     begin_part(state, 0, 1, Receiver::waits);
@@ -276,7 +276,7 @@ TEST_CASE("link state: a program writes the next byte when its register is free,
     CHECK(state.directions[0].phase == Phase::idle);
 }
 
-TEST_CASE("link state: what comes after the end of virtual time is noted") {
+TEST_CASE("link state: a step after the end of virtual time is recorded") {
     auto lasts_too_long = [](Time before_the_end, int steps) {
         LinkState state;
         state.packets.now = never - before_the_end;
@@ -293,7 +293,7 @@ TEST_CASE("link state: what comes after the end of virtual time is noted") {
     CHECK(!lasts_too_long(1231ns, 3));
 }
 
-TEST_CASE("link packets: of a run of bytes it is known at every moment how many have begun") {
+TEST_CASE("link packets: the number of bytes that have begun is known at every moment of a run") {
     constexpr std::uint32_t bytes = 100;
     for (std::size_t direction : {0u, 1u}) {
         LinkState start;
@@ -322,8 +322,7 @@ TEST_CASE("link packets: of a run of bytes it is known at every moment how many 
     }
 }
 
-TEST_CASE(
-    "link packets: a run ends with a last byte, before it if the trace is to see it, and before its acknowledge") {
+TEST_CASE("link packets: a run ends at a last byte, before it if the trace must see it, or before its acknowledge") {
     LinkState start;
     begin_part(start, 0, 3, Receiver::waits);
     LinkPackets up_to_last = start.packets, before_last = start.packets;
@@ -338,18 +337,18 @@ TEST_CASE(
     CHECK(!period.find(before_last, usual, {.last_bytes_stop = true}));
 }
 
-/// Returns how many bytes have begun of two directions, which begin bytes at `first` and `second`, and then every 1780
+/// Returns how many bytes have begun in two directions. They begin bytes at `first` and `second`, and then every 1780
 /// ns.
 std::int64_t begun_by(Time moment, Time first, Time second) {
     auto of = [moment](Time start) { return moment < start ? 0 : 1 + (moment - start) / 1780ns; };
     return of(first) + of(second);
 }
 
-// Wire 0 carries the first byte of direction 0 until 550, then the other direction's acknowledge. Direction 1's second
-// byte begins at 890. Wire 1 carries direction 1's first byte, begun at 100, until 650; direction 0's second byte
-// begins at 990. Direction 1 is now ahead by as much as it was behind. The directions thus change places, and after two
-// bytes, 1780 ns, the initial state returns.
-TEST_CASE("link packets: two busy directions of which one began 100 ns later repeat themselves after two bytes") {
+// Wire 0 carries the first byte of direction 0 until 550, then the other direction's acknowledge. The second byte of
+// direction 1 begins at 890. Wire 1 carries the first byte of direction 1 from 100 to 650. The second byte of direction
+// 0 begins at 990. Now direction 1 is as far ahead as it was behind, so the directions change places. After two bytes,
+// 1780 ns, the initial state returns.
+TEST_CASE("link packets: two busy directions that begin 100 ns apart repeat after two bytes") {
     LinkState start;
     begin_part(start, 0, 100, Receiver::waits);
     begin_part(start, 1, 60, Receiver::waits);
@@ -358,7 +357,7 @@ TEST_CASE("link packets: two busy directions of which one began 100 ns later rep
     LinkPeriod period;
     REQUIRE(period.find(packets, usual, {}));
     CHECK(period.length == 1780ns);
-    const Time last = 890ns + 29 * 1780ns; // the sixtieth byte of direction 1
+    const Time last = 890ns + 29 * 1780ns; // start of the sixtieth byte of direction 1
     CHECK(packets.now == last);
     CHECK(packets.streams[0].bytes_left == 41);
     CHECK(packets.streams[0].last_start == 29 * 1780ns);
@@ -389,8 +388,9 @@ PacketTimes random_times(RandomStream& random) {
     return PacketTimes(timing);
 }
 
-/// Returns a direction in the middle of a part, at its end, or with nothing to send. Its last byte began before time 0,
-/// and the next part is requested within four bytes. Times are whole tenths of a bit, so that many coincide.
+/// Returns a direction that is in the middle of a part, at the end of a part, or has nothing to send. Its last byte
+/// began before time 0, and the next part is requested within four bytes. Times are whole tenths of a bit, so that many
+/// coincide.
 LinkPackets::Stream random_stream(RandomStream& random, const PacketTimes& times) {
     LinkPackets::Stream stream;
     if (random.chance(0.1))
@@ -402,14 +402,14 @@ LinkPackets::Stream random_stream(RandomStream& random, const PacketTimes& times
     return stream;
 }
 
-/// Simulates the packets one by one.
+/// Begins the packets one by one.
 LinkPackets run_each(LinkPackets packets, const PacketTimes& times, const LinkLimit& limit) {
     LinkPeriod unknown;
     unknown.replay(packets, times, limit);
     return packets;
 }
 
-/// Compares everything that has an effect. When a wire became free long ago has none.
+/// Compares everything that has an effect. The time at which a wire became free has no effect if it is in the past.
 void check_same(const LinkPackets& one, const LinkPackets& other) {
     REQUIRE(one.now == other.now);
     for (std::size_t d : {0u, 1u}) {
@@ -422,7 +422,7 @@ void check_same(const LinkPackets& one, const LinkPackets& other) {
 
 } // namespace
 
-TEST_CASE("link packets: periods that are passed at once come to what single packets come to, from any beginning") {
+TEST_CASE("link packets: skipped periods have the effect of single packets, from any initial state") {
     int simple = 0;
     for (std::uint64_t seed : test::seeds(test::sanitized ? 200 : 2000)) {
         INFO(test::replay(seed));

@@ -1,4 +1,4 @@
-// Tests the times of links against the bit model, and the closed form against the simulation of every byte.
+// Tests the times of links against the bit model, and the closed form against a simulation of every byte.
 
 #include "bit_model.hpp"
 
@@ -91,7 +91,7 @@ Outcome run_on_runtime(const LinkTiming& timing, const std::array<Traffic, 2>& t
     return outcome;
 }
 
-/// Returns a random pause. The residues keep pauses of a sender and a receiver from ending at the same nanosecond: they
+/// Returns a random pause. The residues keep pauses of a sender and a receiver from ending at the same nanosecond. They
 /// differ by one or two from the grid on which bits and bytes begin.
 std::int64_t random_pause(RandomStream& random, std::int64_t residue) {
     if (random.chance(0.4))
@@ -124,7 +124,7 @@ LinkTiming random_timing(RandomStream& random) {
 
 } // namespace
 
-TEST_CASE("random traffic over a link takes the time that a circuit of bits takes, to the picosecond") {
+TEST_CASE("random traffic over a link takes the time of a circuit of bits, to the picosecond") {
     for (std::uint64_t seed : test::seeds(test::sanitized ? 60 : 300)) {
         INFO(test::replay(seed));
         RandomStream random(seed, "link against bits");
@@ -143,7 +143,7 @@ TEST_CASE("random traffic over a link takes the time that a circuit of bits take
     }
 }
 
-TEST_CASE("the closed form gives the times of the single bytes, to the picosecond and in the same order") {
+TEST_CASE("the closed form gives the times and the order of the single bytes, to the picosecond") {
     for (std::uint64_t seed : test::seeds(test::sanitized ? 400 : 2000)) {
         INFO(test::replay(seed));
         RandomStream random(seed, "closed form against bytes");
@@ -159,7 +159,7 @@ TEST_CASE("the closed form gives the times of the single bytes, to the picosecon
 
 namespace {
 
-/// Returns one to three random faults within this many nanoseconds.
+/// Returns one to three random faults that begin within this many nanoseconds.
 std::vector<LinkFault> random_faults(RandomStream& random, std::uint32_t nanoseconds) {
     std::vector<LinkFault> faults(1 + random.below(3));
     for (LinkFault& fault : faults) {
@@ -187,7 +187,7 @@ bool same(const std::vector<FaultEffect>& x, const std::vector<FaultEffect>& y) 
 
 } // namespace
 
-TEST_CASE("random traffic over a link with faults goes as far, and takes the time, as on a circuit of bits") {
+TEST_CASE("random traffic over a link with faults goes as far and takes the time as on a circuit of bits") {
     constexpr std::size_t courses = test::sanitized ? 40 : 200;
     std::size_t stuck = 0;
     for (std::uint64_t seed : test::seeds(courses)) {

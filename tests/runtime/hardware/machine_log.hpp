@@ -11,11 +11,11 @@
 
 namespace placedpar::test {
 
-/// Logs the times of everything that happens in a random machine: statistics of its links and processors, and trace
-/// events of messages and links.
+/// Logs the times of all events in a random machine: statistics of its links and processors, and trace events of
+/// messages and links.
 class MachineLog final : public TraceSink {
 public:
-    using Entry = std::tuple<std::int64_t, std::string, std::int64_t>; ///< picoseconds, what happened, its value
+    using Entry = std::tuple<std::int64_t, std::string, std::int64_t>; ///< picoseconds, event, value
     const std::vector<Entry>& entries() const { return entries_; }
     void note(Time now, std::string what, std::int64_t value) {
         entries_.emplace_back(now.count(), std::move(what), value);
@@ -29,7 +29,7 @@ public:
 
 private:
     std::vector<Entry> entries_;
-    std::set<std::string> links_; ///< directions that have carried something
+    std::set<std::string> links_; ///< directions that have carried a byte
 };
 
 } // namespace placedpar::test

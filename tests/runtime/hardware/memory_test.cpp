@@ -1,4 +1,4 @@
-// Tests how link engines slow down a processor's computing, in cases worked by hand. For random cases see
+// Tests how link engines slow down a processor's computing, in cases computed by hand. For random cases see
 // link_alternation_test.cpp.
 
 #include "runtime/channel.hpp"
@@ -42,7 +42,7 @@ using Bytes = Channel<MovedBlock>;
 
 constexpr std::int64_t twenty_megahertz = 20'000'000;
 
-/// A processor with a link, used at the same time by processes that are on no processor.
+/// A processor with a link. Processes without a processor use the link at the same time.
 struct OneLink {
     explicit OneLink(const Memory& memory, bool receives = true)
         : processor(simulation.add<Processor>("t", twenty_megahertz, Cycles{0}, memory)), link(simulation.add<Link>()) {
@@ -61,7 +61,7 @@ struct OneLink {
                 channel.in().input();
         });
     }
-    /// Returns how long a process takes to compute this many cycles.
+    /// Returns how long a process takes to compute `cycles` cycles.
     Time computing(Cycles cycles, Priority priority = Priority::low) {
         Time took{};
         simulation.process(
@@ -83,7 +83,7 @@ struct OneLink {
 };
 
 /// Sends three random messages in each direction of a link. Returns the bytes moved and the time occupied in each
-/// direction, at 6,000 times: tenths of a bit, or a picosecond beside them.
+/// direction, at 6,000 times. These times are tenths of a bit, or a picosecond before or after them.
 std::vector<std::int64_t> observed(std::uint64_t seed, bool every_byte) {
     RandomStream random(seed, "two directions");
     LinkTiming timing{.bits_per_second =
@@ -102,7 +102,7 @@ std::vector<std::int64_t> observed(std::uint64_t seed, bool every_byte) {
             direction->simulate_every_byte();
         const bool is_second = !channels.empty();
         Bytes& channel = channels.emplace_back("", *direction);
-        // The second direction begins later; in half of the cases when the first direction's last byte begins.
+        // The second direction begins later. In half of the cases it begins with the first direction's last byte.
         Time start = (random.chance(0.5) ? 112 * (bytes[0] - 1) : random.below(600)) * (is_second ? tenth : Time{0});
         simulation.process("sends", [&channel, own = bytes[is_second], start] {
             wait_for(start);
@@ -133,7 +133,7 @@ std::vector<std::int64_t> observed(std::uint64_t seed, bool every_byte) {
 
 } // namespace
 
-TEST_CASE("a process that computes waits for an access for each word that comes or goes meanwhile") {
+TEST_CASE("a computing process waits for one access for each word that comes or goes meanwhile") {
     for (bool receives : {false, true})
         for (std::int64_t access : {1, 3, 5}) {
             CAPTURE(access);
@@ -145,7 +145,7 @@ TEST_CASE("a process that computes waits for an access for each word that comes 
         }
 }
 
-TEST_CASE("what is left at the end of a message is a word, too; a T2 has twice as many") {
+TEST_CASE("remaining bytes at the end of a message are one more word, and a T2 has twice as many words") {
     for (auto [bytes_in_a_word, words] : {std::pair{4, 2}, {2, 3}}) {
         OneLink t({.access = Cycles{3}, .bytes_in_a_word = bytes_in_a_word});
         t.carry(10, 5);
@@ -153,7 +153,7 @@ TEST_CASE("what is left at the end of a message is a word, too; a T2 has twice a
     }
 }
 
-TEST_CASE("a message that comes before or after the computation takes nothing from it") {
+TEST_CASE("a message before or after the computation does not slow it down") {
     OneLink after({.access = Cycles{3}});
     after.carry(1, 4000, 100'000 * cycle);
     CHECK(after.computing(Cycles{100'000}) == 100'000 * cycle);
@@ -175,17 +175,19 @@ TEST_CASE("a message that comes before or after the computation takes nothing fr
     CHECK(took == 1000 * cycle);
 }
 
-TEST_CASE("of a message that is still coming, the words until the end count, those that come in the delay included") {
+TEST_CASE("a computation waits for the words that arrive until its end, including those during the delay") {
     OneLink t({.access = Cycles{3}});
     t.carry(1, 400'000);
-    // Every 560 ns a byte, every 2.24 us a word, and each access takes .15 us: 1 ms becomes 1 / (1 - .15 / 2.24) ms.
+    // There is a byte every 560 ns and a word every 2.24 us. Each access takes .15 us, so 1 ms becomes 1 / (1 - .15 /
+    // 2.24) ms.
     Time took = t.computing(Cycles{20'000});
     auto words = (took - 20'000 * cycle) / (3 * cycle);
     CHECK(took == 20'000 * cycle + words * 3 * cycle);
     CHECK(words == 479); // 1 ms / (2.24 - .15) us = 478.5, plus the current word
 }
 
-TEST_CASE("time that links take does not cost a process its timeslice, nor its place before its rivals") {
+TEST_CASE(
+    "the time of link accesses does not count in a process's timeslice, and it keeps its place before its rivals") {
     Simulation simulation;
     Processor& t800 = simulation.add<Processor>("t", twenty_megahertz, Cycles{0}, Memory{.access = Cycles{3}});
     Link& link = simulation.add<Link>();
@@ -204,14 +206,14 @@ TEST_CASE("time that links take does not cost a process its timeslice, nor its p
             },
             &t800);
     simulation.run();
-    // Each process computes for half a timeslice, extended by the accesses of its links.
+    // Each process computes for half a timeslice. The accesses of the links extend this time.
     CHECK(ended[0] > 10'000 * cycle);
     CHECK(ended[0] < 10'800 * cycle);
     CHECK(ended[1] > ended[0] + 10'000 * cycle);
     CHECK(t800.time_busy() == ended[1]);
 }
 
-TEST_CASE("an interrupt in between loses none of the time that links took") {
+TEST_CASE("an interrupt does not lose the time of link accesses") {
     OneLink t({.access = Cycles{3}});
     t.carry(1, 4000);
     t.simulation.process(
@@ -223,12 +225,11 @@ TEST_CASE("an interrupt in between loses none of the time that links took") {
         &t.processor, Priority::high);
     Time took = t.computing(Cycles{200'000});
     CHECK(t.processor.memory_taken_by_links() == 3000 * cycle);
-    // There are 20 interrupts, and all accesses fall into the computing of one of the processes.
+    // There are 20 interrupts, and all accesses fall into a computation of one of the processes.
     CHECK(took == (200'000 + 20 * (500 + 19) + 3000) * cycle);
 }
 
-TEST_CASE("a chain of seven that stores, forwards and computes at once: each of the five inner ones loses to both its "
-          "links") {
+TEST_CASE("in a chain of seven that stores, forwards and computes, each inner processor waits for both its links") {
     constexpr int nodes = 7, messages = 20;
     constexpr std::uint32_t bytes = 4000;
     constexpr std::int64_t work = 200'000; // 10 ms, longer than a message takes, so that computing is the bottleneck
@@ -251,7 +252,7 @@ TEST_CASE("a chain of seven that stores, forwards and computes at once: each of 
             [&, at] {
                 Bytes *from = at > 0 ? &channels[at - 1] : nullptr,
                       *to = at < channels.size() ? &channels[at] : nullptr;
-                for (int m = 0; m <= messages; ++m) // one is stored while the previous one is forwarded
+                for (int m = 0; m <= messages; ++m) // one message is stored while the previous one is forwarded
                     par(
                         [&] {
                             if (from && m < messages)
@@ -272,16 +273,15 @@ TEST_CASE("a chain of seven that stores, forwards and computes at once: each of 
         bool inner = i > 0 && i + 1 < chain.size();
         CHECK(chain[i]->memory_taken_by_links() == (inner ? 2 : 1) * words * cycle);
         Time own = (messages + 1) * work * cycle;
-        // Before the first message arrives, no transfer slows down its computing.
+        // Before the first message arrives, no transfer slows down the computing.
         CHECK(chain[i]->time_busy() >= own + (inner ? 2 : 1) * words * cycle * (messages - 2) / messages);
         CHECK(chain[i]->time_busy() < own + (inner ? 2 : 1) * words * cycle + (messages + 1) * 200 * cycle);
     }
 }
 
-TEST_CASE(
-    "a load shared out along a chain of seven under the C toolset: each stores what is for all behind it, forwards "
-    "the rest and computes its own part at once, as long as by hand") {
-    // The numbers of words, each with 200 cycles of load, let all processors end together if links took no cycles.
+TEST_CASE("a load divided along a chain of seven under the C toolset takes the time computed by hand") {
+    // With these numbers of words and 200 cycles of load for each word, all processors would end together if links took
+    // no cycles.
     constexpr std::array<std::uint32_t, 7> words{26'302, 16'513, 10'423, 6'668, 4'406, 3'131, 2'557};
     Simulation simulation;
     std::vector<Processor*> chain;
@@ -318,7 +318,7 @@ TEST_CASE(
         constexpr Time slack = std::chrono::microseconds{17}; // for startp, interrupts and rescheduling, out of 270 ms
         CHECK(began[i] >= by_hand);
         CHECK(began[i] < by_hand + slack);
-        // Computing lasts longer than forwarding, which takes three of its cycles for each word.
+        // Computing lasts longer than forwarding, which takes three cycles of the computation for each word.
         Time own = (200 * std::int64_t{words[i]} + 3 * std::int64_t{behind(i)}) * cycle;
         CHECK(ended[i] >= by_hand + own);
         CHECK(ended[i] < by_hand + own + slack);
@@ -326,7 +326,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a copy on a soft channel reads and writes its words: 13.3 Mbyte/s outside of the chip (databook)") {
+TEST_CASE("a copy on a soft channel reads and writes its words, at 13.3 Mbyte/s outside of the chip (databook)") {
     Simulation simulation;
     Processor& t800 = simulation.add<Processor>("t", twenty_megahertz, Cycles{0}, Memory{.access = Cycles{3}});
     Bytes channel("soft");
@@ -339,7 +339,7 @@ TEST_CASE("a copy on a soft channel reads and writes its words: 13.3 Mbyte/s out
     CHECK(4e6 / static_cast<double>(ended.count()) * 1e12 == doctest::Approx(13.3e6).epsilon(.005));
 }
 
-TEST_CASE("words of code and data outside of the chip take a computation what an access there takes longer") {
+TEST_CASE("words of code and data outside of the chip extend a computation by the longer access") {
     for (std::int64_t access : {1, 3, 5}) {
         Simulation simulation;
         Processor& t800 = simulation.add<Processor>("t", twenty_megahertz, Cycles{0}, Memory{.access = Cycles{access}});
@@ -364,14 +364,14 @@ TEST_CASE("memory that takes no time, or has words of another size, is refused")
                     std::logic_error);
 }
 
-TEST_CASE("what links have moved is known at every moment as if each byte were an event") {
+TEST_CASE("the bytes moved by links are known at every moment as if each byte were an event") {
     for (std::uint64_t seed : seeds(sanitized ? 40 : 400)) {
         INFO(replay(seed));
         CHECK(observed(seed, false) == observed(seed, true));
     }
 }
 
-TEST_CASE("a message that begins when the last byte of the other direction does has moved no words") {
+TEST_CASE("a message that begins with the last byte of the other direction has not moved any words") {
     constexpr Time last_byte_begins = 99 * std::chrono::nanoseconds{560};
     OneLink t{Memory{}};
     Bytes back("back", t.link.from_b_to_a());
@@ -384,5 +384,5 @@ TEST_CASE("a message that begins when the last byte of the other direction does 
         taken = t.processor.memory_taken_by_links();
     });
     t.simulation.run();
-    CHECK(taken == 25 * cycle); // 99 bytes have begun before, and none of the 1000
+    CHECK(taken == 25 * cycle); // 99 bytes began before, and none of the 1000 bytes
 }

@@ -37,7 +37,7 @@ void ProcessorModel::step_ended() {
         go_on(*current_);
 }
 
-/// Continues a process at the end of a computation: it begins the next one, rests, or ends.
+/// Continues a process at the end of a computation. The process begins the next computation, rests, or ends.
 void ProcessorModel::go_on(std::size_t p) {
     ended_[p].push_back(now_);
     const auto& steps = loads_[p].steps;

@@ -7,8 +7,8 @@
 
 namespace placedpar::test {
 
-/// One process, which alternates between rests and computations. Their lengths are in processor cycles. A rest may be
-/// 0. A computation has descheduling points at a fixed distance and at its end.
+/// A process that alternates between rests and computations. Their lengths are in processor cycles. A rest may be 0. A
+/// computation has descheduling points at a fixed distance and at its end.
 struct Load {
     bool high = false;
     struct Step {
@@ -17,14 +17,14 @@ struct Load {
     std::vector<Step> steps;
 };
 
-/// Models a processor cycle by cycle: it looks at its queues in every cycle, and computes when each computation ends.
-/// It shares nothing with runtime/hardware/processor.cpp, which simulates whole turns.
+/// Models a processor cycle by cycle. It looks at its queues in every cycle, and finds the end of each computation. It
+/// shares no code with runtime/hardware/processor.cpp, which simulates whole turns.
 class ProcessorModel {
 public:
     static constexpr std::int64_t slice = 20'480, interrupt = 19;
 
     explicit ProcessorModel(const std::vector<Load>&);
-    /// Returns, for each process, the cycles at which its computations end.
+    /// Returns for each process the cycles at which its computations end.
     std::vector<std::vector<std::int64_t>> run();
     std::int64_t busy() const { return busy_; }
 
@@ -32,7 +32,7 @@ private:
     struct State {
         std::size_t step = 0;
         std::int64_t left = 0, wakes = -1;
-        std::int64_t rest_began = 0; ///< orders alarms of the same time
+        std::int64_t rest_began = 0; ///< orders alarms at the same time
     };
     void step_ended();
     void go_on(std::size_t process);

@@ -1,4 +1,4 @@
-// Tests random loads on a processor against a model clocked cycle by cycle.
+// Tests random loads on a processor against a model that is clocked cycle by cycle.
 
 #include "processor_model.hpp"
 
@@ -42,7 +42,7 @@ std::int64_t sum_of_computations(const std::vector<Load>& loads) {
 
 } // namespace
 
-TEST_CASE("random loads take the cycles that a clocked processor takes, each and in sum") {
+TEST_CASE("random loads take the cycles of a clocked processor, each and in sum") {
     for (std::uint64_t seed : test::seeds(60)) {
         INFO(test::replay(seed));
         RandomStream random(seed, "processor");

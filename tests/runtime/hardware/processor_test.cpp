@@ -1,4 +1,4 @@
-// Tests how a processor shares its time, in cases worked by hand. For random cases see processor_model_test.cpp.
+// Tests how a processor divides its time, in cases computed by hand. For random cases see processor_model_test.cpp.
 
 #include "runtime/channel.hpp"
 #include "runtime/hardware/instructions.hpp"
@@ -29,7 +29,7 @@ constexpr Cycles one_slice{20'480};
 
 } // namespace
 
-TEST_CASE("cycles take their time at 20, 25 and 17.5 MHz") {
+TEST_CASE("cycles have their length at 20, 25 and 17.5 MHz") {
     for (auto [hertz, picoseconds] :
          {std::pair{20'000'000, 50'000'000}, {25'000'000, 40'000'000}, {17'500'000, 57'142'857}}) {
         Simulation simulation;
@@ -48,7 +48,7 @@ TEST_CASE("a process that is not placed computes in no time") {
     CHECK(simulation.run().time == Time{0});
 }
 
-TEST_CASE("processors compute at the same time, processes of one processor one after the other") {
+TEST_CASE("processors compute in parallel, and processes of one processor one after another") {
     Simulation simulation;
     Processor& p = simulation.add<Processor>("p");
     Processor& q = simulation.add<Processor>("q");
@@ -63,8 +63,7 @@ TEST_CASE("processors compute at the same time, processes of one processor one a
     CHECK(done == std::vector<Time>{100 * cycle, 200 * cycle, 150 * cycle});
 }
 
-TEST_CASE(
-    "a high-priority process interrupts a low one at a cost of 19 cycles, and the low one goes on before its rivals") {
+TEST_CASE("a high-priority process interrupts a low one for 19 cycles, and the low one continues before its rivals") {
     Simulation simulation;
     Processor& t800 = simulation.add<Processor>("t800");
     Time high{}, interrupted{}, rival{};
@@ -75,15 +74,15 @@ TEST_CASE(
     simulation.process(
         "high", [&] { wait_until(500 * cycle), compute(Cycles{100}), high = now(); }, &t800, Priority::high);
     simulation.run();
-    // The process "high" is created last, so that "interrupted" computes when "high" gets its first turn: one more
-    // interrupt, before its delay.
+    // The process "high" is created last, so "interrupted" computes when "high" gets its first turn. This is one more
+    // interrupt, before the delay of "high".
     CHECK(high == (500 + 19 + 100) * cycle);
     CHECK(interrupted == (1000 + 19 + 19 + 100) * cycle);
     CHECK(rival == (2000 + 19 + 19 + 100) * cycle);
 }
 
-TEST_CASE("an interrupt waits for the end of an instruction: at most 58 cycles where integers are divided, 78 with "
-          "floating point") {
+TEST_CASE(
+    "an interrupt waits for the end of an instruction: at most 58 cycles with divisions, 78 with floating point") {
     for (auto [instruction, at_most] : {std::pair{1, 19}, {39, 58}, {59, 78}}) {
         std::int64_t least = 1000, most = 0;
         for (std::int64_t moment = 10'000; moment < 10'059; ++moment) {
@@ -104,11 +103,11 @@ TEST_CASE("an interrupt waits for the end of an instruction: at most 58 cycles w
             CHECK(ended == (59 * 39 * 10 + 19) * cycle); // only the switches are lost
         }
         CHECK(least == 19);
-        CHECK(most == at_most - (instruction > 1)); // in whole cycles: the instruction's first cycle has passed
+        CHECK(most == at_most - (instruction > 1)); // in whole cycles; the instruction's first cycle has passed
     }
 }
 
-TEST_CASE("a high-priority process is not interrupted by another, nor timesliced") {
+TEST_CASE("a high-priority process is not interrupted by another, and not timesliced") {
     Simulation simulation;
     Processor& t800 = simulation.add<Processor>("t800");
     Time first{}, second{};
@@ -120,7 +119,7 @@ TEST_CASE("a high-priority process is not interrupted by another, nor timesliced
         "low", [] { compute(Cycles{10}); }, &t800);
     simulation.run();
     CHECK(first == 5 * Processor::timeslice);
-    CHECK(second == first + (4 + 10) * cycle); // its time has passed by then: asking takes 4 cycles
+    CHECK(second == first + (4 + 10) * cycle); // the time has passed by then, and the instruction takes 4 cycles
 }
 
 TEST_CASE("a low-priority process with rivals loses the processor after one to two timeslice periods") {
@@ -146,8 +145,7 @@ TEST_CASE("a low-priority process with rivals loses the processor after one to t
     }
 }
 
-TEST_CASE(
-    "a process gives way where its program jumps or loops, shortly after the end of a period, its rivals run for two") {
+TEST_CASE("a process gives way at a jump or loop shortly after the end of a period, and its rivals run for two") {
     for (auto [between, late] : {std::pair{1, 1}, {500, 20}, {1000, 520}, {100'000, 2520}}) {
         Simulation simulation;
         Processor& t800 = simulation.add<Processor>("t800");
@@ -161,7 +159,7 @@ TEST_CASE(
         simulation.run();
         REQUIRE(began.size() == 2);
         CHECK(began[0] == Processor::timeslice + late * cycle);
-        // The second rival has run for a whole period at the end of its second period.
+        // At the end of its second period, the second rival has run for a whole period.
         CHECK(began[1] == (began[0] / Processor::timeslice + 2) * Processor::timeslice + cycle);
     }
 }
@@ -192,7 +190,7 @@ TEST_CASE("with n low-priority processes none waits longer than 2n - 2 timeslice
     }
 }
 
-TEST_CASE("misuse is refused") {
+TEST_CASE("impossible clocks, computations and processors are refused") {
     Simulation simulation;
     CHECK_THROWS_AS(simulation.add<Processor>("stopped", 0), std::logic_error);
     Processor& t800 = simulation.add<Processor>("t800");
@@ -209,7 +207,7 @@ TEST_CASE("misuse is refused") {
                          std::logic_error);
 }
 
-TEST_CASE("a library is called for soft channels too") {
+TEST_CASE("the cost of a library call is also paid for soft channels") {
     Simulation simulation;
     Processor& t800 = simulation.add<Processor>("t800", 20'000'000, instructions::toolset_channel_call);
     Channel<int> c("c");
@@ -220,7 +218,7 @@ TEST_CASE("a library is called for soft channels too") {
     CHECK(simulation.run().time == (201 + 23 + 201 + 19 + 2) * cycle); // and 2 for the copy of a word
 }
 
-TEST_CASE("a process switch costs what the processor says, except where a process takes another's place or goes on") {
+TEST_CASE("a process switch has the stated cost, except if a process takes another's place or continues") {
     auto time = [](Cycles switching) {
         Simulation simulation;
         Processor& t800 = simulation.add<Processor>("t800", Processor::usual_clock, Cycles{0}, Memory{}, switching);
@@ -235,7 +233,7 @@ TEST_CASE("a process switch costs what the processor says, except where a proces
     CHECK_THROWS_AS(time(Cycles{-1}), std::logic_error);
 }
 
-TEST_CASE("a process that goes on after an interrupt pays for no switch, and the one that interrupts pays 19 cycles") {
+TEST_CASE("a process that continues after an interrupt pays for no switch, and the interrupting one pays 19 cycles") {
     auto time = [](Cycles switching) {
         Simulation simulation;
         Processor& t800 = simulation.add<Processor>("t800", Processor::usual_clock, Cycles{0}, Memory{}, switching);
@@ -245,10 +243,10 @@ TEST_CASE("a process that goes on after an interrupt pays for no switch, and the
             "low", [] { compute(Cycles{1000}); }, &t800);
         return simulation.run().time;
     };
-    CHECK(time(Cycles{4}) - time(Cycles{0}) == 2 * 4 * cycle); // each one when it begins
+    CHECK(time(Cycles{4}) - time(Cycles{0}) == 2 * 4 * cycle); // one for each process when it begins
 }
 
-TEST_CASE("messages of one word and of ten on one processor cost their instructions") {
+TEST_CASE("messages of one word and of ten words on one processor cost the cycles of their instructions") {
     auto busy = [](auto message) {
         Simulation simulation;
         Processor& t800 = simulation.add<Processor>("t800");

@@ -15,18 +15,18 @@ struct Letter {
     WireForm wire_form() const { return WireForm(head, body, tail); }
 };
 
-/// A channel of a random machine, with the numbers of its letters: those that its sender knows to be sent, and those
-/// received.
+/// A channel of a random machine, with the numbers of its letters: letters that the sender knows to be sent, and
+/// letters received.
 struct Lane {
     Lane(const std::string& name, bool can_be_given_up_)
         : channel(name), output_fails(name + " output fails"), input_fails(name + " input fails"),
           can_be_given_up(can_be_given_up_) {}
-    /// Whether all sent letters arrived in order and once. The last may be missing if its receiver may not have looked
-    /// at it.
+    /// Returns whether all sent letters arrived once and in order. The last may be missing if its receiver may not have
+    /// looked at it.
     bool is_whole() const;
 
     Channel<Letter> channel;
-    Channel<int> output_fails, input_fails; ///< soft channels: a message ends an attempt
+    Channel<int> output_fails, input_fails; ///< soft channels; a message on one ends an attempt
     bool can_be_given_up, failures_are_told = false;
     std::vector<int> gone, came;
 };

@@ -117,7 +117,8 @@ void RandomMachine::add_faults(Link& link) {
     }
 }
 
-/// Leads the link through a switch. It is connected at the start, and at random times connected elsewhere for a while.
+/// Leads the link through a switch. The link is connected at the start; at random times its connection is changed for a
+/// while.
 void RandomMachine::lead_through_switch(Link& link) {
     has("switch");
     Crossbar& sw = simulation_.add<Crossbar>(fmt::format("sw{}", links_.size()));
@@ -146,7 +147,7 @@ void RandomMachine::add_packets(RouterLink& shared, bool forth, Node& from, Node
         add_lane(from, to, false).channel.put_on(simulation_.add<Route>(std::vector<Hop>{Hop{shared, forth}}));
 }
 
-/// Adds the adapter of a Sun, or of a master whose programs take only the bus's time.
+/// Adds an adapter. Its host is a Sun, or a master whose programs take only the bus's time.
 void RandomMachine::add_adapter(Link& link, Node& transputer, bool at_a) {
     has("adapter");
     std::string name = fmt::format("host{}", hosts_.size());

@@ -20,27 +20,27 @@
 
 namespace placedpar::test {
 
-/// A random machine of up to four transputers, with a program that combines everything that can happen on links. All
-/// choices come from the seed. Messages of all lengths travel in both directions on each link: on one channel, on
-/// several channels in packets, or through a link adapter. The program uses ALTs, time-outs, both priorities, and
-/// messages that are given up repeatedly, and it computes in memory that link engines also use. Links have various
-/// speeds, faults, and switches that are set in the middle of messages. Many runs deadlock. Every other machine is
-/// traced, which at times prevents the closed form of packets.
+/// A random machine of up to four transputers, with a program that combines all events on links. All choices come from
+/// the seed. Messages of all lengths travel in both directions on each link: on one channel, on several channels in
+/// packets, or through a link adapter. The program uses ALTs, time-outs, both priorities, and messages that are given
+/// up repeatedly. It computes in memory that link engines also use. Links have various speeds, faults, and switches
+/// that are set within messages. Many runs deadlock. Every other machine is traced, which at times prevents the closed
+/// form of packets.
 class RandomMachine {
 public:
     RandomMachine(std::uint64_t seed, bool every_byte);
 
     RunResult run();
     const std::vector<MachineLog::Entry>& log() const { return log_.entries(); }
-    /// Whether everything sent on each channel arrived.
+    /// Returns whether all sent letters arrived on each channel.
     bool lanes_are_whole() const;
-    /// Returns the names of the machine's features, each as often as it occurs.
+    /// Returns the names of the machine's features. A feature that occurs several times is listed several times.
     const std::vector<std::string>& features() const { return features_; }
 
 private:
     struct Node {
-        Executive* executive;           ///< null: its programs take no time
-        hardware::Processor* processor; ///< the same executive, if link engines use its memory
+        Executive* executive;           ///< null: the programs take no time
+        hardware::Processor* processor; ///< the same executive if link engines use its memory
         hardware::Router* router;
         std::vector<Lane*> inputs = {}; ///< inputs of one process, which alternates between them
     };
@@ -65,8 +65,8 @@ private:
     RandomStream random_;
     std::int64_t bits_per_second_;
     RandomPace pace_;
-    std::uint32_t most_rounds_; ///< of a program; 0 if it never ends
-    bool quiet_; ///< the machine has only the channels of one link, so that their last packets end the run
+    std::uint32_t most_rounds_; ///< rounds of a program; 0 if it never ends
+    bool quiet_; ///< the machine has only the channels of one link, so the last packets of the link end the run
     Time limit_;
     Simulation simulation_;
     std::deque<Node> nodes_, hosts_;

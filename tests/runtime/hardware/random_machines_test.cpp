@@ -1,5 +1,5 @@
-// Tests the closed form of links against the simulation of every byte, on random machines that combine all features of
-// links; and both against fingerprints of earlier versions.
+// Tests the closed form of links against a simulation of every byte, on random machines that combine all features of
+// links. Tests both against fingerprints of earlier versions.
 
 #include "random_machine.hpp"
 #include "runtime/fingerprint.hpp"
@@ -24,7 +24,7 @@ using namespace placedpar::test;
 
 namespace {
 
-/// Counts the log's entries by their first words.
+/// Counts the log's entries by the first word of each entry.
 using Tally = std::map<std::string, std::uint64_t>;
 
 std::string report_of(const RunResult& result) { return result.deadlock ? result.deadlock->text() : ""; }
@@ -81,8 +81,8 @@ void check_that_they_have_everything(Tally& tally, std::uint64_t machines) {
 
 } // namespace
 
-TEST_CASE("random machines and programs do the same, to the picosecond, with the closed form and with every byte") {
-    // Fingerprints of the logs of each hundred machines. A change that alters one must explain why.
+TEST_CASE("random machines have the same log, to the picosecond, with the closed form and with every byte") {
+    // These are the fingerprints of the logs of each hundred machines. A change that alters one must explain why.
     constexpr std::array<std::string_view, 20> fingerprints{
         "ed6191c60fbbaffa", "832d23d43d03ff11", "60552bf693d994e3", "67c77b1e54180c3f", "fd816ce136f70da0",
         "8c6c4400d5e80612", "e6ee69470ad42205", "7ecf4c6ba6f9cfb2", "57158845b9d601ad", "728759a917c19ee3",
@@ -99,17 +99,18 @@ TEST_CASE("random machines and programs do the same, to the picosecond, with the
     check_that_they_have_everything(tally, 100 * hundreds);
 }
 
-TEST_CASE("random machines by which a fault was found make no difference") {
+TEST_CASE("random machines that once showed an error have the same log with the closed form") {
     Tally tally;
     compare_random_machines({56,   // an adapter's program read a byte that its sender had withdrawn
-                             357,  // periods of more than two milliseconds
-                             390,  // a message to an adapter affected by the one given up before
-                             545}, // given up while the end of the previous part was on the wire
+                             357,  // periods longer than two milliseconds
+                             390,  // a message that was given up affected the next message to an adapter
+                             545}, // a message was given up while the end of its previous part was on the wire
                             tally);
 }
 
-TEST_CASE("a hundred thousand of them do" * doctest::skip()) {
-    // Fingerprints of the logs of each thousand machines.
+TEST_CASE("a hundred thousand random machines have the same log with the closed form and with every byte" *
+          doctest::skip()) {
+    // These are the fingerprints of the logs of each thousand machines.
     constexpr std::array<std::string_view, 100> fingerprints{
         "8f9024c448682551", "0a3598e8a763eeb9", "73ee11e2837ec86e", "bde6f06d81ddb840", "28193fd6d18896d2",
         "ea691fe65ad28598", "09bc021fb9fb0b19", "92daf183b71d606b", "6c2ca0b3c12c01b1", "6896e5f47085a9a1",

@@ -7,8 +7,8 @@
 
 namespace placedpar::test {
 
-/// Chooses the waits of a random machine's programs in bits of its links, so that programs act in the middle of
-/// messages even on slow links. Waits are whole tenths of a bit, so that many events coincide.
+/// Chooses the waits of a random machine's programs, in bits of its links. So programs act in the middle of messages
+/// even on slow links. If the pace is in tenths, waits are whole tenths of a bit, so that many events coincide.
 class RandomPace {
 public:
     RandomPace(std::int64_t bits_per_second, bool in_tenths)

@@ -57,7 +57,7 @@ void RandomProgram::receive(const std::vector<Lane*>& lanes) {
     }
 }
 
-/// Alternates between the lanes. The program may then leave the message.
+/// Alternates between the lanes. The program may then leave the message without an input.
 void RandomProgram::alternate(const std::vector<Lane*>& lanes) {
     std::vector<Guard> guards;
     for (Lane* lane : lanes)
@@ -112,14 +112,14 @@ void RandomProgram::pause() {
         wait_for(pace_.pause(random_));
 }
 
-/// Returns a time in the middle of the letter, or a short time.
+/// Returns a time in the middle of the letter, or a time that comes soon.
 Time RandomProgram::middle_of(const Letter& letter) {
     if (random_.chance(0.3))
         return soon();
     return now() + pace_.less_than(20 + 15 * (letter.head + letter.body + letter.tail), random_);
 }
 
-/// Returns a short time, so that both ends, or both directions, often give up almost together.
+/// Returns a time that comes soon, so that both ends, or both directions, often give up almost together.
 Time RandomProgram::soon() {
     if (random_.chance(0.5))
         return now() + pace_.less_than(patience_, random_);

@@ -18,9 +18,9 @@ public:
     RandomProgram(RandomStream, const RandomPace&, int rounds, MachineLog&);
 
     void send(Lane&);
-    /// Receives from all of these lanes. REQUIRES: there is at least one.
+    /// Receives from all given lanes. REQUIRES: there is at least one lane.
     void receive(const std::vector<Lane*>&);
-    /// Repeats the action, each time after at most this many bits.
+    /// Repeats the action, each time after a wait of at most `bits` bits.
     void repeat(std::uint32_t bits, const std::function<void(RandomStream&)>&);
 
 private:
@@ -38,12 +38,12 @@ private:
     const RandomPace& pace_;
     int rounds_;
     MachineLog& log_;
-    // The program's random character.
-    std::uint32_t longest_letter_; ///< bytes of the longest part
-    std::uint32_t patience_;       ///< bits: the longest wait before it gives up
-    double pauses_;                ///< how often it rests before an action
-    double gives_up_; ///< probability of giving up. A channel keeps working only if both ends always may: otherwise one
-                      ///< waits for ever
+    // These members are the program's random character.
+    std::uint32_t longest_letter_; ///< length of the longest part, in bytes
+    std::uint32_t patience_;       ///< longest wait before it gives up, in bits
+    double pauses_;                ///< probability of a rest before an action
+    double gives_up_; ///< probability of giving up; a channel keeps working only if both ends may always give up,
+                      ///< otherwise one end waits for ever
 };
 
 } // namespace placedpar::test

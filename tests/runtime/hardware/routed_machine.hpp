@@ -67,7 +67,7 @@ public:
         }
     }
 
-    /// Adds a route along these processors, each a neighbour of the previous one.
+    /// Adds a route along the given processors. Each is a neighbour of the previous one.
     hardware::Route& route(const std::vector<std::size_t>& way) {
         std::vector<hardware::Hop> hops;
         for (std::size_t i = 0; i + 1 < way.size(); ++i)
@@ -75,7 +75,7 @@ public:
         return simulation.add<hardware::Route>(hops);
     }
 
-    /// Returns a random path that visits no processor twice, not necessarily the shortest.
+    /// Returns a random path that visits no processor twice. It need not be the shortest.
     std::vector<std::size_t> random_way(std::size_t from, std::size_t to, RandomStream& random) const {
         std::vector<std::size_t> way;
         do {
@@ -90,14 +90,14 @@ public:
         return way;
     }
 
-    /// Returns a path over the fewest links.
+    /// Returns a path over the smallest number of links.
     std::vector<std::size_t> shortest_way(std::size_t from, std::size_t to) const {
         std::vector<std::vector<std::size_t>> next(graph_.nodes);
         for (auto [a, b] : graph_.links) {
             next[a].push_back(b);
             next[b].push_back(a);
         }
-        std::vector<std::size_t> on_the_way(graph_.nodes, graph_.nodes), reached{to}; // each node's next one
+        std::vector<std::size_t> on_the_way(graph_.nodes, graph_.nodes), reached{to}; // next node of each node
         on_the_way[to] = to;
         for (std::size_t i = 0; i < reached.size(); ++i)
             for (std::size_t node : next[reached[i]])

@@ -1,4 +1,4 @@
-// Tests the load that routers put on their processors: their priority, and the cost of a packet.
+// Tests the load of routers on their processors: their priority, and the cost of a packet.
 
 #include "runtime/channel.hpp"
 #include "runtime/executive.hpp"
@@ -19,7 +19,8 @@ using test::RoutedMachine;
 
 namespace {
 
-/// When a message over a computing processor arrives, and when the computation of 10 ms ends.
+/// The arrival time of a message that is routed over a computing processor, and the end of this processor's computation
+/// of 10 ms.
 struct BesideAComputation {
     Time message{}, computation{};
 };
@@ -40,27 +41,27 @@ BesideAComputation send_beside_a_computation(const hardware::RouterCosts& costs)
 
 } // namespace
 
-TEST_CASE("routers of low priority wait for their turn beside a computation and interrupt nothing") {
+TEST_CASE("low-priority routers wait for their turn beside a computation and do not interrupt it") {
     BesideAComputation high = send_beside_a_computation({}),
                        low = send_beside_a_computation({.priority = Priority::low});
     constexpr Time slice = Processor::timeslice;
     CHECK(high.message < microseconds{200});
-    // The packet arrives in the first period, and its receiver gets its turn after the second. Its sender then waits
-    // behind the computation for two more periods.
+    // The packet arrives in the first period, and its receiver gets its turn after the second period. The sender then
+    // waits for two more periods of the computation.
     CHECK(low.message > 4 * slice);
     CHECK(low.message < 4 * slice + microseconds{50});
-    constexpr Time first_inputs = 2 * 19 * cycle;          // of the receivers at the two links
+    constexpr Time first_inputs = 2 * 19 * cycle;          // the receivers' inputs at the two links
     constexpr Time passed_on = 2 * 2 * (200 + 19) * cycle; // a packet and its acknowledge
     constexpr Time interrupts = 2 * 2 * 19 * cycle;
     CHECK(high.computation == 200'000 * cycle + first_inputs + passed_on + interrupts);
     CHECK(low.computation == 200'000 * cycle + first_inputs + passed_on);
 }
 
-TEST_CASE("a packet costs what its router says, at every processor on its way") {
+TEST_CASE("a packet costs its router's handling at every processor on its way") {
     BesideAComputation usual = send_beside_a_computation({}),
                        slow = send_beside_a_computation({.handling = Cycles{1200}}),
                        free = send_beside_a_computation({.handling = Cycles{0}});
-    // The packet is sent, passed on and received, and its acknowledge is sent, before the inputting process continues.
+    // The packet is sent, passed on and received before the inputting process continues, and its acknowledge is sent.
     CHECK(slow.message - usual.message == 5 * 1000 * cycle);
     CHECK(usual.message - free.message == 5 * 200 * cycle);
     CHECK(slow.computation - usual.computation == 2 * 2 * 1000 * cycle);

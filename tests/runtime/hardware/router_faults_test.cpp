@@ -36,7 +36,7 @@ struct PostedLetter {
     WireForm wire_form() const { return WireForm(bytes); }
 };
 
-/// Each processor sends letters to some others, along random routes.
+/// A machine in which each processor sends letters to some others, along random routes.
 class Post {
 public:
     static constexpr std::size_t letters = 3;
@@ -48,7 +48,7 @@ public:
                     add_sender(from, there);
     }
 
-    /// Checks at the end of the run, while the processes still exist, which channels have stopped.
+    /// Checks at the end of the run which channels have stopped. The processes still exist then.
     template <class IsStopped>
     RunResult run(IsStopped is_stopped) {
         return machine.simulation.run(Time::max(), [this, is_stopped] {
@@ -72,11 +72,11 @@ public:
     }
 
     RoutedMachine machine;
-    // The following are indexed by channel.
+    // These members are indexed by channel.
     std::vector<Way> ways;
     std::vector<const Route*> routes;
-    std::vector<std::size_t> sent; ///< letters
-    std::vector<bool> stopped;     ///< at the end of the run
+    std::vector<std::size_t> sent; ///< number of letters
+    std::vector<bool> stopped;     ///< state at the end of the run
     std::vector<std::vector<std::size_t>> received;
 
 private:
@@ -104,7 +104,7 @@ private:
             machine.processors[from]);
     }
 
-    /// Adds a receiver for each channel. A common receiver would block on a message of which only a part arrives.
+    /// Adds one receiver for each channel. A common receiver would block on a message of which only a part arrives.
     void add_taker(std::size_t there, Input<PostedLetter> from, std::size_t channel) {
         machine.simulation.process(
             "t" + std::to_string(channel), {from},
@@ -136,7 +136,7 @@ bool is_named(const RunResult& result, const std::string& process) {
 
 } // namespace
 
-TEST_CASE("a slow link under routers only slows: each message comes, in order") {
+TEST_CASE("a slow link under routers only delays messages, which all arrive in order") {
     for (const Graph& graph : graphs())
         for (std::uint64_t seed : test::seeds(4, 1)) {
             CAPTURE(graph.nodes);
@@ -157,7 +157,7 @@ TEST_CASE("a slow link under routers only slows: each message comes, in order") 
         }
 }
 
-TEST_CASE("where a link under routers loses something, the channels that have packets there stop, all others go on") {
+TEST_CASE("if a link under routers loses a packet, the channels with packets there stop and all others continue") {
     std::size_t stuck = 0;
     for (const Graph& graph : graphs())
         for (std::uint64_t seed : test::seeds(12, 1)) {
@@ -206,7 +206,7 @@ TEST_CASE("where a link under routers loses something, the channels that have pa
         CHECK(stuck > 15);
 }
 
-TEST_CASE("a processor that halts stops the channels that lead over it, and no other") {
+TEST_CASE("a processor that halts stops the channels that lead over it, and no others") {
     std::size_t stuck = 0;
     for (const Graph& graph : graphs())
         for (std::uint64_t seed : test::seeds(8, 1)) {
@@ -241,9 +241,7 @@ TEST_CASE("a processor that halts stops the channels that lead over it, and no o
         CHECK(stuck > 15);
 }
 
-TEST_CASE(
-    "what was lost of a packet is said of its channel, and those who wait for it are in a deadlock, though others "
-    "go on") {
+TEST_CASE("a lost packet is reported for its channel, whose processes are in a deadlock although others continue") {
     RoutedMachine machine(line(3));
     Channel<int> lost("lost", machine.route({0, 1, 2})), other("other", machine.route({0, 1}));
     machine.simulation.process(

@@ -1,4 +1,4 @@
-// Tests channels that share a link, and channels routed over other processors.
+// Tests channels that share a link, and channels that are routed over other processors.
 
 #include "runtime/alternation.hpp"
 #include "runtime/hardware/link.hpp"
@@ -50,7 +50,7 @@ struct TwoNodes {
 
 } // namespace
 
-TEST_CASE("two channels each way over one link: every message arrives, in the order of its channel") {
+TEST_CASE("two channels each way over one link deliver every message in the order of its channel") {
     TwoNodes nodes;
     std::list<Channel<int>> channels;
     std::array<std::vector<int>, 4> received;
@@ -82,7 +82,7 @@ TEST_CASE("two channels each way over one link: every message arrives, in the or
 }
 
 TEST_CASE(
-    "an outputter goes on only after its message was input, and a late inputter does not stop the other channel") {
+    "an outputter continues only after its message was input, and a late inputter does not stop another channel") {
     TwoNodes nodes;
     Channel<int> late("late", nodes.carrier(true)), prompt("prompt", nodes.carrier(true));
     Time late_output{}, late_input{}, prompt_output{};
@@ -100,7 +100,7 @@ TEST_CASE(
     CHECK(prompt_output < microseconds{200});
 }
 
-TEST_CASE("the stated price: a packet each way on the link, two handlings on each processor") {
+TEST_CASE("a message over routers costs one packet each way on the link and two handlings on each processor") {
     TwoNodes nodes;
     Channel<std::array<char, 100>> c("c", nodes.carrier(true));
     Time output{}, input{};
@@ -111,16 +111,16 @@ TEST_CASE("the stated price: a packet each way on the link, two handlings on eac
     CHECK(nodes.simulation.run().ending == Ending::completed);
     CHECK(nodes.link.from_a_to_b().bytes_carried() == RouterPacket::header_bytes + 100);
     CHECK(nodes.link.from_b_to_a().bytes_carried() == RouterPacket::header_bytes);
-    // On a: the sender handles the packet and outputs it (200 + 19 cycles), the receiver inputs the acknowledge and
-    // handles it (19 + 200), the program outputs (19), and the receiver asks for a second packet (19). The sender's
-    // start interrupts the program at most once.
+    // On a, the sender handles the packet and outputs it (200 + 19 cycles). The receiver inputs the acknowledge and
+    // handles it (19 + 200). The program outputs (19), and the receiver inputs a second packet (19). The sender's start
+    // interrupts the program at most once.
     for (const Processor* processor : {&nodes.a, &nodes.b}) {
         Time least = (2 * 200 + 4 * 19) * cycle;
         CHECK(processor->time_busy() >= least);
         CHECK(processor->time_busy() <= least + 2 * 19 * cycle);
     }
     Time on_link = 103 * nanoseconds{560} + nanoseconds{550};
-    // The inputting process has low priority: b handles the acknowledge packet first.
+    // The inputting process has low priority, so b handles the acknowledge packet first.
     CHECK(input >= on_link + 3 * 200 * cycle);
     CHECK(input <= on_link + (3 * 200 + 6 * 19) * cycle);
     Time back_on_link = 3 * nanoseconds{560} + nanoseconds{550};
@@ -128,7 +128,7 @@ TEST_CASE("the stated price: a packet each way on the link, two handlings on eac
     CHECK(output - input <= back_on_link + (200 + 3 * 19) * cycle);
 }
 
-TEST_CASE("a router that has nothing to do does not keep a run from completing") {
+TEST_CASE("an idle router does not keep a run from completing") {
     TwoNodes nodes;
     Channel<int> c("c", nodes.carrier(true));
     nodes.simulation.process(
@@ -143,8 +143,8 @@ struct Text {
     WireForm wire_form() const { return WireForm(bytes); }
 };
 
-/// Lets every processor send short and long messages to every other one; returns what arrived on each channel, in
-/// order. `machine` is null if nothing is placed.
+/// Lets every processor send short and long messages to every other processor. Returns the messages that arrived on
+/// each channel, in order. If `machine` is null, no process is placed.
 std::vector<std::vector<std::size_t>> all_talk_to_all(std::size_t nodes, std::uint64_t seed, RoutedMachine* machine) {
     constexpr std::size_t messages = 2;
     Simulation unplaced;
@@ -189,7 +189,7 @@ std::vector<std::vector<std::size_t>> all_talk_to_all(std::size_t nodes, std::ui
 
 } // namespace
 
-TEST_CASE("a transfer over two links takes what its parts take, to the picosecond") {
+TEST_CASE("a transfer over two links takes the sum of its parts, to the picosecond") {
     RoutedMachine machine(line(3));
     Channel<std::array<char, 10>> c("c", machine.route({0, 1, 2}));
     Time begin{}, input{}, output{};
@@ -208,12 +208,12 @@ TEST_CASE("a transfer over two links takes what its parts take, to the picosecon
 
     constexpr auto handling = 200 * cycle, instruction = 19 * cycle;
     auto on_link = [](int bytes) { return (bytes - 1) * nanoseconds{560} + nanoseconds{550}; };
-    // The message is output; the sender handles its packet and outputs it.
+    // The message is output. The sender handles its packet and outputs it.
     Time there = instruction + handling + instruction + on_link(14);
-    // The receiver handles the packet and asks for the next; the sender handles it and outputs it.
+    // The receiver handles the packet and inputs the next one. The sender handles the packet and outputs it.
     constexpr Time passed_on = 2 * (handling + instruction);
     there += passed_on + on_link(14);
-    // At the destination, the acknowledge leaves before the inputting process, of low priority, continues.
+    // At the destination, the acknowledge leaves before the inputting process continues, which has low priority.
     there += passed_on;
     CHECK(input - begin == there);
     Time back = on_link(4) + passed_on + on_link(4) + handling + instruction;
@@ -226,7 +226,7 @@ TEST_CASE("a transfer over two links takes what its parts take, to the picosecon
     CHECK(machine.links[0]->from_b_to_a().bytes_carried() == 4);
 }
 
-TEST_CASE("what computes at a processor between is slowed down by the packets passed on, and by nothing else") {
+TEST_CASE("packets passed on slow down a processor's computation by their cost alone") {
     auto end_of_computing = [](int messages) {
         RoutedMachine machine(line(3));
         Channel<std::array<char, 100>> c("c", machine.route({0, 1, 2}));
@@ -251,14 +251,14 @@ TEST_CASE("what computes at a processor between is slowed down by the packets pa
         CHECK(machine.simulation.run().ending == Ending::completed);
         return end;
     };
-    // Each message has a packet and an acknowledge. Each of them is received and sent, and interrupts when it arrives
-    // and when it has gone.
+    // Each message has a packet and an acknowledge packet. Each of these is received and sent, and interrupts when it
+    // arrives and when it has gone.
     Time each = 2 * (2 * 19 + 2 * (200 + 19)) * cycle;
     CHECK(end_of_computing(1) - end_of_computing(0) == each);
     CHECK(end_of_computing(7) - end_of_computing(0) == 7 * each);
 }
 
-TEST_CASE("a short message overtakes a long one, on every link that they share") {
+TEST_CASE("a short message overtakes a long one on every link that they share") {
     RoutedMachine machine(line(3));
     Channel<Text> long_one("long", machine.route({0, 1, 2})), short_one("short", machine.route({0, 1, 2}));
     Time long_done{}, short_sent{}, short_done{};
@@ -282,14 +282,15 @@ TEST_CASE("a short message overtakes a long one, on every link that they share")
         "inputs short", [&] { CHECK(short_one.in().input().number == 2); }, machine.processors[2]);
     CHECK(machine.simulation.run().ending == Ending::completed);
     CHECK(long_done > microseconds{56'000}); // 100000 bytes at 1786 bytes a millisecond
-    // On each link it waits for one packet of the other channel; acknowledges are the only packets back.
+    // On each link the short message waits for one packet of the other channel. In the opposite direction there are
+    // only acknowledges.
     Time packet = 260 * nanoseconds{560};
     CHECK(short_done - short_sent > microseconds{100});
     CHECK(short_done - short_sent < 2 * 2 * packet + microseconds{150});
     CHECK(machine.links[0]->from_a_to_b().bytes_carried() == 100'000 + 391 * 4 + 14);
 }
 
-TEST_CASE("a long message over three links is nearly as fast as over one: its packets follow each other") {
+TEST_CASE("a long message over three links is nearly as fast as over one, because its packets follow each other") {
     auto time_over = [](std::size_t links) {
         RoutedMachine machine(line(links + 1));
         Channel<Text> c("c");
@@ -312,7 +313,7 @@ TEST_CASE("a long message over three links is nearly as fast as over one: its pa
     CHECK(time_over(3) < time_over(1) * 12 / 10);
 }
 
-TEST_CASE("all processors talk to all others at once, by any routes: nothing is lost, late or stuck") {
+TEST_CASE("if all processors send to all others at once, on any routes, all messages arrive and nothing is stuck") {
     for (const Graph& graph : {line(4), ring(3), ring(6), torus(3, 3), hypercube(2), hypercube(3)})
         for (std::uint64_t seed : test::seeds(2, 1)) {
             CAPTURE(graph.nodes);
@@ -323,7 +324,7 @@ TEST_CASE("all processors talk to all others at once, by any routes: nothing is 
         }
 }
 
-TEST_CASE("hundreds of channels on a torus of 256 processors and a hypercube of 64: nothing is lost or stuck") {
+TEST_CASE("hundreds of channels on a torus of 256 processors and a hypercube of 64 deliver all messages") {
     for (auto [graph, channels] : {std::pair(torus(16, 16), 300), std::pair(hypercube(6), 300)}) {
         RoutedMachine machine(graph);
         RandomStream random(1, "channels");
@@ -337,7 +338,8 @@ TEST_CASE("hundreds of channels on a torus of 256 processors and a hypercube of 
             c.put_on(machine.route(way));
             Text text{random.below(1000), 1 + random.below(600)};
             std::size_t packets = (text.bytes + 255) / 256;
-            bytes += (way.size() - 1) * (text.bytes + 2 * packets * RouterPacket::header_bytes); // and acknowledges
+            bytes += (way.size() - 1) * (text.bytes + 2 * packets * RouterPacket::header_bytes); // including
+                                                                                                 // acknowledges
             packets_passed_on += (way.size() - 2) * 2 * packets;
             machine.simulation.process(
                 "sends", [&c, text] { c.out().output(text); }, machine.processors[from]);
@@ -359,7 +361,7 @@ TEST_CASE("hundreds of channels on a torus of 256 processors and a hypercube of 
 
 namespace {
 
-/// Has a channel from each processor to every other one, along a shortest path.
+/// A machine with a channel from each processor to every other, along a shortest path.
 class AllToAll {
 public:
     explicit AllToAll(const Graph& graph) : machine_(graph), nodes_(graph.nodes), channels_(graph.nodes) {
@@ -368,7 +370,7 @@ public:
                 add(from, further);
     }
 
-    /// Each processor outputs to the next and inputs from the previous one, then does so at distance two, and so on.
+    /// Lets each processor output to the next and input from the previous one, then do so at distance two, and so on.
     RunResult run() {
         for (std::size_t i = 0; i < nodes_; ++i)
             machine_.simulation.process(
@@ -413,7 +415,7 @@ void check_all_to_all(const Graph& graph) {
     CHECK(all.run().ending == Ending::completed);
     std::size_t messages = graph.nodes * (graph.nodes - 1);
     CHECK(all.received == messages);
-    CHECK(all.packets_passed_on() == 2 * (all.hops - messages)); // and acknowledges
+    CHECK(all.packets_passed_on() == 2 * (all.hops - messages)); // including acknowledges
 }
 
 } // namespace
@@ -427,7 +429,7 @@ TEST_CASE("each of 256 processors of a torus outputs to all others" * doctest::s
     check_all_to_all(torus(16, 16));
 }
 
-TEST_CASE("routers add no room: processes that would wait for each other still do") {
+TEST_CASE("routers add no buffers: processes that would wait for each other without routers still do") {
     RoutedMachine machine(ring(5));
     std::list<Channel<int>> channels;
     for (std::size_t i = 0; i < 5; ++i)
@@ -448,7 +450,7 @@ TEST_CASE("routers add no room: processes that would wait for each other still d
     CHECK(result.deadlock->cycle == std::vector<std::string>{"p0", "p2", "p4", "p1", "p3"});
 }
 
-TEST_CASE("a message that waits at the end of its route is one for an alternation") {
+TEST_CASE("an alternation sees a message that waits at the end of its route") {
     RoutedMachine machine(line(3));
     Channel<int> far("far", machine.route({0, 1, 2})), near("near", machine.route({1, 2}));
     std::vector<int> taken;

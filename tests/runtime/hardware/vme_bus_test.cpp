@@ -33,7 +33,7 @@ Arbitration arbitration_of(BusWorld::Rule rule) {
 
 constexpr Time unit = nanoseconds{1};
 
-/// Returns what ends_of_blocks() returns, but from the runtime's bus.
+/// Returns the same times as ends_of_blocks(), but from the runtime's bus.
 std::vector<std::vector<int>> run(const BusWorld& world) {
     Simulation simulation;
     VmeTiming timing{.word = world.word * unit, .arbitration = world.arbitration * unit};
@@ -57,7 +57,8 @@ std::vector<std::vector<int>> run(const BusWorld& world) {
     return ends;
 }
 
-/// Makes a master's program from a number: the time of the first request, its length, and the time of the second.
+/// Returns a master's program for each number: the time of the first request, its length, and the time of the second
+/// request.
 std::vector<BusWorld::Block> program(int number) {
     return {{number & 1 ? 5 : 0, number & 2 ? 3 : 1}, {number & 4 ? 7 : 0, 2}};
 }
@@ -74,7 +75,7 @@ BusWorld world_of(BusWorld::Rule rule, const std::array<int, 3>& levels, int rel
 
 } // namespace
 
-TEST_CASE("every small world of three masters goes as in the model that moves words one by one") {
+TEST_CASE("every small world of three masters has the times of a model that moves words one by one") {
     using Rule = BusWorld::Rule;
     const std::vector<std::array<int, 3>> levels{{3, 3, 3}, {3, 2, 2}, {0, 1, 3}, {2, 2, 3}};
     for (Rule rule : {Rule::priority, Rule::round_robin, Rule::single_level})
@@ -90,7 +91,7 @@ TEST_CASE("every small world of three masters goes as in the model that moves wo
         }
 }
 
-TEST_CASE("a block of words takes one arbitration and a word's time for each") {
+TEST_CASE("a block of words takes one arbitration, and a word's time for each word") {
     Simulation simulation;
     auto& bus = simulation.add<VmeBus>("bus");
     auto& master = simulation.add<VmeMaster>("master", bus);
@@ -103,7 +104,7 @@ TEST_CASE("a block of words takes one arbitration and a word's time for each") {
     CHECK(master.time_waited() == nanoseconds{200});
 }
 
-TEST_CASE("a bus that is kept until another asks for it needs no arbitration") {
+TEST_CASE("a bus that is kept until another master requests it needs no arbitration") {
     for (auto [release, grants] : {std::pair(Release::when_done, 10), std::pair(Release::on_request, 1)}) {
         Simulation simulation;
         auto& bus = simulation.add<VmeBus>("bus");
@@ -118,7 +119,7 @@ TEST_CASE("a bus that is kept until another asks for it needs no arbitration") {
     }
 }
 
-TEST_CASE("where nobody answers, the bus timer ends the cycle and the program is told") {
+TEST_CASE("if no slave responds, the bus timer ends the cycle and the program gets an error") {
     Simulation simulation;
     auto& bus = simulation.add<VmeBus>("bus");
     auto& master = simulation.add<VmeMaster>("master", bus);
@@ -141,7 +142,7 @@ TEST_CASE("where nobody answers, the bus timer ends the cycle and the program is
     CHECK(master.words_moved() == 0);
 }
 
-TEST_CASE("a hogged bus keeps all others waiting until it is let go") {
+TEST_CASE("a bus that is held keeps all other masters waiting until it is released") {
     Simulation simulation;
     auto& bus = simulation.add<VmeBus>("bus");
     auto& hog = simulation.add<VmeMaster>("hog", bus, VmePlace{.level = 0, .slot = 2});
@@ -156,7 +157,7 @@ TEST_CASE("a hogged bus keeps all others waiting until it is let go") {
     CHECK(master.longest_wait() == std::chrono::milliseconds{1} + 2 * nanoseconds{200} - microseconds{1});
 }
 
-TEST_CASE("a process that waits for the bus keeps its processor, which then goes on with others") {
+TEST_CASE("a process that waits for the bus keeps its processor, which then continues with others") {
     Simulation simulation;
     auto& bus = simulation.add<VmeBus>("bus");
     auto& t800 = simulation.add<Processor>("t800");
@@ -172,13 +173,13 @@ TEST_CASE("a process that waits for the bus keeps its processor, which then goes
     CHECK(computed == moved + microseconds{1});
 }
 
-TEST_CASE("masters are where a bus has places for them") {
+TEST_CASE("a level or slot that a bus does not have, or that is taken, is refused") {
     Simulation simulation;
     auto& bus = simulation.add<VmeBus>("bus", Arbitration::single_level);
     simulation.add<VmeMaster>("first", bus);
     CHECK_THROWS_WITH(simulation.add<VmeMaster>("second", bus), "bus bus: first and second are both masters in slot 1");
     CHECK_THROWS_WITH(simulation.add<VmeMaster>("third", bus, VmePlace{.level = 2, .slot = 2}),
-                      "bus bus: an arbiter of a single level knows BR3 only; third has 2");
+                      "bus bus: an arbiter of a single level only knows BR3; third has BR2");
     CHECK_THROWS_WITH(simulation.add<VmeMaster>("fourth", bus, VmePlace{.level = 3, .slot = 22}),
                       "bus bus: a master has a level from 0 to 3 and a slot from 1 to 21; fourth has 3 and 22");
     CHECK_THROWS_AS(simulation.add<VmeBus>("idle", Arbitration::priority, VmeTiming{.word = Time{0}}),

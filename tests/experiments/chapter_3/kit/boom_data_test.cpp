@@ -28,7 +28,7 @@ constexpr double spool_step_in = 1.0 / 4096; // of the measured machine's conver
 
 } // namespace
 
-TEST_CASE("a spool offset leaves the motion of the simple plant alone, and shows in the readings and by A.1") {
+TEST_CASE("a spool offset does not change the motion of the simple plant, only its readings and equation A.1") {
     BoomData right = measure({BoomPlant::simple}, 1), off = measure({BoomPlant::simple, no_noise, 0.01}, 1);
     CHECK(of(right, Sensor::inlet_pressure) == of(off, Sensor::inlet_pressure));
     CHECK(of(right, Sensor::angle) == of(off, Sensor::angle));
@@ -42,19 +42,19 @@ TEST_CASE("a spool offset leaves the motion of the simple plant alone, and shows
     }
 }
 
-TEST_CASE("nor does it move the measured machine, but for the steps of its converters") {
+TEST_CASE("a spool offset changes the motion of the measured machine only by converter steps") {
     BoomData right = measure({BoomPlant::measured}, 1), off = measure({BoomPlant::measured, no_noise, 0.01}, 1);
     // One step of 20 V over 4096 is .0022 in of spool, and that is 2.5 in^3/s; of the pressure a few psi.
     CHECK(greatest_difference(of(right, Sensor::inlet_pressure), of(off, Sensor::inlet_pressure)) < 20);
     CHECK(greatest_difference(of(right, Sensor::spool), of(off, Sensor::spool)) == test::nearly(0.01, 0.25));
 }
 
-TEST_CASE("without noise the simple plant's spool is what the lag makes of the voltage") {
+TEST_CASE("without noise the simple plant's spool follows from the voltage by the lag") {
     BoomData data = measure({BoomPlant::simple}, 1);
     CHECK(greatest_difference(spool_of(data, model_of(data, AreasFrom::servo)), of(data, Sensor::spool)) < 1e-6);
 }
 
-TEST_CASE("the measured machine's spool comes after what the lag makes of the voltage: its dead time") {
+TEST_CASE("the measured machine's spool lags behind the lag model by its dead time") {
     BoomData data = measure({BoomPlant::measured}, 1);
     auto by_voltage = spool_of(data, model_of(data, AreasFrom::servo));
     // The first reading after the step is 20 ms late, and the spool has moved for 10 of them.
@@ -73,8 +73,7 @@ TEST_CASE("many measurements are one motion, with the noise of each seed") {
     CHECK(of(many[0], Sensor::servo) == of(many[1], Sensor::servo));
 }
 
-TEST_CASE(
-    "an offset that the model believes in is taken off the spool, and the inlet that it sees is so much smaller") {
+TEST_CASE("the model subtracts its assumed offset from the spool, so its inlet area is smaller") {
     const BoomData data = measure({BoomPlant::simple}, 1);
     const BoomModel right = model_of(data, AreasFrom::spool), offset{right.from, right.spool_lag_per_s, 0.01};
     const auto spool = spool_of(data, right), lower = spool_of(data, offset);

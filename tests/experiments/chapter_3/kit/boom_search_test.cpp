@@ -6,7 +6,7 @@ using namespace placedpar;
 using namespace placedpar::hydraulics;
 using namespace placedpar::identification;
 
-TEST_CASE("the search that is watched is the search that identifies, to the bit") {
+TEST_CASE("watching a search changes no bit of it") {
     IdentificationWay other = thesis_way();
     other.coding = Coding::gray;
     other.search.elite = 1;
@@ -25,7 +25,7 @@ TEST_CASE("the search that is watched is the search that identifies, to the bit"
         }
 }
 
-TEST_CASE("the population's mean error falls in the first generations, from that of random draws") {
+TEST_CASE("the population's mean error falls from the error of random strings in the first generations") {
     BoomData data = measure({BoomPlant::simple, low_noise}, 1);
     auto identified = identify_boom(data, model_of(data, AreasFrom::spool), thesis_way(), 1);
     auto generations = watch_search(data, identified.samples, thesis_way(), 1);
@@ -33,7 +33,7 @@ TEST_CASE("the population's mean error falls in the first generations, from that
     CHECK(generations[4].mean_error_in3_per_s < 15);
 }
 
-TEST_CASE("a negative compliance is least squares' to report, and the search's to flag") {
+TEST_CASE("least squares reports a negative compliance, and the search flags it") {
     IdentificationWay rising = thesis_way();
     rising.usable.rising = true;
     BoomData data = measure({BoomPlant::simple, no_noise, -0.025}, 1);

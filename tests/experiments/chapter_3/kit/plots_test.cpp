@@ -24,7 +24,7 @@ std::size_t count_of_text(const std::string& svg, const std::string& part) {
 
 } // namespace
 
-TEST_CASE("a series over time ends where it is told, and where there are no more values") {
+TEST_CASE("a series over time ends at the given time or with its values") {
     Record record;
     record.time_s = {0, 0.02, 0.04, 0.06};
     const std::vector<double> values{5, 6, 7};
@@ -36,7 +36,7 @@ TEST_CASE("a series over time ends where it is told, and where there are no more
     CHECK(early.stroke == Stroke::dashes);
 }
 
-TEST_CASE("Figure 3.3 is of the record: a voltage that is held between its steps, and the spool beside the lag's") {
+TEST_CASE("Figure 3.3 shows the record's voltage as steps, and its spool beside the spool from the lag") {
     const BoomData data = measure({BoomPlant::simple}, 1);
     const Plot plot = plot_of_record("record", data, 1);
     REQUIRE(plot.panels.size() == 4);
@@ -87,7 +87,7 @@ TEST_CASE("Figure 3.11 counts generations, five a sample, and marks both true co
     CHECK(states.panels.at(1).series.size() == 8); // and four flows, each simulated and identified
 }
 
-TEST_CASE("block diagrams have wires, and at least one text inside of each block") {
+TEST_CASE("block diagrams have wires, and a text in each block") {
     for (const std::string& svg : {draw_figure_3_4(), draw_figure_3_7()}) {
         CHECK(svg.starts_with("<svg "));
         CHECK(count_of_text(svg, "<rect ") >= 4);

@@ -19,7 +19,7 @@ double found_while_rising(const BoomData& data, const BoomModel& model) {
 
 } // namespace
 
-TEST_CASE("what the machine's own lag finds is found by the machine's own lag") {
+TEST_CASE("the lag that finds the true compliance is the machine's own lag") {
     BoomData data = measure({BoomPlant::simple}, 1);
     double found = found_while_rising(data, model_of(data, AreasFrom::servo));
     CHECK(lag_that_finds(found, data) == doctest::Approx(data.boom.spool_lag_per_s).epsilon(1e-3));

@@ -12,7 +12,7 @@ using namespace placedpar;
 using namespace placedpar::hydraulics;
 using namespace placedpar::identification;
 
-TEST_CASE("of the errors the lower middle one, the one that nine in ten do not exceed, and how many are within ten") {
+TEST_CASE("a study reports the lower median, the 90th percentile and the share within ten percent") {
     SearchStudy study;
     study.error_percent = {20, 1, 4, 2, 3, 12, 7, 5, 9, 40};
     CHECK(study.median_percent() == 5); // not the mean of 5 and 7
@@ -20,7 +20,7 @@ TEST_CASE("of the errors the lower middle one, the one that nine in ten do not e
     CHECK(study.within_ten_percent() == 70);
 }
 
-TEST_CASE("without noise each seed's search ends near the best of all codes, which is the same in SI units") {
+TEST_CASE("without noise each search ends near the global optimum, which does not depend on the units") {
     const std::vector<std::uint64_t> seeds{1, 2, 3};
     IdentificationWay way = thesis_way();
     way.coding = Coding::gray;

@@ -32,7 +32,7 @@ SearchRun search_through(const std::vector<std::vector<double>>& found) {
 
 } // namespace
 
-TEST_CASE("errors are percent of the machine's own compliances, without sign") {
+TEST_CASE("errors are absolute percentages of the machine's compliances") {
     const TwoErrors errors = errors_of(times_true(1.1, 0.8));
     CHECK(errors.bucket == doctest::Approx(10));
     CHECK(errors.boom == doctest::Approx(20));
@@ -41,7 +41,7 @@ TEST_CASE("errors are percent of the machine's own compliances, without sign") {
     CHECK_FALSE(errors_of(times_true(1.3, 1)).both_within(20));
 }
 
-TEST_CASE("the share of searches that are right after some generations takes a shorter one's last estimate") {
+TEST_CASE("the share of right searches uses the last estimate of a search that has ended") {
     const auto right = times_true(1.05, 0.95), wrong = times_true(1, 1.2);
     const std::vector<SearchRun> runs{search_through({right, right, wrong}), search_through({wrong, right, right}),
                                       search_through({wrong, right}), search_through({wrong, wrong, wrong})};
@@ -51,7 +51,7 @@ TEST_CASE("the share of searches that are right after some generations takes a s
     CHECK(both_within_ten_percent(runs, 1000, 5) == 50);
 }
 
-TEST_CASE("the surer way keeps its best and skips two samples, and Gray code is added to that") {
+TEST_CASE("the improved method has an elite and skips two samples; the next one adds Gray code") {
     const IdentificationWay thesis = thesis_way(), elite = elite_way(), gray = gray_way();
     CHECK(thesis.search.elite == 0);
     CHECK(elite.search.elite == 1);
@@ -62,7 +62,7 @@ TEST_CASE("the surer way keeps its best and skips two samples, and Gray code is 
     CHECK(gray.usable.skipped == 2);
 }
 
-TEST_CASE("internal states by hand: equations 3.5 to 3.7 from the first junction to the second, and to the tank") {
+TEST_CASE("internal states agree with equations 3.5 to 3.7 computed by hand") {
     const FlowConstants flow{
         .orifice_in3_per_s_in2_sqrt_psi = 100, .pump_in3_per_s = 175, .tank_psi = 25, .relief_psi = 2500};
     const CircuitSample sample{

@@ -35,7 +35,7 @@ std::vector<double> pressures(const SimulatedExcavator& digger, const PlantFault
 
 } // namespace
 
-TEST_CASE("what can be wrong depends on what is read of the valve: its spool has an offset, its voltage a drift") {
+TEST_CASE("the tested faults depend on the valve's reading: a spool has an offset, a voltage a drift") {
     const auto by_spool = tested_faults(low_plant, AreasFrom::spool),
                by_voltage = tested_faults(low_machine, AreasFrom::servo),
                by_areas = tested_faults(low_plant, AreasFrom::areas);
@@ -52,7 +52,7 @@ TEST_CASE("what can be wrong depends on what is read of the valve: its spool has
     }
 }
 
-TEST_CASE("a leak that begins and an offset need not be told apart where no rest follows a movement") {
+TEST_CASE("a new leak and an offset may be undecided if no rest follows a movement") {
     for (const TestedFault& fault : tested_faults(low_plant, AreasFrom::spool)) {
         const bool begins_or_offset =
             fault.called == AlarmKind::offset || std::string(fault.fault.name).ends_with("that begins");
@@ -62,7 +62,7 @@ TEST_CASE("a leak that begins and an offset need not be told apart where no rest
         CHECK_MESSAGE(fault.most_undecided.has_value(), fault.fault.name);
 }
 
-TEST_CASE("a movement is decided by its number and the machine by its seed") {
+TEST_CASE("a movement is determined by its number, and a machine by its seed") {
     const SimulatedExcavator digger(low_plant, AreasFrom::spool, 1), other(low_plant, AreasFrom::spool, 2);
     CHECK(pressures(digger, no_fault(), 1, 4) == pressures(digger, no_fault(), 1, 4));
     CHECK(pressures(digger, no_fault(), 1, 4) != pressures(digger, no_fault(), 1, 5));
@@ -100,7 +100,7 @@ TEST_CASE("a long movement takes twelve seconds, most of them steady") {
     CHECK(*greatest - *least < 0.15 * *greatest);
 }
 
-TEST_CASE("a sound machine is known after three movements or some more, and has no alarm") {
+TEST_CASE("a sound machine has its baseline after few movements, and no alarm") {
     TestedMachine machine(low_plant, AreasFrom::spool, 7);
     const std::uint64_t next = make_known(machine);
     CHECK(next >= 3);
@@ -109,7 +109,7 @@ TEST_CASE("a sound machine is known after three movements or some more, and has 
     CHECK(watch(machine, {no_fault(), 1, {}}, 4, next).found_after == 0);
 }
 
-TEST_CASE("a compliance that grows by a half is found and called so; watching one machine leaves the other as it is") {
+TEST_CASE("a compliance that grows by a half is found and named; watching one machine does not affect another") {
     TestedMachine machine(low_plant, AreasFrom::spool, 7);
     const std::uint64_t next = make_known(machine);
     const TestedFault softer{{"C +50 %", {}}, 1.5, AlarmKind::compliance};

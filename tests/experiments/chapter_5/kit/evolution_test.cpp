@@ -25,7 +25,7 @@ double slope(const Eigen::VectorXd& x) { return x.sum(); }
 
 } // namespace
 
-TEST_CASE("differential evolution finds the least of a sphere, and of a slope in the corner") {
+TEST_CASE("differential evolution finds the minimum of a sphere, and of a slope in a corner") {
     for (auto objective : {sphere, slope}) {
         DifferentialEvolution evolution(6, 40, RandomStream(1, "test"));
         evolution.evaluate(objective);
@@ -36,7 +36,7 @@ TEST_CASE("differential evolution finds the least of a sphere, and of a slope in
     }
 }
 
-TEST_CASE("... and a generation never makes the best worse") {
+TEST_CASE("a generation of differential evolution never makes the best individual worse") {
     DifferentialEvolution evolution(6, 10, RandomStream(2, "test"));
     evolution.evaluate(ellipse);
     for (double best = ellipse(evolution.best()); best > 1e-3; best = ellipse(evolution.best())) {
@@ -45,7 +45,7 @@ TEST_CASE("... and a generation never makes the best worse") {
     }
 }
 
-TEST_CASE("CMA-ES finds the least of a sphere, of a valley a thousand times as long as wide, and of a corner") {
+TEST_CASE("CMA-ES finds the minimum of a sphere, of a valley of ratio 1000, and in a corner") {
     for (auto objective : {sphere, ellipse, slope}) {
         CovarianceAdaptation strategy(6, 12, 0, RandomStream(1, "test"));
         for (int i = 0; i < 400; ++i)
@@ -54,7 +54,7 @@ TEST_CASE("CMA-ES finds the least of a sphere, of a valley a thousand times as l
     }
 }
 
-TEST_CASE("with a least step CMA-ES follows an optimum that moves, without one it has fallen asleep") {
+TEST_CASE("CMA-ES follows a moving optimum only with a least step") {
     auto distance = [](double least_step) {
         CovarianceAdaptation strategy(6, 12, least_step, RandomStream(1, "test"));
         double at = 0.2;
@@ -72,7 +72,7 @@ TEST_CASE("with a least step CMA-ES follows an optimum that moves, without one i
     CHECK(distance(0) > 0.3);
 }
 
-TEST_CASE("a generation asks for as many values as there are points, all of them inside of the cube") {
+TEST_CASE("a generation evaluates one value for each point, all inside the cube") {
     std::size_t asked = 0;
     bool inside = true;
     auto corner = [&](const Eigen::VectorXd& point) {

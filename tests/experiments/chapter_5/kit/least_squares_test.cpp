@@ -47,14 +47,14 @@ TEST_CASE("without noise the plant is found exactly, from ten samples on") {
     }
 }
 
-TEST_CASE("real poles: the one nearer to 1") {
+TEST_CASE("of two real poles the one nearer to 1 is reported") {
     LinearPlant plant;
     plant.weights << 0.9 + 0.5, -0.9 * 0.5, 1, 0, 0; // (z - .9)(z - .5)
     CHECK(plant.pole().alpha == doctest::Approx(0.9));
     CHECK(plant.pole().beta == 0);
 }
 
-TEST_CASE("no string of the search space predicts better") {
+TEST_CASE("no string of the search space predicts better than least squares") {
     PlantProblem problem;
     RandomStream random(3, "strings");
     for (double noise : {0.1, 1.0}) {
@@ -66,7 +66,7 @@ TEST_CASE("no string of the search space predicts better") {
     }
 }
 
-TEST_CASE("recursive least squares that forget nothing are least squares of all samples") {
+TEST_CASE("recursive least squares without forgetting equals least squares over all samples") {
     auto samples = record(0.3);
     RecursiveIdentification recursive(1);
     for (const Sample& sample : samples)
@@ -77,7 +77,7 @@ TEST_CASE("recursive least squares that forget nothing are least squares of all 
         CHECK(recursive.plant().weights[i] == doctest::Approx(batch.weights[i]).epsilon(1e-5));
 }
 
-TEST_CASE("a forgetting of .9 does not diverge over ten thousand samples") {
+TEST_CASE("recursive least squares with forgetting .9 does not diverge over ten thousand samples") {
     RecursiveIdentification recursive(0.9);
     for (const Sample& sample : record(0.3, 1, {}, 30000))
         recursive.push(sample);

@@ -6,7 +6,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("a target that everyone has is reached at once, one that nobody can have never") {
+TEST_CASE("a target that every string meets is reached at once, an impossible target never") {
     CHECK(generations_to_target({"one-max(bits = 60)", 0}, 4, 24, 20, 1) == 1);
     CHECK(generations_to_target({"one-max(bits = 60)", 61}, 4, 24, 20, 1) == 20);
     CHECK(generations_to_target({"foxholes", 500}, 1, 30, 20, 1) == 1);
@@ -24,7 +24,7 @@ TEST_CASE("a higher target is never reached sooner, and a seed gives one answer"
     CHECK(before < 200);
 }
 
-TEST_CASE("every task can be reached") {
+TEST_CASE("every task's target can be reached") {
     for (const StaticTask& task : static_tasks()) {
         std::size_t best = 500;
         for (std::uint64_t seed = 1; seed <= 5; ++seed)
@@ -34,7 +34,7 @@ TEST_CASE("every task can be reached") {
     }
 }
 
-TEST_CASE("curves by size have their points at the sizes, each with its interval") {
+TEST_CASE("curves over the size have a point with an interval at each size") {
     TaskStudy often{.task = {"foxholes", 1}, .sizes = {10, 20}, .limit = 100, .taken = {{4, 6, 5}, {3, 3, 3}}};
     TaskStudy seldom{.task = {"foxholes", 1}, .sizes = {10, 20}, .limit = 100, .taken = {{100, 6, 100}, {3, 3, 3}}};
     const Panel reached = reached_panel("", {.from = 0, .to = 30}, {often, seldom});

@@ -45,7 +45,7 @@ TEST_CASE("a genetic algorithm of 100 finds the pole before the change, and lags
     CHECK(median_of(one_island(100, 30), Tracking::lag) == doctest::Approx(86).epsilon(0.25));
 }
 
-TEST_CASE("with ranking, Gray code follows where natural binary is locked in") {
+TEST_CASE("with ranking, Gray code follows a change that natural binary code misses") {
     PlantIslands islands = one_island(100, 30);
     islands.reproduction = "ranking(best = 2)";
     CHECK(median_of(islands, Tracking::error_after) > 0.1);

@@ -1,4 +1,4 @@
-// Tests studies of the changing plant: their claims and texts, and the configurations of Table 5.3.
+// Tests studies of the changing plant: their figures and texts, and the configurations of Table 5.3.
 
 #include "experiments/chapter_5/kit/plant_study.hpp"
 
@@ -15,17 +15,6 @@
 using namespace placedpar;
 
 namespace {
-
-Claim claim_of(std::vector<double> values, std::optional<double> at_least, std::optional<double> at_most = {}) {
-    return {
-        .text = "lag", .unit = "generations", .values = std::move(values), .at_least = at_least, .at_most = at_most};
-}
-
-std::vector<double> from_1_to(int last) {
-    std::vector<double> values(static_cast<std::size_t>(last));
-    std::iota(values.begin(), values.end(), 1.0);
-    return values;
-}
 
 /// Returns the ramp's true pole, delayed by `late` generations.
 std::vector<Pole> pole_late_by(int late) {
@@ -51,37 +40,7 @@ std::size_t errors_a_generation(const PlantIslands& islands) {
 
 } // namespace
 
-TEST_CASE("a claim holds where the whole interval of the median is on its side, and is undecided where a part is") {
-    CHECK(verdict(claim_of({6, 6, 6, 6}, 5)) == "holds");
-    CHECK(verdict(claim_of({6, 6, 6, 6}, 6)) == "holds"); // the bound itself counts
-    CHECK(verdict(claim_of({4, 4, 4, 4}, 5)) == "does not hold");
-    CHECK(verdict(claim_of({4, 4, 4, 4}, {}, 5)) == "holds");
-    CHECK(verdict(claim_of(from_1_to(40), 20)) == "undecided");
-    CHECK(verdict(claim_of(from_1_to(40), 1, 40)) == "holds");
-    CHECK(verdict(claim_of(from_1_to(40), 20, 21)) == "undecided"); // only the median lies between
-    CHECK(verdict(claim_of({4, 4, 4, 4}, 5, 6)) == "does not hold");
-}
-
-TEST_CASE("a table of claims has the median, its interval and the bound, with as many decimals as that needs") {
-    const Comparison table =
-        claims_comparison("claims", {claim_of({6, 6, 6}, 5), claim_of({0.02, 0.02}, 0.0125), claim_of({6, 6}, 5, 7)});
-    REQUIRE(table.cells.size() == 9);
-    CHECK(table.against == "claim");
-    CHECK(table.cells[0].simulated == 6);
-    CHECK(table.cells[0].reference == 5.0);
-    CHECK(table.cells[0].decimals == 2);
-    CHECK(table.cells[1].simulated == 6); // from
-    CHECK(table.cells[2].simulated == 6); // to
-    CHECK(table.cells[3].decimals == 4);
-    CHECK_FALSE(table.cells[3].reference_to);
-    CHECK(table.cells[6].reference_to == 7.0);
-    CHECK(table.notes == "lag: claimed at least 5: holds\n"
-                         "lag: claimed at least 0.0125: holds\n"
-                         "lag: claimed at least 5 and at most 7: holds\n");
-    CHECK(std::ranges::none_of(table.cells, &Cell::is_judged));
-}
-
-TEST_CASE("a study of a pole has the figures of each seed, in their order, and every fifth pole") {
+TEST_CASE("a study of a pole keeps the figures of each seed in order, and every fifth pole") {
     test::ReplayInMemory replay(3);
     const PlantStudy study = late_study(replay.context);
     CHECK(study.lags() == std::vector<double>{0, 10, 20});
@@ -93,7 +52,7 @@ TEST_CASE("a study of a pole has the figures of each seed, in their order, and e
     CHECK_THROWS_WITH_AS(study.answer("fittest"), "late has no answer by fittest", std::invalid_argument);
 }
 
-TEST_CASE("runs of a plant with other noise are other runs of the study, and are told apart by name") {
+TEST_CASE("runs with different noise have different names in a study") {
     test::ReplayInMemory replay(1);
     PlantExperiment coloured;
     coloured.noise = 0.3;
@@ -105,7 +64,7 @@ TEST_CASE("runs of a plant with other noise are other runs of the study, and are
     CHECK(std::ranges::count(replay.told, "late, sigma = 0.3, c1 = 0.5, c2 = 0.25: 0 of 1 seeds") == 1);
 }
 
-TEST_CASE("a choice's answer is a track behind those of the islands") {
+TEST_CASE("the answer of an island choice is a track after those of the islands") {
     PlantStudy study;
     study.islands = traditional_pga("broadcast(every = 12)", 0);
     study.islands.choices = {"fittest", "random"};
@@ -122,7 +81,8 @@ TEST_CASE("figures of the same seeds are compared one by one; a quotient of noth
     CHECK(by[2] == doctest::Approx(1001)); // not infinite
 }
 
-TEST_CASE("the configurations of Table 5.3 have as many individuals, and one search of equal cost as many errors") {
+TEST_CASE("the configurations of Table 5.3 have equal numbers of individuals, and the search of equal cost equal "
+          "evaluations") {
     const PlantIslands distributed = distributed_pga("sequential(every = 3)", 0.3);
     CHECK(errors_a_generation(distributed) == 2580);
     CHECK(errors_a_generation(equal_cost_ga(0.3)) == errors_a_generation(distributed));
@@ -138,7 +98,7 @@ TEST_CASE("the configurations of Table 5.3 have as many individuals, and one sea
     CHECK(noise_name(0.3) == "sigma = 0.3");
 }
 
-TEST_CASE("a row of a table of tracks has medians over the seeds, and how many found the pole in the end") {
+TEST_CASE("a row of a table of tracks has medians over the seeds and the share that found the pole") {
     test::ReplayInMemory replay(3);
     const PlantStudy study = late_study(replay.context);
     const Comparison table = tracks_comparison("tracks", {{"late", &study}});

@@ -26,7 +26,7 @@ std::vector<std::string> legend_with(const std::vector<std::string>& names) {
 
 } // namespace
 
-TEST_CASE("the legend of poles says only what differs") {
+TEST_CASE("the legend of poles states only differences") {
     using Names = std::vector<std::string>;
     CHECK(legend_with({"islands, printed", "islands, row"}) == Names{"printed", "row"});
     CHECK(legend_with({"distributed, window 30", "  window 24"}) == Names{"window 30", "window 24"});

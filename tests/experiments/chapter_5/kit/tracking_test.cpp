@@ -24,7 +24,7 @@ double figure(const std::vector<Pole>& found, const PlantChange& change, Trackin
 
 } // namespace
 
-TEST_CASE("the truth is on its way after 40 and 126 generations of the ramp, and has no lag and no error") {
+TEST_CASE("the true pole has a delay of 40 and 126 generations on the ramp, no lag and no error") {
     auto found = late_by(0, PlantChange::ramp);
     CHECK(figure(found, PlantChange::ramp, Tracking::delay_20) == 40);
     CHECK(figure(found, PlantChange::ramp, Tracking::delay_63) == 126);
@@ -34,7 +34,7 @@ TEST_CASE("the truth is on its way after 40 and 126 generations of the ramp, and
         CHECK(figure(found, PlantChange::ramp, error) == 0);
 }
 
-TEST_CASE("a shift of the truth is its lag, for a ramp and for a step") {
+TEST_CASE("the lag of a delayed true pole is its delay, for a ramp and for a step") {
     for (auto change : {PlantChange::ramp, PlantChange::step}) {
         auto found = late_by(70, change);
         CHECK(figure(found, change, Tracking::lag) == 70);
@@ -43,7 +43,7 @@ TEST_CASE("a shift of the truth is its lag, for a ramp and for a step") {
     CHECK(figure(late_by(70, PlantChange::ramp), PlantChange::ramp, Tracking::delay_20) == 110);
 }
 
-TEST_CASE("a pole that is never found has the greatest delay, and its distance for error") {
+TEST_CASE("a pole that is never found has the greatest delay, and its distance as its error") {
     std::vector<Pole> stuck(601, pole_of(1.5, Plant{}.a2));
     CHECK(figure(stuck, PlantChange::ramp, Tracking::delay_20) == 400);
     Pole before = stuck.front(), after = pole_of(0.5, Plant{}.a2);
@@ -51,7 +51,7 @@ TEST_CASE("a pole that is never found has the greatest delay, and its distance f
           doctest::Approx(std::hypot(before.alpha - after.alpha, before.beta - after.beta)));
 }
 
-TEST_CASE("one outlier of eleven is no delay; a deviation is one in time") {
+TEST_CASE("one outlier in eleven causes no delay; the deviation is taken over time") {
     auto found = late_by(0, PlantChange::none);
     found[250].alpha = 0.25;
     CHECK(figure(found, PlantChange::ramp, Tracking::delay_20) == 400);

@@ -27,7 +27,7 @@ Tally tally_with(std::size_t runs, std::size_t converged, std::size_t followed) 
 
 } // namespace
 
-TEST_CASE("a tally counts the runs that converged and those that followed, with the generation of each") {
+TEST_CASE("a tally counts the runs that converged and that followed, with their generations") {
     test::ReplayInMemory replay(4);
     const Seeds seeds = seeds_of(replay.context);
     const Tally tally = tally_runs(replay.context, "bits", [&](std::uint64_t seed) {
@@ -42,7 +42,7 @@ TEST_CASE("a tally counts the runs that converged and those that followed, with 
     CHECK(tally.converged_at == std::vector<double>{0, 10, 20, 30});
 }
 
-TEST_CASE("shares stand with the interval of Clopper and Pearson, and are judged where one is expected") {
+TEST_CASE("shares have Clopper-Pearson intervals and are judged if a share is expected") {
     Comparison comparison;
     add_tally(comparison, tally_with(10, 8, 0), {.converged = 90, .followed = {}});
     CHECK(cell_at(comparison, "converged").simulated == 80);
@@ -57,7 +57,7 @@ TEST_CASE("shares stand with the interval of Clopper and Pearson, and are judged
     CHECK(cell_at(comparison, "generation <=").simulated == 40);
 }
 
-TEST_CASE("a gain is over the control, in percent points: Newcombe's example of 56 in 70 and 48 in 80") {
+TEST_CASE("a gain over the control has Newcombe's interval: 56 of 70 against 48 of 80") {
     Comparison gain, loss;
     add_gain(gain, tally_with(80, 48, 48), {"better", 70, 56, 48, {}});
     CHECK(cell_at(gain, "converged >=").simulated == doctest::Approx(5.24).epsilon(1e-3));

@@ -6,7 +6,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("moments of the window give the squared error that the problem gives sample by sample") {
+TEST_CASE("the moments of the window give the same squared error as the samples") {
     const SearchProblem& problem = plant_search_problem();
     RandomStream random(4, "strings");
     std::vector<Sample> window = plant_record({}, RandomStream(4, "plant"));
@@ -22,7 +22,7 @@ TEST_CASE("moments of the window give the squared error that the problem gives s
     }
 }
 
-TEST_CASE("the landscape of the shortest strings, found by another way") {
+TEST_CASE("the landscape of the shortest strings agrees with an independent computation") {
     Recoding reading = plant_reading(1); // seven bits
     LandscapeFacts facts = enumerate_landscape(reading, 4);
     const SearchProblem& problem = plant_search_problem();
@@ -50,7 +50,7 @@ TEST_CASE("the landscape of the shortest strings, found by another way") {
     CHECK(facts.optimum_percent <= 100);
 }
 
-TEST_CASE("a search of the plant is the same again, and a good one converges") {
+TEST_CASE("a search of the plant is reproducible, and with good settings it converges") {
     PlantSearch search{plant_settings(100), plant_reading(7, Coding::gray)};
     PlantOutcome first = run_plant_search(search, 11), again = run_plant_search(search, 11);
     CHECK(first.pole_error == again.pole_error);

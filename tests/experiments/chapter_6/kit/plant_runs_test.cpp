@@ -41,7 +41,7 @@ TEST_CASE("the error is the root of the mean square over each of the three stret
     CHECK_FALSE(outcome.followed());
 }
 
-TEST_CASE("a pole is found whichever of the two conjugates the string stands for") {
+TEST_CASE("a string may represent either of the two conjugate poles") {
     const PlantOutcome outcome = outcome_off_by([](int) { return 0; }, -1);
     for (double error : outcome.pole_error)
         CHECK(error == doctest::Approx(0));
@@ -49,7 +49,7 @@ TEST_CASE("a pole is found whichever of the two conjugates the string stands for
     CHECK(outcome.followed());
 }
 
-TEST_CASE("a search has converged from the first of ten generations on in which it stays near") {
+TEST_CASE("a search has converged at the first of ten generations in a row near the pole") {
     CHECK(outcome_off_by(near_within(50, 601)).converged_at == 50);
     CHECK(outcome_off_by(near_within(20, 30)).converged_at == 20);
     CHECK(outcome_off_by(near_within(20, 29)).converged_at == 200); // nine generations are too few
@@ -61,7 +61,7 @@ TEST_CASE("a search has converged from the first of ten generations on in which 
     CHECK(outcome_off_by(near_within(191, 601)).converged_at == 200); // the plant has begun to change
 }
 
-TEST_CASE("the plant's string has the 37 bits of Table 5.1, and a coarse reading so many of each number") {
+TEST_CASE("the plant's string has the 37 bits of Table 5.1, and the coarse string its stated bits of each number") {
     const auto fields = plant_field_bits();
     CHECK(std::accumulate(fields.begin(), fields.end(), std::size_t{0}) == 37);
     CHECK(plant_search_problem().bits() == 37);

@@ -1,0 +1,230 @@
+#include "experiments/kit/experiment.hpp"
+#include "hydraulics/circuit/circuit.hpp"
+#include "picture/boxes.hpp"
+#include "picture/svg_pen.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+using namespace hydraulics;
+
+namespace {
+
+using picture::Box;
+using picture::svg_corners;
+using picture::SvgPen;
+using At = picture::Point;
+
+constexpr double column_width = 190, circuit_row_height = 178, caption_height = 34, pump_y = 28, junction_y = 76,
+                 cylinder_y = 140, first_x = 66;
+
+constexpr const char* circuit_style = R"(.title { font-size: 15px; font-weight: bold; }
+.caption { font-size: 12px; font-weight: bold; }
+.name { font-size: 11px; text-anchor: middle; }
+.small { font-size: 10px; text-anchor: middle; }
+.line { stroke: #3b5b7a; stroke-width: 1.8; fill: none; }
+.flow { stroke: #3b5b7a; stroke-width: 1.8; fill: none; marker-end: url(#flow); }
+.orifice { fill: #ffffff; stroke: #3b5b7a; stroke-width: 1.4; }
+.pump { fill: #f3e9c9; stroke: #7a6a3b; stroke-width: 1.4; }
+.cylinder { fill: #d5e3f0; stroke: #3b5b7a; stroke-width: 1.4; }
+.junction { fill: #16202a; }
+)";
+constexpr const char* flow_head =
+    R"(<marker id="flow" viewBox="0 0 8 8" refX="8" refY="4" markerWidth="6" markerHeight="6" orient="auto">)"
+    R"(<path d="M0 1 L8 4 L0 7 Z" fill="#3b5b7a"/></marker>)";
+
+/// Returns the names of the links of a group.
+std::string names_of(LinkSet links) {
+    std::string names;
+    for (Link link : all_links)
+        if (links.contains(link))
+            names += (names.empty() ? "" : ", ") + std::string(name_of(link));
+    return names;
+}
+
+/// Draws one circuit: flow runs from the left to the right, each junction one column before the junction that its
+/// bypass leads to. Where two bypasses meet, the second branch has a row of its own.
+class CircuitDrawing {
+public:
+    CircuitDrawing(SvgPen& pen, const Circuit& circuit, At corner)
+        : pen_(pen), circuit_(circuit), corner_(corner), steps_(circuit.size()), rows_(circuit.size()) {
+        for (std::size_t j = circuit.size(); j-- > 0;)
+            if (circuit[j].through == Through::junction)
+                put_before(j, circuit[j].next);
+        for (std::size_t j = 0; j < circuit.size(); ++j)
+            draw(j);
+    }
+
+    double width() const { return first_x + column_width * static_cast<double>(most(steps_) + 1); }
+    double height() const { return circuit_row_height * static_cast<double>(most(rows_) + 1); }
+
+private:
+    static std::size_t most(const std::vector<std::size_t>& numbers) { return *std::ranges::max_element(numbers); }
+
+    /// Places a junction a column before the next. The last junction that leads there shares its row.
+    void put_before(std::size_t j, std::size_t next) {
+        steps_[j] = steps_[next] + 1;
+        bool shares = std::none_of(
+            circuit_.begin() + static_cast<std::ptrdiff_t>(j) + 1, circuit_.end(),
+            [&](const Junction& other) { return other.through == Through::junction && other.next == next; });
+        rows_[j] = shares ? rows_[next] : most(rows_) + 1;
+    }
+
+    At at(std::size_t j) const {
+        return corner_ + At{first_x + column_width * static_cast<double>(most(steps_) - steps_[j]),
+                            junction_y + circuit_row_height * static_cast<double>(rows_[j])};
+    }
+
+    void orifice(At middle, const std::string& name) {
+        pen_.rect({middle, 44, 18}, {{"class", "orifice"}}).text(middle + At{0, 4}, "small", name);
+    }
+
+    void draw(std::size_t j) {
+        const Junction& junction = circuit_[j];
+        std::string symbol(symbol_of(junction.link)), name(name_of(junction.link));
+        At here = at(j), cylinder = here + At{0, cylinder_y - junction_y};
+        if (junction.pumps > 0)
+            draw_pump(here, junction.pumps);
+        pen_.path(svg_corners({here, cylinder - At{0, 16}}), {{"class", "flow"}});
+        pen_.rect({cylinder, 104, 32}, {{"class", "cylinder"}, {"rx", "3"}});
+        pen_.text(cylinder + At{0, -3}, "name", name).text(cylinder + At{0, 10}, "small", "C_" + symbol + "i");
+        orifice(here + At{0, 24}, "a_i" + symbol);
+        draw_bypass(here, junction, "a_e" + symbol);
+        pen_.circle(here, 4, {{"class", "junction"}});
+    }
+
+    void draw_pump(At junction, int pumps) {
+        At pump = junction + At{0, pump_y - junction_y};
+        pen_.path(svg_corners({pump, junction - At{0, 4}}), {{"class", "flow"}});
+        pen_.circle(pump, 14, {{"class", "pump"}});
+        pen_.text(pump + At{0, 4}, "small", pumps == 1 ? "Q" : fmt::format("{} Q", pumps));
+    }
+
+    /// Draws the way of the flow that the cylinder does not take: to the next junction, to the tank, or nowhere.
+    void draw_bypass(At from, const Junction& junction, const std::string& name) {
+        At straight = from + At{column_width - 4, 0};
+        if (junction.through == Through::junction && at(junction.next).y != from.y) {
+            At to = at(junction.next);
+            pen_.path(svg_corners({from,
+                                   from + At{column_width / 2 + 40, 0},
+                                   {from.x + column_width / 2 + 40, to.y + 8},
+                                   {to.x - 4, to.y + 8}}),
+                      {{"class", "flow"}});
+        } else if (junction.through == Through::junction) {
+            pen_.path(svg_corners({from, straight}), {{"class", "flow"}});
+        } else {
+            draw_end(from, junction.through);
+        }
+        orifice(from + At{column_width / 2, 0}, name);
+    }
+
+    void draw_end(At from, Through through) {
+        At end = from + At{column_width - 44, 0};
+        pen_.path(svg_corners({from, end}), {{"class", through == Through::tank ? "flow" : "line"}});
+        if (through == Through::nowhere)
+            pen_.path(svg_corners({end + At{0, -9}, end + At{0, 9}}), {{"class", "line"}});
+        pen_.text(end + At{20, 4}, "small", through == Through::tank ? "tank" : "shut");
+    }
+
+    SvgPen& pen_;
+    const Circuit& circuit_;
+    At corner_;
+    std::vector<std::size_t> steps_; ///< junctions between this and the end
+    std::vector<std::size_t> rows_;
+};
+
+struct CaptionedCircuit {
+    std::string caption;
+    Circuit circuit;
+    bool beside = false; ///< drawn to the right of the circuit before it
+};
+
+std::string draw_circuits(const std::string& title, const std::vector<CaptionedCircuit>& circuits) {
+    SvgPen pen;
+    pen.text({12, 24}, "title", title);
+    At corner{0, 36};
+    double width = picture::width_of(title, 15, true) + 24, right = 0, bottom = corner.y;
+    for (const auto& [caption, circuit, beside] : circuits) {
+        corner = beside ? At{right, corner.y} : At{0, bottom};
+        pen.text(corner + At{12, 18}, "caption", caption);
+        CircuitDrawing drawing(pen, circuit, corner + At{0, caption_height - 14});
+        right = corner.x + drawing.width();
+        bottom = std::max(beside ? bottom : 0, corner.y + caption_height + drawing.height());
+        width = std::max(width, right);
+    }
+    return pen.document({{width / 2, bottom / 2}, width, bottom}, circuit_style, flow_head);
+}
+
+/// Returns the circuits of a configuration with all links active.
+std::vector<CaptionedCircuit> circuits_of(Configuration configuration) {
+    std::vector<CaptionedCircuit> circuits;
+    for (LinkSet group : coupled_groups(configuration))
+        circuits.push_back({fmt::format("configuration {}: {}", name_of(configuration), names_of(group)),
+                            circuit_of(configuration, group), !circuits.empty()});
+    return circuits;
+}
+
+std::vector<NamedDrawing> drawings() {
+    std::vector<CaptionedCircuit> all;
+    for (Configuration configuration : all_configurations)
+        for (CaptionedCircuit& circuit : circuits_of(configuration))
+            all.push_back(std::move(circuit));
+    Circuit branch = circuit_of(Configuration::a, {Link::bucket, Link::boom});
+    return {{"figure-2-11", draw_circuits("The circuits that share flow, in each configuration", all)},
+            {"figure-b-1", draw_circuits("Branch #1 in configuration a", {{"bucket, boom", branch}})},
+            {"figure-a-1", draw_circuits("The boom alone", {{"boom", boom_circuit()}})}};
+}
+
+/// What section 3.3 says of a configuration with all links active: the searches, and the links of the greatest one.
+struct Said {
+    Configuration configuration;
+    std::optional<double> searches, links;
+};
+constexpr std::array said{Said{Configuration::a, 2, 2}, Said{Configuration::b, 2, 3}, Said{Configuration::c, {}, {}},
+                          Said{Configuration::d, 1, 4}, Said{Configuration::e, 1, 4}};
+
+Comparison searches_of_configurations() {
+    Comparison comparison{.name = "links that one search must find at once (section 3.3), all links active"};
+    for (const auto& [configuration, searches, links] : said) {
+        std::string column = fmt::format("configuration {}", name_of(configuration));
+        std::vector<LinkSet> groups = coupled_groups(configuration);
+        std::size_t most = std::ranges::max(groups, {}, &LinkSet::size).size();
+        comparison.add(cell_of("searches", column, "", searches, static_cast<double>(groups.size()), 0., 0));
+        comparison.add(cell_of("links of the greatest", column, "", links, static_cast<double>(most), 0., 0));
+    }
+    return comparison;
+}
+
+/// Counts the unknown states of branch #1: a flow into each cylinder, a flow past it, and a pressure at each junction.
+Comparison states_of_branch_1() {
+    Comparison comparison{.name = "unknown internal states of branch #1 (appendix B)", .judged = true};
+    std::size_t states = 3 * circuit_of(Configuration::a, {Link::bucket, Link::boom}).size();
+    comparison.add(judged_cell("Q_BUi, Q_BOi, Q_11, Q_12, P_11, P_12", "configuration a", "", 6,
+                               static_cast<double>(states), 0, 0));
+    return comparison;
+}
+
+Replay replay_circuits(const ReplayContext&) {
+    Replay replay = replay_of({searches_of_configurations(), states_of_branch_1()}, {});
+    replay.drawings = drawings();
+    return replay;
+}
+
+} // namespace
+
+extern const Experiment circuits_experiment{
+    .name = "circuits",
+    .about = "the circuits of the main valve that share flow, drawn: Figures 2.11, 2.12, A.1, A.2, B.1",
+    .chapter = "2",
+    .number = 4,
+    .run = replay_circuits,
+};
+
+} // namespace placedpar
