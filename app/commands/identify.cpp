@@ -37,11 +37,10 @@ void require_one_way(const IdentifyOptions& options) {
         return;
     if (options.way == "whole")
         return require_whole_way(options);
-    const std::array<std::pair<const char*, bool>, 6> of_thesis{{{"--samples", options.samples.has_value()},
+    const std::array<std::pair<const char*, bool>, 5> of_thesis{{{"--samples", options.samples.has_value()},
                                                                  {"--rising", options.rising},
                                                                  {"--coding", !options.coding.empty()},
                                                                  {"--on", !options.netlist.empty()},
-                                                                 {"--side outlet", options.side == "outlet"},
                                                                  {"--offset auto", options.offset == "auto"}}};
     for (const auto& [option, typed] : of_thesis)
         if (typed)
@@ -63,8 +62,8 @@ void require_files(const IdentifyOptions& options) {
 }
 
 ExitCode identify_record(IdentifyOptions options, const std::string& command_line) try {
-    if (options.way.empty())
-        options.way = options.side == "outlet" ? "whole" : "service";
+    if (options.side == "outlet" && options.way == "service")
+        options.way = "whole";
     require_files(options);
     require_one_way(options);
     boost::json::object json{

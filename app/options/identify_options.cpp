@@ -43,8 +43,9 @@ void declare_way(Options& command, IdentifyOptions& options) {
         .add("--way", options.way,
              "service: identifies and judges every movement, as placedpar monitor does; thesis: one search over "
              "the first transient, as in chapter 3; whole: one search for several links over the whole movement, "
-             "which weighs each link's flow error by its scatter; default: service, with --side outlet whole")
-        .one_of({"service", "thesis", "whole"});
+             "which weighs each link's flow error by its scatter")
+        .one_of({"service", "thesis", "whole"})
+        .show_default();
     // With fewer bits the compliance of a sound machine is within about a step of the lower bound.
     add_number(command, "--bits", options.bits, 6, 52, "bits of a compliance; default: 10, with --way whole 12");
     add_number(command, "--elite", options.elite, 0, a_million,

@@ -152,8 +152,8 @@ Comparison leak_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& l
     Comparison comparison{
         .name = fmt::format("a leak: what the operator sees, and what identification sees; {} seeds", seeds),
         .notes = "lags: behind the reference of 4 deg/s, mean of the last second; from, to: 95 % of the median\n"
-                 "judged: the compliance grows by 5 % or more\n",
-        .against = "claim"};
+                 "judged: the compliance grows by 5 % or more (ours)\n",
+        .against = "own"};
     for (const LoopRuns& leak : leaks)
         for (bool closed : {false, true})
             add_leak(comparison, sound, leak, closed);
@@ -164,7 +164,7 @@ Comparison leak_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& l
 Comparison mask_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& leaks) {
     Comparison comparison{.name = "the share of the open loop's lag that is left in the closed loop",
                           .notes = "judged: a quarter or less (ours)\n",
-                          .against = "claim",
+                          .against = "own",
                           .judged = true};
     for (const LoopRuns& leak : leaks) {
         const Interval left = quotient_interval(changes(leak.closed, sound.closed, LoopFigure::steady_deg),

@@ -50,9 +50,6 @@ class DrainSide(unittest.TestCase):
 
     def test_what_is_refused(self):
         record = self.folder / f"{SEEDS[0]}.csv"
-        self.assertEqual(self.refused(record, "--way", "service"),
-                         "placedpar: --side outlet needs --way thesis, which searches the first transient; --way "
-                         "service takes all movements as they come\n")
         self.assertIn("the outlet side of the boom only", self.refused(record, "--link", "stick"))
         self.assertIn("--areas-from spool or servo", self.refused(record, "--areas-from", "areas"))
         simple = self.folder / "simple.csv"
