@@ -41,17 +41,17 @@ void add_under_way(Comparison& comparison, const StudyReplay& study, const FarmO
     auto column = fmt::format("{} under way", under_way);
     auto row = [&](const char* what) { return fmt::format("{}, {}", farm.name, what); };
     comparison.add(plain_cell(row("T_sr"), column, "ms", study.measured(set, "master.T_sr"), 2));
-    comparison.add(plain_cell(row("slaves busy, mean"), column, "%", mean, 1));
-    comparison.add(plain_cell(row("least busy slave"), column, "%", least, 1));
+    comparison.add(plain_cell(row("slaves busy"), column, "%", mean, 1));
+    comparison.add(plain_cell(row("the least busy"), column, "%", least, 1));
 }
 
 Comparison under_way_table(const StudyReplay& study) {
-    Comparison comparison{.name = "tasks dealt out on demand: several tasks under way to each slave"};
+    Comparison comparison{.name = "dealt out on demand: several tasks under way to each slave"};
     for (const FarmOnDemand& farm : farms_on_demand)
         for (int under_way : {1, 2, 3})
             add_under_way(comparison, study, farm, under_way);
     comparison.notes =
-        "busy: share of the run in which a slave's processor works; no slave works while the master breeds\n";
+        "busy: the part of the run in which a slave's processor worked; while the master breeds, none does\n";
     return comparison;
 }
 
@@ -69,8 +69,8 @@ Panel farm_panel(const StudyReplay& study, const Comparison& table, const std::s
 }
 
 NamedPlot farm_plot(const StudyReplay& study, Replay& replay) {
-    const Comparison &communication = study.table(replay, "C_time2: communication time of a generation"),
-                     &generation = study.table(replay, "T_exe: time of a generation");
+    const Comparison &communication = study.table(replay, "C_time2: the communication of a generation"),
+                     &generation = study.table(replay, "T_exe: a generation");
     Panel panel = farm_panel(study, communication, "C_time2", "communication of a generation");
     panel.series.push_back({.name = "Table E.1", .points = {{1, 0.6}, {2, 1.28}, {3, 1.89}}, .stroke = Stroke::points});
     panel.marks.push_back({.name = "appendix E: a link each", .y = 0.4});

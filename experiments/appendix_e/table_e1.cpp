@@ -66,7 +66,7 @@ struct TimingColumn {
 void add_communication(Comparison& comparison, const TimingColumn& slaves, const TimingColumn& fewer) {
     // T_exe is off T_sr + S_time2 by up to 0.3 ms in the thesis, and each figure is rounded by up to 0.05 ms.
     constexpr double noise_of_thesis_ms = 0.3 + 2 * 0.05;
-    Cell more = compared_cell("C_time2, increase over one slave fewer", slaves.name, "ms",
+    Cell more = compared_cell("C_time2, more than with a slave fewer", slaves.name, "ms",
                               slaves.known("C_time2") - fewer.known("C_time2"),
                               slaves.simulated("C_time2") - fewer.simulated("C_time2"), 2);
     more.tolerance_percent = 15;
@@ -83,12 +83,12 @@ void add_communication(Comparison& comparison, const TimingColumn& slaves, const
 /// Compares what depends on the communication alone. It is 1 to 3 % of the other rows of Table E.1, most of which are
 /// therefore within their tolerances without it.
 Comparison communication_table(const StudyReplay& study, const Comparison& table_e1) {
-    Comparison comparison{.name = "two checks of the communication time", .judged = true};
+    Comparison comparison{.name = "what judges the communication", .judged = true};
     const std::array columns{"0 slaves", "1 slave", "2 slaves", "3 slaves"};
     for (std::size_t i = 1; i < columns.size(); ++i)
         add_communication(comparison, {study, table_e1, columns[i]}, {study, table_e1, columns[i - 1]});
-    comparison.notes = "both differences are the part of the communication that evaluation does not hide; in the "
-                       "thesis they differ by\nup to 0.3 ms, so the second is not judged\n";
+    comparison.notes = "both differences are what evaluation does not hide of the communication; in the thesis they "
+                       "differ by up to\n0.3 ms, so the second is not judged\n";
     return comparison;
 }
 

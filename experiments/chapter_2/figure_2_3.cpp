@@ -38,8 +38,8 @@ struct ComplianceRow {
 
 constexpr std::array air_fractions{.01, .02, .05, .10};
 constexpr ComplianceRow known_softer[]{
-    {.name = "C is 10 times that of oil below", .share = 0.1, .psia = {60, 85, 137, 199}},
-    {.name = "C is twice that of oil below", .share = 0.5, .psia = {181, 257, 412, 598}},
+    {.name = "compliance 10 times that of oil below", .share = 0.1, .psia = {60, 85, 137, 199}},
+    {.name = "twice that of oil below", .share = 0.5, .psia = {181, 257, 412, 598}},
 };
 
 std::string percent(double fraction) { return fmt::format("{:g} % air", 100 * fraction); }
@@ -61,7 +61,7 @@ void add_compliances(Comparison& comparison) {
     for (double air : air_fractions)
         for (double psia : pressures_psia)
             comparison.add(plain_cell(
-                "C divided by C of oil alone, " + percent(air), psia_column(psia), "",
+                "C over that of oil, " + percent(air), psia_column(psia), "",
                 bulk_modulus_psi(air_oil_mixture(0), psia) / bulk_modulus_psi(air_oil_mixture(air), psia), 3));
 }
 
@@ -75,7 +75,7 @@ void add_softer(Comparison& comparison) {
 /// Adds the volume of oil that would have the boom's compliance.
 void add_volume(Comparison& comparison) {
     double compliance = single_boom_mechanics().inlet_compliance_in3_per_psi;
-    comparison.add(judged_cell(fmt::format("volume of oil with C = {}", compliance), "no air", "in^3", 1892,
+    comparison.add(judged_cell(fmt::format("oil that alone has C = {}", compliance), "no air", "in^3", 1892,
                                compliance * bulk_modulus_psi(air_oil_mixture(0), 1800), 0.51, 1));
 }
 
@@ -101,7 +101,7 @@ Panel modulus_panel() {
 }
 
 Panel compliance_panel() {
-    Panel panel{.title = "Compliance C = V / β divided by that of the same volume of oil alone",
+    Panel panel{.title = "Compliance C = V / β over that of the same volume of oil alone",
                 .x = {"absolute pressure [psi]", 20, 3000, true},
                 .y = {"C with air / C without", 0.8, 100, true},
                 .marks = {{"an order of magnitude", 10}}};
@@ -114,8 +114,8 @@ Panel compliance_panel() {
 }
 
 Replay replay_figure_2_3(const ReplayContext&) {
-    Comparison comparison{.name = "bulk modulus of oil (220 000 psi) with free air, and the compliance C = V / beta "
-                                  "that follows",
+    Comparison comparison{.name =
+                              "bulk modulus of oil of 220 000 psi with free air, and what it means for C = V / beta",
                           .against = "known"};
     add_moduli(comparison);
     add_compliances(comparison);

@@ -78,9 +78,8 @@ void add_claims(Comparison& comparison, const FlowConstants& constants) {
             return boom_flow_sensitivity(point.spool_in, point.inlet_psi, constants).*of;
         };
     };
-    add_rows(comparison, {"increase of flow for +0.02 in", "%", 1, more_flow(0.02), always(50), only_at(40, 1630, 2)});
-    add_rows(comparison,
-             {"increase of flow for +0.01 in", "%", 1, more_flow(0.01), always(20), only_at(50, 1630, 1.5)});
+    add_rows(comparison, {"more flow for +0.02 in", "%", 1, more_flow(0.02), always(50), only_at(40, 1630, 2)});
+    add_rows(comparison, {"more flow for +0.01 in", "%", 1, more_flow(0.01), always(20), only_at(50, 1630, 1.5)});
     add_rows(comparison, {"dQ_i/dx", "in^3/s/in", 0, sensitivity(&FlowSensitivity::to_spool_in3_per_s_in)});
     add_rows(comparison, {"dQ_i/dP_i", "in^3/s/psi", 4, sensitivity(&FlowSensitivity::to_pressure_in3_per_s_psi)});
 }
@@ -106,7 +105,7 @@ constexpr FitFigure fit_figures[]{
      .of_all = 99.83,
      .of_eight = 99.86,
      .tolerance = 0.01},
-    {.name = "  standard error of k",
+    {.name = "  deviation of k",
      .value = [](const Fit& fit) { return k_of(fit.deviation); },
      .of_all = 0.4,
      .tolerance = 0.05},
@@ -116,7 +115,7 @@ constexpr FitFigure fit_figures[]{
      .of_all = 175.08,
      .of_eight = 175.06,
      .tolerance = 0.01},
-    {.name = "  standard error of Q",
+    {.name = "  deviation of Q",
      .value = [](const Fit& fit) { return fit.deviation.pump_in3_per_s; },
      .of_all = 0.4,
      .tolerance = 0.05},
@@ -127,7 +126,7 @@ constexpr FitFigure fit_figures[]{
      .of_all = 16.2,
      .of_eight = 17,
      .tolerance = 0.5},
-    {.name = "  standard error of P_e",
+    {.name = "  deviation of P_e",
      .decimals = 1,
      .value = [](const Fit& fit) { return fit.deviation.tank_psi; },
      .of_all = 9,
@@ -166,11 +165,11 @@ Comparison fit_comparison() {
             comparison.add(
                 cell_of(figure.name, column, figure.unit, known, figure.value(fit), figure.tolerance, figure.decimals));
         };
-        add("all nine entries", of_all, figure.of_all);
-        add("without 50 in^3/s at 1830 psi", of_eight, figure.of_eight);
+        add("all nine", of_all, figure.of_all);
+        add("without 50 at 1830 psi", of_eight, figure.of_eight);
     }
-    add_residuals(comparison, "residual with fitted constants", fitted_flow_constants(), known_fitted);
-    add_residuals(comparison, "residual with rounded constants", rounded_flow_constants(), known_rounded);
+    add_residuals(comparison, "residual, fitted,", fitted_flow_constants(), known_fitted);
+    add_residuals(comparison, "residual, rounded,", rounded_flow_constants(), known_rounded);
     return comparison;
 }
 
@@ -211,7 +210,7 @@ Series error_series(const SteadyFlowPoint& point) {
 
 /// Plots the effect of a spool error on flows of 40, 50 and 60 in^3/s.
 Panel error_panel() {
-    Panel panel{"Error of the flow from an error of the spool, at 1630 psi",
+    Panel panel{"What an error of the spool does to the flow, at 1630 psi",
                 {"error of the spool [in]", -0.03, 0.03},
                 {"error of the flow [%]"},
                 {},

@@ -98,19 +98,18 @@ void add_errors(Comparison& comparison, const ThesisExperiment& way, const BoomD
     auto identified = identify_boom(data, model, rising_way(), seed);
     auto generations = watch_search(data, identified.samples, rising_way(), seed);
     auto add = [&](const char* row, double value) { comparison.add(plain_cell(row, way.name, "in^3/s", value, 2)); };
-    add("Error, population mean, first generation", generations.front().mean_error_in3_per_s);
-    add("Error, population mean, last generation", generations.back().mean_error_in3_per_s);
-    add("Error, best individual, first generation", generations.front().best_error_in3_per_s);
-    add("Error, best individual, last generation", generations.back().best_error_in3_per_s);
+    add("Error, mean of the population, first", generations.front().mean_error_in3_per_s);
+    add("  last generation", generations.back().mean_error_in3_per_s);
+    add("Error of the best individual, first", generations.front().best_error_in3_per_s);
+    add("  of the last generation", generations.back().best_error_in3_per_s);
 }
 
 /// Tests the thesis's "decreasing monotonically" without noise, for the best of all codes in every window.
 void add_clean_errors(Comparison& comparison, const ThesisExperiment& way, const BoomData& clean) {
     auto least = least_errors(clean, samples_while_rising(clean, model_of(clean, way.from)), rising_way());
-    comparison.add(plain_cell("Error without noise, best code, first window", way.name, "in^3/s", least.front(), 2));
-    comparison.add(plain_cell("Error without noise, best code, last window", way.name, "in^3/s", least.back(), 2));
-    comparison.add(
-        judged_cell("  number of windows in which it rises", way.name, "", 0, static_cast<double>(rises(least)), 0, 0));
+    comparison.add(plain_cell("Error without noise, best code, first", way.name, "in^3/s", least.front(), 2));
+    comparison.add(plain_cell("  last window", way.name, "in^3/s", least.back(), 2));
+    comparison.add(judged_cell("  how often it rises", way.name, "", 0, static_cast<double>(rises(least)), 0, 0));
 }
 
 /// The largest allowed relative error of an experiment's compliance, for one record and for the median of many. Of
@@ -128,15 +127,14 @@ void add_found(Comparison& comparison, const ThesisExperiment& way, const std::v
     auto add = [&](const char* row, double value, double tolerance) {
         comparison.add(judged_cell(row, way.name, "in^3/psi", truth, value, tolerance * truth, 5));
     };
-    add("C_BOi of one record, search", one.compliance_in3_per_psi, allowed.record);
-    comparison.add(compared_cell("C_BOi of one record, least squares", way.name, "in^3/psi", truth,
-                                 one.least_squares.value_or(0), 5));
-    add("C_BOi, median of 50 records", lower_median(found), allowed.median);
+    add("C_BOi of this record", one.compliance_in3_per_psi, allowed.record);
+    comparison.add(compared_cell("  least squares", way.name, "in^3/psi", truth, one.least_squares.value_or(0), 5));
+    add("  median of 50 records", lower_median(found), allowed.median);
     comparison.add(plain_cell("  records within 10 %", way.name, "%", within_percent_of(found, truth, 10), 0));
 }
 
 Comparison simple_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
-    Comparison comparison{.name = fmt::format("{}: C_BOi found by both experiments", simple.name), .against = "true"};
+    Comparison comparison{.name = fmt::format("{}: what both experiments find", simple.name), .against = "true"};
     BoomData clean = measure(motion_of(simple_clean, by_voltage_in3_per_psi), seeds.front());
     for (const ThesisExperiment& way : thesis_experiments)
         add_found(comparison, way, motions, seeds, {0.12, 0.03});
@@ -151,7 +149,7 @@ Comparison simple_comparison(const std::vector<BoomData>& motions, const Seeds& 
 /// of dead time, which in experiment 2 act like an a_0 that is too high.
 Comparison measured_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
     Comparison comparison{
-        .name = fmt::format("{}: C_BOi found by both experiments", measured.name), .against = "true", .judged = true};
+        .name = fmt::format("{}: what both experiments find", measured.name), .against = "true", .judged = true};
     for (const ThesisExperiment& way : thesis_experiments)
         add_found(comparison, way, motions, seeds,
                   way.from == AreasFrom::spool ? Allowed{0.12, 0.03} : Allowed{0.2, 0.1});
@@ -174,8 +172,8 @@ constexpr WrongLag wrong_lags[]{
 Comparison lag_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
     double truth = motions.front().boom.inlet_compliance_in3_per_psi;
     Comparison comparison{
-        .name = "simple plant, experiment 2 with a wrong a_0 (the machine's is 8): error of C_BOi, median of 50 "
-                "records",
+        .name =
+            "simple plant, experiment 2 with another a_0 than the machine's 8: error of C_BOi, median of 50 records",
         .against = "known",
         .judged = true};
     for (const WrongLag& lag : wrong_lags) {
@@ -205,7 +203,7 @@ double add_wrong_lag(Comparison& comparison, const Seeds& seeds) {
     double lag = lag_that_finds(by_voltage_in3_per_psi, clean);
     auto motions = measure(motion_of(simple, by_spool_in3_per_psi), seeds);
     auto found = [&](const BoomModel& model) { return lower_median(found_in(motions, model, seeds)); };
-    std::string row = fmt::format("true C .005, a_0 assumed {:.2f}, not 8", lag);
+    std::string row = fmt::format("true C .005, a_0 8 taken for {:.2f}", lag);
     add_explained(comparison, row, thesis_experiments[0], found(model_of(clean, AreasFrom::spool)), Origin::outcome);
     add_explained(comparison, row, thesis_experiments[1], found({AreasFrom::servo, lag, 0}), Origin::calibrated);
     return lag / clean.boom.spool_lag_per_s;
@@ -217,7 +215,7 @@ double add_low_spool(Comparison& comparison, const Seeds& seeds) {
     double low = offset_that_finds(by_spool_in3_per_psi, clean);
     auto motions = measure(motion_of(simple, by_voltage_in3_per_psi), seeds);
     auto found = [&](const BoomModel& model) { return lower_median(found_in(motions, model, seeds)); };
-    std::string row = fmt::format("true C .0086, spool reads {:.4f} in too low", -low);
+    std::string row = fmt::format("true C .0086, spool reads {:.4f} in low", -low);
     // Subtracting too much from the readings has the effect of a sensor that reads too low.
     BoomModel low_model = model_of(clean, AreasFrom::spool);
     low_model.spool_offset_in = -low;
@@ -228,13 +226,11 @@ double add_low_spool(Comparison& comparison, const Seeds& seeds) {
 
 /// Compares .005 and .0086 for a single machine.
 Comparison both_comparison(const Seeds& seeds) {
-    Comparison comparison{.name = "simple plant: two errors of one machine that give the thesis's .005 and "
-                                  ".0086, median of 50 records",
+    Comparison comparison{.name = "simple plant: .005 versus .0086 of one machine, median of 50 records",
                           .against = "thesis",
                           .judged = true};
     double lag_ratio = add_wrong_lag(comparison, seeds), low_in = add_low_spool(comparison, seeds);
-    comparison.notes = fmt::format("c: the error of a_0 ({:.0f} %) or of the spool ({:.4f} in) was chosen to "
-                                   "give this figure\n",
+    comparison.notes = fmt::format("c: the {:.0f} % of a_0 and the {:.4f} in of spool were chosen for it\n",
                                    100 * (lag_ratio - 1), low_in);
     return comparison;
 }
@@ -255,8 +251,7 @@ std::vector<NamedPlot> plots_of(const BoomData& data, std::uint64_t seed) {
     }
     std::array machines{measure(motion_of(simple_clean, by_spool_in3_per_psi), seed),
                         measure(motion_of(simple_clean, by_voltage_in3_per_psi), seed)};
-    plots.push_back(
-        {"spool-lag", {"Why .005 and .0086 differ: the effect of an error of a_0", {panel_of_lag(machines)}}});
+    plots.push_back({"spool-lag", {"Why .005 versus .0086: what an error of a_0 does", {panel_of_lag(machines)}}});
     return plots;
 }
 

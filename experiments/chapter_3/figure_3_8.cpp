@@ -57,8 +57,7 @@ constexpr KnownCheck known_checks[]{
 
 Comparison known_comparison() {
     Comparison comparison{
-        .name = "scenario A without noise: pressure simulated again from the recorded spool and angle, beside "
-                "the recorded pressure",
+        .name = "scenario A without noise, its own pressure simulated again from the recorded spool and angle",
         .against = "known",
         .judged = true};
     BoomData data = measure(motion_at(4, BoomPlant::simple, no_noise), 1);
@@ -78,7 +77,7 @@ struct Curve {
     const char* name;
     double factor;
 };
-constexpr std::array<Curve, 3> curves{{{"identified C", 1}, {"half of C", 0.5}, {"twice C", 2}}};
+constexpr std::array<Curve, 3> curves{{{"identified C", 1}, {"half of it", 0.5}, {"twice", 2}}};
 
 // Our value for the thesis's "significant difference".
 constexpr double significant_psi = 80;
@@ -102,8 +101,8 @@ void add_motion(Comparison& comparison, double deg_per_s, const BoomData& data, 
         comparison.add(same ? judged_cell(row("rms difference"), curve.name, "psi", 0, check.rms_psi, excellent_psi, 1)
                             : plain_cell(row("rms difference"), curve.name, "psi", check.rms_psi, 1));
         comparison.add(
-            plain_cell(row("share of the pressure's rise"), curve.name, "%", 100 * check.rms_psi / check.rise_psi, 1));
-        comparison.add(judged_cell(row("rms difference above 80 psi (1: yes)"), curve.name, "", same ? 0 : 1,
+            plain_cell(row("of the pressure's rise"), curve.name, "%", 100 * check.rms_psi / check.rise_psi, 1));
+        comparison.add(judged_cell(row("above 80 psi (1: yes)"), curve.name, "", same ? 0 : 1,
                                    check.rms_psi >= significant_psi, 0, 0));
     }
 }
@@ -134,8 +133,8 @@ OtherRecords other_records(BoomPlant plant, const Seeds& seeds) {
 Comparison other_comparison(const OtherRecords& other) {
     const bool simple = other.plant == BoomPlant::simple;
     Comparison comparison{
-        .name = fmt::format("{}: pressure of other motions simulated from their voltage and angle with C_BOi = "
-                            "{:.5f}, identified at 4 deg/s (median of {} records)",
+        .name = fmt::format("{}: C_BOi = {:.5f}, identified at 4 deg/s from the voltage (median of {} records), "
+                            "simulates other motions from their voltage and angle",
                             simple ? "simple plant, low noise" : "measured machine, mid noise",
                             other.identified_in3_per_psi, usual_records),
         .against = "thesis",
@@ -143,8 +142,7 @@ Comparison other_comparison(const OtherRecords& other) {
     for (std::size_t i = 0; i < other_motions.size(); ++i)
         add_motion(comparison, other_motions[i].deg_per_s, other.motions[i], other.identified_in3_per_psi,
                    other_motions[i].excellent_psi(other.plant));
-    comparison.notes = "the thesis calls the first \"excellent\" (0), the others \"a significant difference\" "
-                       "(1: yes)\n";
+    comparison.notes = "thesis: \"excellent\" (0) and \"a significant difference\" (1: yes)\n";
     return comparison;
 }
 
@@ -155,18 +153,17 @@ Comparison blind_comparison(const Seeds& seeds) {
     double lag = lag_that_finds(thesis_in3_per_psi, clean);
     BoomData other = measure(motion_at(3, BoomPlant::simple, low_noise, found_by_spool_in3_per_psi), seeds[1]);
     Comparison comparison{
-        .name = fmt::format("a machine with true C .005 and a_0 = 8, simulated with a_0 = {:.2f}: rms difference "
-                            "at 3 deg/s",
+        .name = fmt::format("a machine of true C .005 and a_0 = 8, believed to have {:.2f}: rms difference at "
+                            "3 deg/s",
                             lag)};
     for (double compliance :
          {thesis_in3_per_psi / 2, found_by_spool_in3_per_psi, thesis_in3_per_psi, 2 * thesis_in3_per_psi}) {
         std::string column = fmt::format("C = {}", compliance);
         auto volts = check_pressure(other, {AreasFrom::servo, lag, 0}, compliance);
         auto spool = check_pressure(other, model_of(other, AreasFrom::spool), compliance);
-        comparison.add(plain_cell("simulated from the voltage", column, "psi", volts.rms_psi, 1));
-        comparison.add(plain_cell("simulated from the spool", column, "psi", spool.rms_psi, 1));
-        comparison.add(plain_cell("simulated from the voltage, share of the rise", column, "%",
-                                  100 * volts.rms_psi / volts.rise_psi, 1));
+        comparison.add(plain_cell("by the voltage", column, "psi", volts.rms_psi, 1));
+        comparison.add(plain_cell("by the spool", column, "psi", spool.rms_psi, 1));
+        comparison.add(plain_cell("by the voltage, of the rise", column, "%", 100 * volts.rms_psi / volts.rise_psi, 1));
     }
     return comparison;
 }
@@ -204,10 +201,10 @@ Panel pressure_panel(std::string title, const BoomData& data, double identified_
 
 Plot plot_of_check(const OtherRecords& other) {
     const BoomData& slower = other.motions.front();
-    return {"Figure 3.8: pressure of the measured machine, and simulated, 3 deg/s",
-            {pressure_panel("a: simulated with the identified compliance C [in³/psi]", slower,
-                            other.identified_in3_per_psi, false),
-             pressure_panel("b: also simulated with half and twice C", slower, other.identified_in3_per_psi, true)}};
+    return {
+        "Figure 3.8: pressure of the measured machine, and simulated, 3 deg/s",
+        {pressure_panel("a: with the identified compliance C [in³/psi]", slower, other.identified_in3_per_psi, false),
+         pressure_panel("b: with half and twice of it, too", slower, other.identified_in3_per_psi, true)}};
 }
 
 Replay replay_figure_3_8(const ReplayContext& context) {

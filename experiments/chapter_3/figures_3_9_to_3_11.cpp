@@ -23,7 +23,7 @@ Comparison steady_comparison(const TwoLinkMotion& motion) {
     const ExcavatorState& end = motion.motion.states.back();
     InternalStates states = true_states(end);
     Comparison comparison{
-        .name = "scenario R2 (Figure 3.9): simulated steady state", .against = "known", .judged = true};
+        .name = "scenario R2, simulated (Figure 3.9): when it is steady", .against = "known", .judged = true};
     auto add = [&](const char* row, const char* unit, double known, double value) {
         comparison.add(judged_cell(row, "t = 4 s", unit, known, value, 0.005 * known, 1));
     };
@@ -60,34 +60,29 @@ void add_study(Comparison& comparison, const TwoLinkCase& study, const TwoLinkMo
     Cell shared = compared_cell("both within 10 %", study.name, "% of records", study.known_percent, within, 0);
     comparison.add(at_least(least, shared));
     auto add = [&](const char* row, double value) { comparison.add(plain_cell(row, study.name, "%", value, 1)); };
-    add("error of C_BUi: median", lower_median(bucket));
-    add("  90th percentile of C_BUi", quantile(bucket, 0.9));
-    add("error of C_BOi: median", lower_median(boom));
-    add("  90th percentile of C_BOi", quantile(boom, 0.9));
+    add("error of C_BUi, median", lower_median(bucket));
+    add("  of C_BUi, 9 of 10 below", quantile(bucket, 0.9));
+    add("error of C_BOi, median", lower_median(boom));
+    add("  of C_BOi, 9 of 10 below", quantile(boom, 0.9));
 }
 
 Comparison study_comparison(const TwoLinkMotion& motion, const Seeds& seeds) {
     Comparison comparison{
-        .name = fmt::format("one search for both C_BUi and C_BOi: errors in {} records, 20 samples, 5 "
-                            "generations per sample",
-                            seeds.size()),
-        .notes = "a share may be below the known one by four standard deviations of the difference between two "
-                 "such samples\n",
+        .name = fmt::format("C_BUi and C_BOi found together, {} records, 20 samples of 5 generations", seeds.size()),
+        .notes = "judged from below: four deviations of the difference of two samples of so many records are left\n",
         .against = "known"};
-    add_study(comparison, {"thesis's method", thesis_way(), no_noise, 65}, motion, seeds);
-    add_study(comparison, {"elite, skips 2 samples", elite_way(), no_noise, 98}, motion, seeds);
-    add_study(comparison, {"also Gray code", gray_way(), no_noise, 100}, motion, seeds);
+    add_study(comparison, {"as the thesis has it", thesis_way(), no_noise, 65}, motion, seeds);
+    add_study(comparison, {"elite, 2 skipped", elite_way(), no_noise, 98}, motion, seeds);
+    add_study(comparison, {"and Gray code", gray_way(), no_noise, 100}, motion, seeds);
     return comparison;
 }
 
 Comparison noise_comparison(const TwoLinkMotion& motion, const Seeds& seeds) {
     Comparison comparison{
-        .name = "one search for both C_BUi and C_BOi: errors at low noise (2 psi, .003 deg, .1 % of an area)",
-        .against = "known",
-        .judged = true};
-    add_study(comparison, {"thesis's method", thesis_way(), low_noise, 55}, motion, seeds);
-    add_study(comparison, {"elite, skips 2 samples", elite_way(), low_noise, 80}, motion, seeds);
-    add_study(comparison, {"also Gray code", gray_way(), low_noise, 86}, motion, seeds);
+        .name = "the same at low noise (2 psi, .003 deg, .1 % of an area)", .against = "known", .judged = true};
+    add_study(comparison, {"as the thesis has it", thesis_way(), low_noise, 55}, motion, seeds);
+    add_study(comparison, {"elite, 2 skipped", elite_way(), low_noise, 80}, motion, seeds);
+    add_study(comparison, {"and Gray code", gray_way(), low_noise, 86}, motion, seeds);
     return comparison;
 }
 
@@ -117,16 +112,16 @@ StateErrors worst_errors(const TwoLinkMotion& motion, const IdentificationWay& w
 Comparison states_comparison(const TwoLinkMotion& motion, std::uint64_t seed) {
     constexpr std::array<const char*, InternalStates::count> names{"P_11", "P_12", "Q_11", "Q_12", "Q_BUi", "Q_BOi"};
     Comparison comparison{
-        .name = "internal states computed from the best individual (Figure 3.10): greatest error from the sixth "
-                "sample on, one search without noise",
-        .notes = "only the search with an elite, without the first two samples and with Gray code is judged; "
-                 "chance decides the thesis's method\n",
+        .name = "internal states by the best individual (Figure 3.10): greatest error from the sixth sample on, of "
+                "one search without noise",
+        .notes = "judged: with an elite, the first two samples skipped, and Gray code; as the thesis has it, chance "
+                 "decides\n",
         .against = "thesis",
         .judged = true};
     StateErrors gray = worst_errors(motion, gray_way(), seed), plain = worst_errors(motion, thesis_way(), seed);
     for (std::size_t i = 0; i < names.size(); ++i) {
-        comparison.add(plain_cell(names[i], "thesis's method", "%", plain[i], 1));
-        comparison.add(at_most(10, plain_cell(names[i], "elite, skips 2, Gray code", "%", gray[i], 1)));
+        comparison.add(plain_cell(names[i], "as the thesis has it", "%", plain[i], 1));
+        comparison.add(at_most(10, plain_cell(names[i], "elite, 2 skipped, Gray", "%", gray[i], 1)));
     }
     return comparison;
 }
@@ -142,10 +137,10 @@ Plot plot_of_found_states(const TwoLinkMotion& motion, std::uint64_t seed) {
 }
 
 Replay replay_figures_3_9_to_3_11(const ReplayContext& context) {
-    context.progress("simulating bucket and boom");
+    context.progress("bucket and boom, simulated");
     TwoLinkMotion motion = simulate_two_links();
     Seeds seeds = record_seeds(context.seed, search_records);
-    context.progress("identifying bucket and boom");
+    context.progress("bucket and boom, identified");
     return replay_of(
         {study_comparison(motion, seeds), steady_comparison(motion), states_comparison(motion, seeds.front()),
          noise_comparison(motion, seeds)},

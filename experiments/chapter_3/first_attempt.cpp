@@ -80,9 +80,9 @@ void add_fit(Comparison& comparison, const KnownOffset& known, double fit, doubl
     std::string column = inches(known.offset_in);
     comparison.add(plain_cell("C by least squares", column, "in^3/psi", fit, 5));
     comparison.add(
-        cell_of("  error of C", column, "%", known.fit_percent, 100 * (fit / truth - 1), known.fit_tolerance, 1));
+        cell_of("  its error", column, "%", known.fit_percent, 100 * (fit / truth - 1), known.fit_tolerance, 1));
     double negative = known.offset_in == -0.02 ? 1 : 0;
-    comparison.add(judged_cell("  C is negative (1: yes)", column, "", negative, fit < 0 ? 1 : 0, 0, 0));
+    comparison.add(judged_cell("  negative (1: yes)", column, "", negative, fit < 0 ? 1 : 0, 0, 0));
 }
 
 void add_searches(Comparison& comparison, const KnownOffset& known, const Found& spool, const Found& volts) {
@@ -92,12 +92,11 @@ void add_searches(Comparison& comparison, const KnownOffset& known, const Found&
         comparison.add(
             cell_of(row, column, "in^3/psi", compliance, lower_median(found.searched_in3_per_psi), 0.0005, 5));
     };
-    add("C by the search, areas from the spool", spool);
-    add("C by the search, areas from the voltage", volts);
+    add("C by the search, spool", spool);
+    add("C by the search, voltage", volts);
     std::optional<double> flagged_percent =
         compliance ? std::optional<double>(*compliance == 0 ? 100 : 0) : std::nullopt;
-    comparison.add(
-        cell_of("flagged as at the lower bound", column, "%", flagged_percent, spool.flagged_percent, 10, 0));
+    comparison.add(cell_of("flagged: at the lower bound", column, "%", flagged_percent, spool.flagged_percent, 10, 0));
 }
 
 void add_attempt(Comparison& comparison, const KnownOffset& known, const Seeds& seeds) {
@@ -109,21 +108,20 @@ void add_attempt(Comparison& comparison, const KnownOffset& known, const Seeds& 
 
 Comparison attempt_comparison(const Seeds& seeds) {
     Comparison comparison{
-        .name = "simple plant, low noise: C_BOi found with an offset of the spool's readings and of equation "
-                "A.1, median of 50 records",
+        .name = "simple plant, low noise: what an offset of the spool's readings, and of A.1, makes of C_BOi, "
+                "median of 50 records",
         .against = "known"};
     for (const KnownOffset& known : known_offsets)
         add_attempt(comparison, known, seeds);
     comparison.notes =
-        "at -.02 in only the sign is judged: the prototype that gave the known figures found another size\n";
+        "at -.02 in the prototype that the known figures are of found another size; the sign is judged\n";
     return comparison;
 }
 
 /// Compares the error of the steady flow if the spool's reading is believed.
 Comparison flow_comparison() {
-    Comparison comparison{.name = "scenario A: error of the steady flow computed from a spool reading with an offset",
-                          .against = "thesis",
-                          .judged = true};
+    Comparison comparison{
+        .name = "steady flow of scenario A, by the spool as it reads", .against = "thesis", .judged = true};
     ExcavatorScenario scenario = single_boom_scenario();
     double psi = simulate_excavator(scenario).states.back().links.front().inlet_psi;
     double spool = std::get<SpoolOrifices>(scenario.links.front().valve).steps.front().desired_in;
@@ -155,11 +153,9 @@ void add_scatter(Comparison& comparison, const KnownScatter& known, const Seeds&
     auto add = [&](const char* row, double figure, double value, double tolerance) {
         comparison.add(judged_cell(row, known.name, "in", figure, value, tolerance, 5));
     };
-    add("offset found, mean of 50 records", true_in, mean(found),
-        mean_tolerance(known.known_in, seeds.size(), bias_in));
-    add("  standard deviation of the offset", known.known_in, deviation(found),
-        deviation_tolerance(known.known_in, seeds.size(), 0.000005));
-    comparison.add(plain_cell("  standard deviation that the calibration states", known.name, "in", mean(stated), 5));
+    add("offset found, mean of 50", true_in, mean(found), mean_tolerance(known.known_in, seeds.size(), bias_in));
+    add("  its scatter", known.known_in, deviation(found), deviation_tolerance(known.known_in, seeds.size(), 0.000005));
+    comparison.add(plain_cell("  as the calibration states it", known.name, "in", mean(stated), 5));
 }
 
 /// Adds the calibration of the same record with a k or Q that is 1 % wrong.
@@ -171,16 +167,15 @@ void add_model_errors(Comparison& comparison) {
     more_q.pump_in3_per_s *= 1.01;
     auto add = [&](const char* column, const FlowConstants& flow, double size) {
         double moved = std::abs(calibrate(motion, flow).offset_in - right);
-        comparison.add(judged_cell("change if a model constant is 1 % wrong", column, "in", size, moved, 0.0004, 5));
+        comparison.add(judged_cell("moved by a model that is 1 % off", column, "in", size, moved, 0.0004, 5));
     };
     add("k", more_k, 0.0011);
     add("Q", more_q, 0.0016);
 }
 
 Comparison calibration_comparison(const Seeds& seeds) {
-    Comparison comparison{.name = "calibration of an offset of .01 in from a second of steady motion",
-                          .against = "known",
-                          .judged = true};
+    Comparison comparison{
+        .name = "an offset of .01 in, found from a second of steady motion", .against = "known", .judged = true};
     for (const KnownScatter& known : known_scatters)
         add_scatter(comparison, known, seeds);
     add_model_errors(comparison);
@@ -197,10 +192,10 @@ void add_cured(Comparison& comparison, const std::string& column, const std::vec
         comparison.add(judged_cell(row, column, "in^3/psi", truth, lower_median(found.searched_in3_per_psi),
                                    tolerance * truth, 5));
     };
-    add("C after subtracting the offset, spool", spool, 0.05);
+    add("C with it taken off, spool", spool, 0.05);
     comparison.add(judged_cell("  flagged", column, "%", 0, spool.flagged_percent, 0, 0));
     // The measured machine's valve has a dead time, which A.2 lacks.
-    add("C after subtracting the offset, voltage", volts, simple ? 0.05 : 0.12);
+    add("C with it taken off, voltage", volts, simple ? 0.05 : 0.12);
 }
 
 void add_cure(Comparison& comparison, BoomPlant plant, double offset_in, const Seeds& seeds) {
@@ -210,15 +205,14 @@ void add_cure(Comparison& comparison, BoomPlant plant, double offset_in, const S
     std::string column = inches(offset_in);
     comparison.add(judged_cell("offset found", column, "in", offset_in, calibrated_in, 0.0004, 5));
     Found uncured = identify_all(motions, AreasFrom::spool, seeds);
-    comparison.add(plain_cell("C before subtracting the offset, spool", column, "in^3/psi",
-                              lower_median(uncured.searched_in3_per_psi), 5));
-    comparison.add(plain_cell("  flagged as at the lower bound", column, "%", uncured.flagged_percent, 0));
+    comparison.add(plain_cell("C before, spool", column, "in^3/psi", lower_median(uncured.searched_in3_per_psi), 5));
+    comparison.add(plain_cell("  flagged: at the lower bound", column, "%", uncured.flagged_percent, 0));
     add_cured(comparison, column, motions, calibrated_in, seeds, simple);
 }
 
 Comparison cure_comparison(BoomPlant plant, const Seeds& seeds) {
     Comparison comparison{
-        .name = fmt::format("{}: C_BOi before and after subtracting the calibrated offset, 50 records",
+        .name = fmt::format("{}: calibrated, the offset taken off, 50 records identified",
                             plant == BoomPlant::simple ? "simple plant, low noise" : "measured machine, mid noise"),
         .against = "true",
         .judged = true};
@@ -238,15 +232,14 @@ void add_slow(Comparison& comparison, double offset_in) {
     bool about_to = offset_in == -0.01;
     comparison.add(plain_cell("C", column, "in^3/psi", fit, 5));
     comparison.add(
-        cell_of("  error of C", column, "%", about_to ? std::optional<double>(-88) : std::nullopt, percent, 20, 1));
+        cell_of("  its error", column, "%", about_to ? std::optional<double>(-88) : std::nullopt, percent, 20, 1));
     std::optional<double> negative = about_to ? std::nullopt : std::optional<double>(offset_in == -0.015 ? 1 : 0);
-    comparison.add(cell_of("  C is negative (1: yes)", column, "", negative, fit < 0 ? 1 : 0, 0, 0));
+    comparison.add(cell_of("  negative (1: yes)", column, "", negative, fit < 0 ? 1 : 0, 0, 0));
 }
 
 /// Compares scenario B: the slower the pressure rises, the greater the effect of an offset, about 1050 d / (dP/dt).
 Comparison slow_comparison() {
-    Comparison comparison{.name = "a slower motion (scenario B, no noise): C by least squares while the pressure "
-                                  "rises",
+    Comparison comparison{.name = "a slower motion (scenario B, no noise): least squares while the pressure rises",
                           .against = "known",
                           .judged = true};
     for (double offset_in : {-0.015, -0.01, 0.0, 0.01})
@@ -266,7 +259,7 @@ Plot plot_of_offsets(std::uint64_t seed) {
         search.points.push_back({1000 * offset_in, 1000 * found.compliance_in3_per_psi});
     }
     Panel panel;
-    panel.title = "Compliance identified while the pressure rises; the search tries no value below 0";
+    panel.title = "Compliance identified while the pressure rises; the search knows no value below 0";
     panel.x.label = "offset of the spool's readings [0.001 in]";
     panel.y.label = "compliance [0.001 in³/psi]";
     panel.series = {fit, search};

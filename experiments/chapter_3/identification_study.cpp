@@ -70,18 +70,18 @@ void add_level(Comparison& comparison, const NoiseLevel& level, const Seeds& see
         comparison.cells.back().at_most = bound.most;
     };
     SearchStudy all = study(measure_transients(level.noise, thesis_way().usable, seeds), thesis_way(), seeds);
-    add("error: median", "%", level.median_percent, all.median_percent(), 2);
+    add("error, median", "%", level.median_percent, all.median_percent(), 2);
     add("  90th percentile", "%", level.ninetieth_percent, all.ninetieth_percent(), 2);
     if (!level.ninetieth_percent.most)
         comparison.cells.back().at_least = too_much_percent;
-    comparison.add(compared_cell("  searches within 10 %", level.name, "%", level.within_ten_percent,
-                                 all.within_ten_percent(), 0));
+    comparison.add(
+        compared_cell("  seeds within 10 %", level.name, "%", level.within_ten_percent, all.within_ten_percent(), 0));
     // One search in thirty is off by at least 5 codes. In one of 400 studies at least a tenth of its 50 searches are.
-    add("codes from the global optimum: 90th percentile", "", {0, 5}, quantile(all.codes_from_optimum, 0.9), 0);
-    add("codes between the optima in psi and SI units: greatest", "", {0, 1}, quantile(all.si_codes, 1), 0);
+    add("codes from the best of all, 90th percentile", "", {0, 5}, quantile(all.codes_from_optimum, 0.9), 0);
+    add("codes from that to the best in SI, greatest", "", {0, 1}, quantile(all.si_codes, 1), 0);
     SearchStudy rising = study(measure_transients(level.noise, rising_way().usable, seeds), rising_way(), seeds);
-    add("error while the pressure rises: median", "%", level.rising_median_percent, rising.median_percent(), 2);
-    comparison.add(plain_cell("  90th percentile while it rises", level.name, "%", rising.ninetieth_percent(), 2));
+    add("while rising: error, median", "%", level.rising_median_percent, rising.median_percent(), 2);
+    comparison.add(plain_cell("  its 90th percentile", level.name, "%", rising.ninetieth_percent(), 2));
 }
 
 /// A way to identify, and the known percentage of seeds within 10 %.
@@ -108,7 +108,7 @@ std::vector<Variant> populations() {
 
 std::vector<Variant> variants() {
     using Way = IdentificationWay;
-    std::vector<Variant> all{{"thesis's method", thesis_way(), {}},
+    std::vector<Variant> all{{"as the thesis describes it", thesis_way(), {}},
                              {"Gray code", changed([](Way& way) { way.coding = Coding::gray; }), {}},
                              {"one elite", changed([](Way& way) { way.search.elite = 1; }), {}},
                              {"Gray code and elite",
@@ -118,7 +118,7 @@ std::vector<Variant> variants() {
                               }),
                               {}},
                              {"window of 20", changed([](Way& way) { way.search.window.length = 20; }), {}},
-                             {"1 generation per sample", changed([](Way& way) { way.search.window.trials = 1; }), {}},
+                             {"1 trial a sample", changed([](Way& way) { way.search.window.trials = 1; }), {}},
                              {"7 bits", changed([](Way& way) { way.bits = 7; }), {}},
                              {"16 bits", changed([](Way& way) { way.bits = 16; }), {}},
                              {"no mutation", changed([](Way& way) { way.search.mutation_probability = 0; }), {}}};
@@ -132,14 +132,14 @@ void add_variant(Comparison& comparison, const Variant& variant, const Transient
     };
     add("error, median [%]", result.median_percent(), 1);
     add("90th percentile [%]", result.ninetieth_percent(), 1);
-    const char* within = "searches within 10 % [%]";
+    const char* within = "seeds within 10 % [%]";
     if (variant.known_within_ten)
         comparison.add(judged_cell(variant.name, within, "", *variant.known_within_ten, result.within_ten_percent(),
                                    share_tolerance(*variant.known_within_ten, seeds.size()), 0));
     else
         add(within, result.within_ten_percent(), 0);
     if (result.codes_from_optimum.size() == seeds.size())
-        add("codes from optimum, 90th", quantile(result.codes_from_optimum, 0.9), 0);
+        add("codes off, 90th", quantile(result.codes_from_optimum, 0.9), 0);
 }
 
 Comparison variants_comparison(std::string name, const std::vector<Variant>& all, const ReplayContext& context) {
@@ -167,7 +167,7 @@ Series distribution(const NoiseLevel& level, const Seeds& seeds) {
 
 Plot plot_of_study(const Seeds& seeds) {
     Panel panel;
-    panel.title = "Share of 50 searches that end within an error, by level of noise";
+    panel.title = "50 searches at each level of noise: how many end within an error";
     panel.x = {"error of the compliance [%]", 0, 30};
     panel.y = {"searches [%]", 0, 100};
     for (const NoiseLevel& level : noise_levels)
@@ -177,7 +177,7 @@ Plot plot_of_study(const Seeds& seeds) {
 }
 
 Comparison levels_comparison(const Seeds& seeds, const ReplayContext& context) {
-    Comparison comparison{.name = "scenario A: 50 records, one search of each by the thesis's method",
+    Comparison comparison{.name = "50 records of scenario A and as many searches, the thesis's way",
                           .against = "known"};
     for (const NoiseLevel& level : noise_levels) {
         context.progress(fmt::format("noise: {}", level.name));
@@ -189,8 +189,8 @@ Comparison levels_comparison(const Seeds& seeds, const ReplayContext& context) {
 Replay replay_identification_study(const ReplayContext& context) {
     Seeds seeds = record_seeds(context.seed, usual_records);
     return replay_of({levels_comparison(seeds, context),
-                      variants_comparison("populations of other sizes, mid noise", populations(), context),
-                      variants_comparison("other search settings, mid noise", variants(), context)},
+                      variants_comparison("other populations, mid noise", populations(), context),
+                      variants_comparison("other ways, mid noise", variants(), context)},
                      {{"identification-study", plot_of_study(seeds)}});
 }
 

@@ -115,17 +115,15 @@ void add_coupled_links(Comparison& comparison, const CoupledMotion& moving, bool
     const Cell right = cell("all links within 10 %", "% of seeds", share(LinksFigure::within), 0);
     comparison.add(judged ? at_least(95, right) : right);
     const Interval interval = success_interval(count(LinksFigure::within), runs.size());
-    comparison.add(cell("  from (95 % interval)", "% of seeds", interval.low, 0));
-    comparison.add(cell("  to (95 % interval)", "% of seeds", interval.high, 0));
-    const Cell missed =
-        cell("a link wrong by more than 10 % without a flag", "% of seeds", share(LinksFigure::silent), 0);
+    comparison.add(cell("  from", "% of seeds", interval.low, 0));
+    comparison.add(cell("  to", "% of seeds", interval.high, 0));
+    const Cell missed = cell("off by more, without a flag", "% of seeds", share(LinksFigure::silent), 0);
     comparison.add(judged ? at_most(0, missed) : missed);
-    comparison.add(cell("some link flagged", "% of seeds", share(LinksFigure::flagged), 0));
-    comparison.add(
-        cell("least standard error of the worst link, median", "%", median_of_runs(runs, LinksFigure::limit), 1));
-    comparison.add(cell("generations, median", "", median_of_runs(runs, LinksFigure::generations), 0));
-    comparison.add(cell("time on one T800, median", "s", median_of_runs(runs, LinksFigure::t800_s), 0));
-    comparison.add(cell("time on 16 T800s, median", "s", median_of_runs(runs, LinksFigure::t800_16_s), 0));
+    comparison.add(cell("flagged", "% of seeds", share(LinksFigure::flagged), 0));
+    comparison.add(cell("limit of the worst link, median", "%", median_of_runs(runs, LinksFigure::limit), 1));
+    comparison.add(cell("generations", "", median_of_runs(runs, LinksFigure::generations), 0));
+    comparison.add(cell("on one T800", "s", median_of_runs(runs, LinksFigure::t800_s), 0));
+    comparison.add(cell("on 16 T800s", "s", median_of_runs(runs, LinksFigure::t800_16_s), 0));
 }
 
 Replay replay_links_at_once(const ReplayContext& context) {
@@ -135,8 +133,8 @@ Replay replay_links_at_once(const ReplayContext& context) {
     std::vector<Comparison> comparisons;
     for (const LinksLevel& level : links_levels) {
         Comparison comparison{.name = fmt::format("{}, {} seeds", level.name, context.seeds),
-                              .notes = "95 % interval: Clopper and Pearson; least standard error: of weighed "
-                                       "least squares (Cramer-Rao)\n",
+                              .notes = "from, to: an interval of 95 % (Clopper and Pearson)\n"
+                                       "limit: standard error by weighed least squares (Cramer-Rao)\n",
                               .against = "asked",
                               .judged = level.judged};
         for (const CoupledMotion& moving : motions)

@@ -54,8 +54,8 @@ void add_shares(Comparison& comparison, const char* row, const Runs& runs) {
 Comparison share_comparison(const TwoLinkMotion& motion, const Runs& plain, const Seeds& shown) {
     Comparison comparison{
         .name = fmt::format(
-            "two links without noise: records with both compliances within 10 % while the motion becomes steady; "
-            "{} records in the first row, {} in the others",
+            "two links without noise: both within 10 %, while the motion grows steady; {} records in the first row, {} "
+            "in the others",
             plain.size(), shown.size()),
         .against = "known"};
     for (const Known& each : looked_at)
@@ -64,23 +64,20 @@ Comparison share_comparison(const TwoLinkMotion& motion, const Runs& plain, cons
                                    share_tolerance(each.percent, plain.size()), 0));
     add_shares(comparison, "with the gate", search_many(motion, no_noise, gated(long_way()), shown));
     add_shares(comparison, "elite and Gray code, no gate", search_many(motion, no_noise, prolonged(gray_way()), shown));
-    add_shares(comparison, "elite and Gray code, with the gate",
-               search_many(motion, no_noise, gated(prolonged(gray_way())), shown));
+    add_shares(comparison, "  and with the gate", search_many(motion, no_noise, gated(prolonged(gray_way())), shown));
     return comparison;
 }
 
 /// Compares the ways at low noise. An elite keeps the answer only without noise.
 Comparison low_noise_comparison(const TwoLinkMotion& motion, const Seeds& shown) {
-    Comparison comparison{.name = "two links at low noise (2 psi, .003 deg, .1 % of an area): records with both "
-                                  "compliances within 10 %",
-                          .against = "known"};
+    Comparison comparison{.name = "the same at low noise (2 psi, .003 deg, .1 % of an area)", .against = "known"};
     auto add = [&](const char* row, const IdentificationWay& way) {
         add_shares(comparison, row, search_many(motion, low_noise, way, shown));
     };
     add("without a gate", long_way());
     add("with the gate", gated(long_way()));
     add("elite and Gray code, no gate", prolonged(gray_way()));
-    add("elite and Gray code, with the gate", gated(prolonged(gray_way())));
+    add("  and with the gate", gated(prolonged(gray_way())));
     return comparison;
 }
 
@@ -98,23 +95,22 @@ double lost_from(const SearchRun& run, double percent) {
 
 /// Adds the generations at which the searches are off by more than `percent`.
 void add_lost(Comparison& comparison, const Runs& plain, double percent, std::optional<double> thesis) {
-    std::string row = fmt::format("wrong by more than {} %", percent);
+    std::string row = fmt::format("off by more than {} %", percent);
     std::vector<double> lost;
     for (const SearchRun& run : plain)
         lost.push_back(lost_from(run, percent));
     comparison.add(cell_of(row, "median", "generation", thesis, lower_median(lost), 200, 0));
-    comparison.add(plain_cell(row, "10th percentile", "generation", quantile(lost, 0.1), 0));
-    comparison.add(plain_cell(row, "90th percentile", "generation", quantile(lost, 0.9), 0));
+    comparison.add(plain_cell(row, "first of 10", "generation", quantile(lost, 0.1), 0));
+    comparison.add(plain_cell(row, "last of 10", "generation", quantile(lost, 0.9), 0));
 }
 
 /// Compares the generation at which a search loses the answer with the thesis's figure, which is read by eye.
 Comparison single_run_comparison(const Runs& plain) {
     Comparison comparison{
-        .name = fmt::format("without noise and gate, {} records: the generation from which one of the two "
-                            "compliances stays wrong for 100 generations",
+        .name = fmt::format("without noise and gate, {} records: the generation from which on one of both is off for "
+                            "100 generations",
                             plain.size()),
-        .notes = "the thesis's figure was read by eye from one run: both compliances \"start to deviate\" at "
-                 "generation 425\n",
+        .notes = "the thesis's figure is an eye's reading of one run: both \"start to deviate\" at 425\n",
         .judged = true};
     add_lost(comparison, plain, 20, 425);
     add_lost(comparison, plain, 10, {});

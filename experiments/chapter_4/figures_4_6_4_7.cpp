@@ -143,7 +143,7 @@ Comparison speedup_table(std::string name, std::string against, CellOf cell_of) 
 }
 
 Comparison run_figure_4_6(SpeedupRuns& runs) {
-    return speedup_table("Figure 4.6: speedup, not pipelined, no communication time", "(4.9)",
+    return speedup_table("Figure 4.6: speedup, not pipelined, communication taking nothing", "(4.9)",
                          [&](auto row, auto column, int alpha, int processors) {
                              double known = whole_4_9(alpha, processors);
                              return judged_cell(row, column, "", known,
@@ -154,7 +154,7 @@ Comparison run_figure_4_6(SpeedupRuns& runs) {
 
 Comparison run_figure_4_7(SpeedupRuns& runs) {
     Comparison comparison =
-        speedup_table("Figure 4.7: speedup, pipelined, no communication time", "ideal",
+        speedup_table("Figure 4.7: speedup, pipelined, communication taking nothing", "ideal",
                       [&](auto row, auto column, int alpha, int processors) {
                           double known = whole_pipelined(alpha, processors);
                           return judged_cell(row, column, "", known,
@@ -162,8 +162,8 @@ Comparison run_figure_4_7(SpeedupRuns& runs) {
                       });
     comparison.judged = true;
     comparison.notes =
-        "ideal: a speedup equal to the number of processors, at most alpha + 1\nin both figures each processor "
-        "has a whole number of the 300 evaluations, and the largest share decides\n";
+        "ideal: as many as there are processors, up to alpha + 1\n"
+        "of 300 evaluations each processor has whole ones, and the largest share counts: in both figures\n";
     return comparison;
 }
 
@@ -174,7 +174,7 @@ Comparison run_on_t800s(SpeedupRuns& runs) {
             return compared_cell(row, column, "", formula_c_1(times_at(alpha, runs.communication(point)), processors),
                                  runs.speedup(point), 2);
         });
-    comparison.notes = "(4.9) uses the n t_c2 that each run measured (C_time2)\n";
+    comparison.notes = "(4.9) with n t_c2 as it was measured in each run (C_time2)\n";
     return comparison;
 }
 
@@ -213,7 +213,7 @@ void add_at_alpha(Comparison& comparison, SpeedupRuns& runs, int alpha) {
     comparison.add(judged_by(Judge::thesis, judged_cell("speedup (4.10)", column, "", half.known, runs.speedup(plain),
                                                         half.tolerance(), 3)));
     comparison.add(judged_by(Judge::thesis, efficiency_cell(runs, "efficiency (C.2)", plain, half)));
-    comparison.add(efficiency_cell(runs, "efficiency, master only breeds", only_breeding, half));
+    comparison.add(efficiency_cell(runs, "efficiency, a master that only breeds", only_breeding, half));
     comparison.add(efficiency_cell(runs, "efficiency, pipelined", pipelined, full));
     plain.work = pipelined.work = 1;
     comparison.add(plain_cell("efficiency on T800s", column, "", simulated_efficiency(runs, plain), 3));
@@ -221,20 +221,18 @@ void add_at_alpha(Comparison& comparison, SpeedupRuns& runs, int alpha) {
 }
 
 Comparison run_at_alpha(SpeedupRuns& runs) {
-    Comparison comparison{
-        .name = "speedup and efficiency if alpha processors evaluate", .against = "formula", .judged = true};
+    Comparison comparison{.name = "where alpha processors evaluate", .against = "formula", .judged = true};
     for (int alpha : speedup_alphas)
         add_at_alpha(comparison, runs, alpha);
-    comparison.notes = "efficiency: speedup divided by the number of processors; a master that only breeds adds "
-                       "a processor to alpha\ntolerance: the effect of whole evaluations, plus 1 % (3 % if "
-                       "pipelined)\n";
+    comparison.notes = "efficiency: speedup over processors; a master that only breeds is one more than alpha\n"
+                       "tolerance: what whole evaluations take, and 1 %; 3 % pipelined\n";
     return comparison;
 }
 
 Comparison run_same_generations(SpeedupRuns& runs) {
     Comparison comparison{.name = "the generations", .against = "known", .judged = true};
-    comparison.add(at_least(1, plain_cell(fmt::format("equal in all {} runs [1: yes]", runs.count()), "populations", "",
-                                          runs.are_the_same_generations() ? 1 : 0, 0)));
+    comparison.add(at_least(1, plain_cell(fmt::format("the same in all {} runs [1: yes]", runs.count()), "populations",
+                                          "", runs.are_the_same_generations() ? 1 : 0, 0)));
     return comparison;
 }
 
@@ -278,10 +276,10 @@ Replay replay_speedup(const ReplayContext& context) {
     replay.comparisons.push_back(run_at_alpha(runs));
     replay.comparisons.push_back(run_same_generations(runs));
     replay.constants =
-        "   workload:   the 10 errors of an individual take the cycles of table-e1, its breeding 1 / alpha of "
-        "them; both are\n               multiplied by 1000 where communication takes no time\n   own share:  the "
-        "master's share of a slave's evaluations: (alpha - slaves) / (alpha + 1) with a pipeline, so that\n      "
-        "         both processors have equal work; 1 without a pipeline; 0 if the master only breeds\n";
+        "   workload:   10 errors of an individual take table-e1's cycles, its breeding 1 / alpha of that; a thousand\n"
+        "               times both where communication takes nothing\n"
+        "   own share:  (alpha - slaves) / (alpha + 1) of a slave's with a pipeline, from the two processors'\n"
+        "               work being equal; 1 without, 0 of a master that only breeds\n";
     replay.fingerprint = runs.fingerprint();
     replay.plots = speedup_plots(runs);
     return replay;

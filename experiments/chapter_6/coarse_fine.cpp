@@ -199,7 +199,7 @@ Replay replay_coarse_fine(const ReplayContext& context) {
 
 extern const Experiment coarse_fine_experiment{
     .name = "coarse-fine",
-    .about = "a coarse and a fine search in place of one, and all strings of the coarse search: Tables 6.3, 6.4",
+    .about = "a coarse and a fine search in the place of one, and all strings of the coarse one: Tables 6.3, 6.4",
     .chapter = "6",
     .number = 3,
     .run = replay_coarse_fine,

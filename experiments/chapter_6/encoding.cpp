@@ -121,8 +121,7 @@ Replay replay_encoding(const ReplayContext& context) {
 
 extern const Experiment encoding_experiment{
     .name = "encoding",
-    .about = "natural binary code, Gray code, don't-care bits and an evenly spread start, on the plant of "
-             "chapter 5",
+    .about = "natural binary, Gray code, don't-care bits and a spread start, on the plant of chapter 5",
     .chapter = "6",
     .number = 4,
     .run = replay_encoding,

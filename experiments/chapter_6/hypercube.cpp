@@ -48,8 +48,7 @@ Cell neighbours_cell(std::size_t bits, std::size_t differ, std::size_t counted) 
 }
 
 Comparison table_6_1() {
-    Comparison comparison{.name = "Table 6.1: number of vertices of a hypercube of dimension l at each bit "
-                                  "difference from one vertex"};
+    Comparison comparison{.name = "Table 6.1: vertices of a hypercube of dimension l by their bit difference from one"};
     for (std::size_t bits : {std::size_t{8}, std::size_t{4}}) {
         auto neighbours = count_neighbours(0b0101, bits);
         for (std::size_t differ = 0; differ <= bits; ++differ)
@@ -122,8 +121,8 @@ Comparison table_6_2() {
         comparison.add(compared_cell(row, "most from own parent", "", count(differ / 2), count(found.from_own), 0));
     }
     comparison.notes =
-        "own parent: for A1 the parent A0 of equation 6.5. \"0 to integer(n/2) from A0, B0 respectively\" holds "
-        "for the nearer\nparent, but not for the own parent\n";
+        "own parent: A0 of A1 in 6.5. \"0 to integer(n/2) from A0, B0 respectively\" holds for the nearer "
+        "parent, not for the own one\n";
     return comparison;
 }
 
@@ -294,8 +293,7 @@ Replay replay_hypercube(const ReplayContext& context) {
 
 extern const Experiment hypercube_experiment{
     .name = "hypercube",
-    .about = "counts of a hypercube's vertices, and of the vertices that crossover reaches: Tables 6.1, 6.2, "
-             "Figures 6.2, 6.3",
+    .about = "vertices of a hypercube, and those that crossover reaches, counted: Tables 6.1, 6.2, Figures 6.2, 6.3",
     .chapter = "6",
     .number = 1,
     .run = replay_hypercube,

@@ -151,10 +151,11 @@ void add_bounds(Comparison& comparison, const SchemaStudy& study, SchemaFit fit)
 }
 
 Comparison compare_bounds(const std::vector<SchemaStudy>& studies, SchemaFit fit) {
-    Comparison comparison{.name = fmt::format("schemata {} the mean fitness: strings counted in {} runs of {} "
-                                              "generations, divided by the bound of equation 6.2",
-                                              fit == SchemaFit::above ? "above" : "below", studies.front().runs.size(),
-                                              schema_generations),
+    Comparison comparison{.name =
+                              fmt::format("schemata {} the mean fitness: counted in {} runs of {} generations, over "
+                                          "what equation 6.2 expects at least",
+                                          fit == SchemaFit::above ? "above" : "below", studies.front().runs.size(),
+                                          schema_generations),
                           .against = "claim",
                           .judged = true};
     for (const SchemaStudy& study : studies)
@@ -169,10 +170,10 @@ Comparison compare_claims(const SchemaStudy& crossed, const SchemaStudy& uncross
     for (std::size_t length = 0; length < schema_bits; ++length)
         most = std::max(most, uncrossed.quotient(length, SchemaFit::above, counted_strings, bound));
     constexpr std::size_t longest = schema_bits - 1;
-    comparison.add(at_most(1.05, plain_cell("without crossover, greatest ratio to the bound", "found", "", most, 3)));
-    comparison.add(at_least(2, plain_cell("with crossover, ratio of defining length 7 to the bound", "found", "",
+    comparison.add(at_most(1.05, plain_cell("without crossover, the most over its bound", "found", "", most, 3)));
+    comparison.add(at_least(2, plain_cell("with crossover, defining length 7 over its bound", "found", "",
                                           crossed.quotient(longest, SchemaFit::above, counted_strings, bound), 3)));
-    comparison.add(compared_cell("survivors, ratio of defining length 7 to 1, claimed .9 at most", "found", "", 0.9,
+    comparison.add(compared_cell("survivors of defining length 7 by those of 1, claimed .9 at most", "found", "", 0.9,
                                  crossed.quotient(longest, SchemaFit::above, counted_strings, reproduced) /
                                      crossed.quotient(1, SchemaFit::above, counted_strings, reproduced),
                                  3));
@@ -182,8 +183,8 @@ Comparison compare_claims(const SchemaStudy& crossed, const SchemaStudy& uncross
 /// Compares the strings of fit schemata after crossover and mutation with the number from reproduction alone, and with
 /// the share that equation 6.2 guarantees.
 Comparison compare_survival(const SchemaStudy& study) {
-    Comparison comparison{.name = "schemata above the mean fitness: strings counted, divided by the strings that "
-                                  "reproduction alone would give",
+    Comparison comparison{.name = "schemata above the mean fitness, counted over what reproduction alone would make of "
+                                  "them",
                           .against = "eq. 6.2"};
     for (std::size_t length = 0; length < schema_bits; ++length) {
         std::string row = length_row(length), name = study.name;
@@ -223,11 +224,11 @@ Replay replay_schemata(const ReplayContext& context) {
     Panel bounds = schemata_panel(studies, bound, "schemata of order 2 above the mean fitness",
                                   {"counted / bound", 0, std::nullopt});
     bounds.marks = {{"the bound", 1}};
-    Panel survival = schemata_panel({studies.front()}, reproduced, "share that survives crossover and mutation",
+    Panel survival = schemata_panel({studies.front()}, reproduced, "the same: what survives crossover and mutation",
                                     {"counted / reproduced", 0, 1.2});
     return replay_of({compare_bounds(studies, SchemaFit::above), compare_bounds(studies, SchemaFit::below),
                       compare_survival(studies.front()), compare_claims(studies[0], studies[1])},
-                     {{"schemata", {"Equation 6.2 and counted strings", {bounds, survival}}}});
+                     {{"schemata", {"Equation 6.2 and what comes", {bounds, survival}}}});
 }
 
 } // namespace

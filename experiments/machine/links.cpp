@@ -88,11 +88,10 @@ Replay replay_links(const ReplayContext& context) {
     Replay replay{.comparisons = {rates.compare("the databook's table 8.1", databook_rates()),
                                   rates.compare("measured on machines", measured_rates())}};
     replay.constants =
-        "   published:  a byte has 11 bits, its acknowledge 2; a C004 delays by 1.75 bit times (its manual)\n   "
-        "fitted:     an acknowledge begins 5.2 bit times after its byte, the next byte 3.6 bit times and 120 ns "
-        "after the\n               acknowledge. Both were fitted to these figures except 10 and 5 Mbit/s one "
-        "way, one C004 and the\n               databook's last figure. At 20 Mbit/s they lie within the "
-        "published 5 to 6 bit times.\n";
+        "   published:  a byte is 11 bits and its acknowledge 2; 1.75 bit times through a C004 (its manual)\n"
+        "   fitted:     an acknowledge begins 5.2 bit times after its byte, the next byte 3.6 bit times and 120 ns\n"
+        "               after the acknowledge: to these figures but 10 and 5 Mbit/s one way, one C004 and the last of\n"
+        "               the databook's; at 20 Mbit/s within the 5 to 6 bit times that were published\n";
     replay.fingerprint = rates.fingerprint();
     return replay;
 }

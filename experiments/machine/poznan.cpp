@@ -49,7 +49,7 @@ private:
 Replay replay_poznan(const ReplayContext& context) {
     PingPongs runs(context);
     PingPong direct = runs.through(0), switched = runs.through(3);
-    Comparison comparison{.name = "time of half a round trip of n words between two T805s",
+    Comparison comparison{.name = "half a round trip of n words between two T805s",
                           .against = "Poznan",
                           .judged = true,
                           .names_origins = true};
@@ -59,15 +59,13 @@ Replay replay_poznan(const ReplayContext& context) {
         judged.origin = origin;
         return judged;
     };
-    comparison.add(cell("half a round trip: start-up", 11.0, direct.start_us, 0.2, Origin::calibrated));
-    comparison.add(cell("half a round trip: each word", 2.25, direct.word_us, 0.01 * 2.25, Origin::fitted));
-    comparison.add(cell("each word through three C004", 4.30, switched.word_us, 0.01 * 4.30, Origin::fitted));
-    comparison.notes = "the source does not state that the slower pairs had three switches between them; their "
-                       "rate implies it\n";
+    comparison.add(cell("half a round trip, to start", 11.0, direct.start_us, 0.2, Origin::calibrated));
+    comparison.add(cell("half a round trip, a word", 2.25, direct.word_us, 0.01 * 2.25, Origin::fitted));
+    comparison.add(cell("a word through three C004", 4.30, switched.word_us, 0.01 * 4.30, Origin::fitted));
+    comparison.notes = "that the slower pairs had three switches between them was inferred from their rate\n";
     Replay replay{.comparisons = {comparison}};
-    replay.constants = "   calibrated: 201 cycles for a call of the toolset's ChanIn or ChanOut, to give the "
-                       "start-up time\n   The link's constants are those of placedpar replay links, fitted to "
-                       "the time of a word and other figures.\n";
+    replay.constants = "   calibrated: 201 cycles for a call of the toolset's ChanIn or ChanOut, to the start\n"
+                       "   The link is that of placedpar replay links, fitted to the time of a word among others.\n";
     replay.fingerprint = runs.fingerprint();
     return replay;
 }

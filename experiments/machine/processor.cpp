@@ -179,9 +179,8 @@ constexpr const char* cycles_table = "T4 notebook (pahihu/t4)";
 void compare_turns(OneProcessor& t800, Comparison& comparison) {
     auto [shortest, longest] = t800.shortest_and_longest_turn();
     comparison.add(
-        compare("turn beside another process, shortest", {slices, "periods", 1, 0.05, 2, Origin::outcome}, shortest));
-    comparison.add(
-        compare("turn beside another process, longest", {slices, "periods", 2, 0.05, 2, Origin::outcome}, longest));
+        compare("turn beside another, shortest", {slices, "periods", 1, 0.05, 2, Origin::outcome}, shortest));
+    comparison.add(compare("turn beside another, longest", {slices, "periods", 2, 0.05, 2, Origin::outcome}, longest));
     for (int others : {1, 3, 7})
         comparison.add(compare(fmt::format("wait beside {} other{}, longest", others, others == 1 ? "" : "s"),
                                {waits, "periods", 2.0 * others, 0.2, 2, Origin::outcome}, t800.longest_wait(others)));
@@ -219,8 +218,7 @@ Replay replay_processor(const ReplayContext& context) {
     context.progress("processor");
     OneProcessor t800(context);
     Replay replay{.comparisons = {compare_scheduler(t800), compare_memory(t800)}};
-    replay.constants = "the longest floating-point instruction is assumed to take 78 - 19 cycles; a division "
-                       "takes 39 cycles\n";
+    replay.constants = "an instruction of floating point is taken to be of 78 - 19 cycles, a division has 39\n";
     replay.fingerprint = t800.fingerprint();
     return replay;
 }

@@ -361,9 +361,8 @@ Replay replay_ray_farm(const ReplayContext& context) {
         [&] { context.progress(fmt::format("{} of {} runs of a farm", ended.load(), runs.size())); });
     Comparison comparison{
         .name = "a farm on 73 transputers",
-        .notes = "The real program printed a line at its host for each patch. The simulation leaves this out, so "
-                 "the calibrated cycles\nof a packet may include it. The source does not say which cards had 17, "
-                 "35 and 53 workers.\n",
+        .notes = "What the real program printed at its host for each patch is not simulated, so that the calibrated\n"
+                 "cycles of a packet may stand for that, too. Which cards had 17, 35 and 53 workers is not known.\n",
         .against = "publ.",
         .judged = true,
         .names_origins = true};

@@ -115,7 +115,7 @@ void TokenStream::refuse_missing(const Token& name) {
     std::string folders;
     for (const auto& folder : include_folders_)
         folders += (folders.empty() ? "" : ", ") + folder.string();
-    reporter_.error(name.at, fmt::format("cannot include \"{}\": there is no such file", name.text),
+    reporter_.error(name.at, fmt::format("cannot include \"{}\": this file does not exist", name.text),
                     folders.empty() ? "-I FOLDER adds a folder to search, besides the folder of the including file"
                                     : "looked in the folder of the including file and in " + folders);
 }

@@ -76,7 +76,7 @@ class Replay(unittest.TestCase):
                   if abs(c["simulated"] - c["thesis"]) > 0.01 * c["tolerance_percent"] * c["thesis"]}
         self.assertLessEqual(len([row for row, _ in missed if row in ("T_exe", "T_sr")]), 1)  # of 8: they hardly judge
         communication = document["other_readings"][0]
-        self.assertEqual(communication["reading"], "two checks of the communication time")
+        self.assertEqual(communication["reading"], "what judges the communication")
         self.assertFalse(communication["within_tolerance"])
 
     def test_examples_that_were_changed_are_refused_not_called_a_defect(self):
@@ -108,7 +108,7 @@ class Replay(unittest.TestCase):
         self.assertEqual({c["mark"] for c in evidence["constants"]},
                          {"published", "workload", "calibrated", "ours", "fitted"})
         self.assertTrue(all(c["source"] for c in evidence["constants"]))
-        self.assertEqual(constants["preparing a word of measurements"]["value"], 134)
+        self.assertEqual(constants["a word of measurements, made ready"]["value"], 134)
 
     def test_constants_that_a_netlist_states_are_those_of_the_netlist(self):
         examples = pathlib.Path(self.folder) / "examples"
@@ -226,8 +226,8 @@ class Replay(unittest.TestCase):
             self.assertLess(times[row, "tree"], times[row, "chain"])
         under_way = document["other_readings"][-1]["cells"]
         busy = {(c["row"], c["column"]): c["simulated"] for c in under_way}
-        self.assertGreater(busy["chain of 3, least busy slave", "2 under way"],
-                           busy["chain of 3, least busy slave", "1 under way"] + 5)
+        self.assertGreater(busy["chain of 3, the least busy", "2 under way"],
+                           busy["chain of 3, the least busy", "1 under way"] + 5)
 
     def test_chapter_2_is_within_its_tolerances(self):
         for experiment in ("table-2-6", "figure-2-3", "figures-2-8-2-9"):
@@ -252,7 +252,7 @@ class Replay(unittest.TestCase):
 
     def test_the_first_attempt_stands_beside_the_prototype_s_figures(self):
         _, document = replay("first-attempt", self.folder)
-        known = [self.cell(document, "  error of C", column)["known"]
+        known = [self.cell(document, "  its error", column)["known"]
                  for column in ("-0.02 in", "-0.015 in", "-0.01 in", "no offset", "+0.01 in")]
         self.assertEqual(known, [-142, None, -51, 0, 53])
 

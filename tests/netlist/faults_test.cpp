@@ -244,7 +244,7 @@ TEST_CASE("two hogging masters take two slots, and a printed network with one lo
     CHECK(refused(bus_of_two("fault vme hogged (until = 1ms, level = 2);", "SGL"))
               .find("\"vme\" has the arbiter SGL, which has only level 3") != std::string::npos);
     CHECK(refused(bus_of_two("fault vme hogged;")).find("needs the attribute \"until\"") != std::string::npos);
-    CHECK(refused(bus_of_two("fault vme hogged (from = 2ms, until = 1ms);")).find("over before it begins") !=
+    CHECK(refused(bus_of_two("fault vme hogged (from = 2ms, until = 1ms);")).find("ends before it begins") !=
           std::string::npos);
     CHECK(refused(bus_of_two("fault vme halts;")).find("a bus has no fault \"halts\"") != std::string::npos);
     CHECK(refused(bus_of_two("rep i = 0 for 20 fault vme hogged (until = 1ms);")).find("no slot of \"vme\" is free") !=

@@ -32,7 +32,7 @@ TEST_CASE("a problem is described by its string and its record") {
           "trap(blocks = 4)\ndeceptive traps: in each block, single bit changes lead away from the optimum\n"
           "maximised; the optimum is 20\nstring: 20 bits\n\nnumbers\n"
           "  blocks           int     default 10             1 .. 100000\n"
-          "                               in a string\n"
+          "                               number of blocks in a string\n"
           "  size             int     default 5              2 .. 64\n"
           "                               bits of a block\n");
     CHECK_THROWS_WITH_AS(print_problem(all_problems(), "nk(bits = 3, k = 5)"),

@@ -43,8 +43,8 @@ std::vector<TestedFault> tested_faults(const RecordSource& source, AreasFrom fro
     add(parameter("leak of 5 %", "fault.leak", 0.0014), AlarmKind::leak);
     faults.push_back({parameter("leak of 10 %", "fault.leak", 0.0028), 1, AlarmKind::leak, false, 2, 99, 99});
     if (from != AreasFrom::areas) {
-        add_shared(leak_of("leak of 5 % that begins with a movement", 0.0014), AlarmKind::leak);
-        add_shared(leak_of("leak of 10 % that begins with a movement", 0.0028), AlarmKind::leak, 2);
+        add_shared(leak_of("leak of 5 % that begins", 0.0014), AlarmKind::leak);
+        add_shared(leak_of("leak of 10 % that begins", 0.0028), AlarmKind::leak, 2);
     }
     if (from == AreasFrom::spool) {
         add_shared(parameter("offset of +.005 in", "fault.spool_offset", 0.005), AlarmKind::offset);
@@ -184,16 +184,16 @@ void add_fault(Comparison& comparison, const TestedFault& fault, const std::stri
     const Cell share = share_cell(name + ": found", noise, faults, of.found.size());
     comparison.add(limit.interval.low >= fault.least_found ? at_least(fault.least_found, share) : share);
     if (!fault.from_first_day)
-        comparison.add(plain_cell(name + ": theoretical limit", noise, "%", limit.percent, 1));
-    comparison.add(at_least(fault.least_called, share_cell(name + ": found faults with the right name or undecided",
-                                                           noise, called + undecided, faults)));
+        comparison.add(plain_cell(name + ": limit by theory", noise, "%", limit.percent, 1));
+    comparison.add(at_least(fault.least_called, share_cell(name + ": of those called so, or left undecided", noise,
+                                                           called + undecided, faults)));
     if (fault.called != AlarmKind::compliance && from != AreasFrom::areas) {
-        const Cell share = share_cell(name + ": found faults left undecided", noise, undecided, faults);
+        const Cell share = share_cell(name + ": of those left undecided", noise, undecided, faults);
         comparison.add(fault.most_undecided ? at_most(*fault.most_undecided, share) : share);
     }
     if (faults > 0)
-        comparison.add(plain_cell(name + ": movements until found, mean", noise, "",
-                                  sum(of.found) / static_cast<double>(faults), 1));
+        comparison.add(
+            plain_cell(name + ": movements it takes", noise, "", sum(of.found) / static_cast<double>(faults), 1));
 }
 
 void add_noise(Comparison& comparison, const RecordSource& source, AreasFrom from,
@@ -201,7 +201,7 @@ void add_noise(Comparison& comparison, const RecordSource& source, AreasFrom fro
     const std::string noise = std::string(source.noise) + " noise";
     const std::size_t false_alarms = count(column(machines, sound_figure));
     comparison.add(at_most(1, share_cell("sound machines with an alarm", noise, false_alarms, machines.size())));
-    comparison.add(plain_cell("sound machines with an alarm: upper 95 % bound", noise, "%",
+    comparison.add(plain_cell("sound machines: the upper bound of 95 %", noise, "%",
                               success_interval(false_alarms, machines.size()).high, 1));
     std::size_t figure = first_fault_figure;
     for (const TestedFault& fault : tested_faults(source, from)) {
@@ -215,18 +215,16 @@ void add_noise(Comparison& comparison, const RecordSource& source, AreasFrom fro
 
 Comparison verdict_comparison(const ReplayContext& context, const char* machine, const RecordSource& source,
                               AreasFrom from) {
-    const char* by = from == AreasFrom::areas   ? "areas"
-                     : from == AreasFrom::spool ? "areas from the spool"
-                                                : "areas from the voltage";
-    const std::string name = fmt::format("{}, {}", machine, by);
+    const char* by = from == AreasFrom::areas ? "areas" : from == AreasFrom::spool ? "the spool" : "the voltage";
+    const std::string name = fmt::format("{} by {}", machine, by);
     Comparison comparison{
-        .name = fmt::format("verdicts on line: {}, {} machines", name, context.seeds),
-        .notes = std::string("theoretical limit: the most faults that any test finds in 8 movements if it raises "
-                             "an alarm in 1 % of the sound machines\n") +
+        .name = fmt::format("what is said on line: {}, {} machines", name, context.seeds),
+        .notes = std::string("limit by theory: no test finds more in 8 movements that wrongly accuses 1 % of the sound "
+                             "machines\n") +
                  (source.has_servo || from == AreasFrom::areas
                       ? ""
-                      : "these records end while oil flows, so a leak that begins with a movement and an offset "
-                        "change the flow alike (correlation .999): both may be left undecided\n"),
+                      : "where the records end while oil flows, a leak that begins with a movement and an offset miss "
+                        "the same flow (correlation .999): either may be left undecided\n"),
         .against = "known",
         .judged = true};
     for (const char* noise : tested_noises) {

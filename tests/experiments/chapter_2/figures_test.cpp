@@ -47,7 +47,7 @@ TEST_CASE("Table 2.6: the spool for three flows at three pressures, and back") {
 TEST_CASE("an error of the spool raises the flow by a half or a fifth, as in the thesis, and more at smaller flows") {
     const Replay replay = test::replay_named("table-2-6");
     const Comparison& table = replay.comparisons.at(0);
-    for (const char* error : {"increase of flow for +0.02 in", "increase of flow for +0.01 in"})
+    for (const char* error : {"more flow for +0.02 in", "more flow for +0.01 in"})
         for (std::size_t i = 0; i < 3; ++i) {
             auto at = [&](int flow) {
                 return test::row_named(table, fmt::format("{} at {} in^3/s", error, flow)).at(i).simulated;
@@ -58,10 +58,9 @@ TEST_CASE("an error of the spool raises the flow by a half or a fifth, as in the
         }
     for (int flow : {40, 50, 60}) // a step of .01 in: by the slope, and by the difference of flows
         for (std::size_t i = 0; i < 3; ++i) {
-            const double slope = test::row_named(table, fmt::format("dQ_i/dx at {} in^3/s", flow)).at(i).simulated,
-                         more = test::row_named(table, fmt::format("increase of flow for +0.01 in at {} in^3/s", flow))
-                                    .at(i)
-                                    .simulated;
+            const double
+                slope = test::row_named(table, fmt::format("dQ_i/dx at {} in^3/s", flow)).at(i).simulated,
+                more = test::row_named(table, fmt::format("more flow for +0.01 in at {} in^3/s", flow)).at(i).simulated;
             CHECK(more == doctest::Approx(100 * 0.01 * slope / flow).epsilon(0.01));
         }
 }
@@ -79,7 +78,7 @@ TEST_CASE("the stiffness of oil with air is that of separate volumes of both") {
         }
     }
     for (double percent : {1.0, 2.0, 5.0, 10.0}) { // the compliance is V divided by the modulus
-        const auto row = test::row_named(table, fmt::format("C divided by C of oil alone, {:g} % air", percent));
+        const auto row = test::row_named(table, fmt::format("C over that of oil, {:g} % air", percent));
         REQUIRE(row.size() == 4);
         CHECK(row[0].simulated == doctest::Approx(220'000 / isothermal_modulus_psi(percent / 100, 100)).epsilon(1e-9));
         for (std::size_t i = 1; i < 4; ++i)

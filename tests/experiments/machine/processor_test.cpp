@@ -32,8 +32,8 @@ TEST_CASE("clocks tick every microsecond, or every 64 microseconds at low priori
 
 TEST_CASE("a turn beside another takes one to two periods, and a wait beside n - 1 others 2n - 2 at most") {
     const Replay replay = test::replay_named("processor");
-    const double shortest = figure_of(replay, 0, "turn beside another process, shortest"),
-                 longest = figure_of(replay, 0, "turn beside another process, longest");
+    const double shortest = figure_of(replay, 0, "turn beside another, shortest"),
+                 longest = figure_of(replay, 0, "turn beside another, longest");
     CHECK(shortest >= 1);
     CHECK(shortest < 1.05);
     CHECK(longest <= 2);
@@ -56,9 +56,9 @@ TEST_CASE("copying takes 6 cycles a word outside the chip and 2 on it, at 20 MHz
 
 TEST_CASE("half a round trip takes Poznan's 11 us plus 2.25 us a word, or 4.30 us a word through three switches") {
     const Replay replay = test::replay_named("poznan");
-    CHECK(std::abs(figure_of(replay, 0, "half a round trip: start-up") - 11) <= 0.2);
-    CHECK(figure_of(replay, 0, "half a round trip: each word") == doctest::Approx(2.25).epsilon(0.01));
-    CHECK(figure_of(replay, 0, "each word through three C004") == doctest::Approx(4.3).epsilon(0.01));
+    CHECK(std::abs(figure_of(replay, 0, "half a round trip, to start") - 11) <= 0.2);
+    CHECK(figure_of(replay, 0, "half a round trip, a word") == doctest::Approx(2.25).epsilon(0.01));
+    CHECK(figure_of(replay, 0, "a word through three C004") == doctest::Approx(4.3).epsilon(0.01));
 }
 
 TEST_CASE(
@@ -85,10 +85,10 @@ TEST_CASE(
     CHECK(rows[Origin::outcome] ==
           std::vector<std::string>{
               "5 Mbit/s, one way", "10 Mbit/s, one way", "no overlapped acknowledges", "through one C004",
-              "turn beside another process, shortest", "turn beside another process, longest",
-              "wait beside 1 other, longest", "wait beside 3 others, longest", "wait beside 7 others, longest",
-              "farm of 71 workers, routers high", "farm of 11 workers, routers low", "farm of 35 workers, routers low",
-              "farm of 71 workers, routers low", "farm of 17 workers, routers high, 4500 cycles a packet",
+              "turn beside another, shortest", "turn beside another, longest", "wait beside 1 other, longest",
+              "wait beside 3 others, longest", "wait beside 7 others, longest", "farm of 71 workers, routers high",
+              "farm of 11 workers, routers low", "farm of 35 workers, routers low", "farm of 71 workers, routers low",
+              "farm of 17 workers, routers high, 4500 cycles a packet",
               "farm of 35 workers, routers high, 4500 cycles a packet",
               "farm of 53 workers, routers high, 4500 cycles a packet"});
     CHECK(rows[Origin::constant] ==
@@ -96,7 +96,7 @@ TEST_CASE(
                                    "interrupt of divisions, longest", "interrupt of floating point, longest",
                                    "copy outside of the chip", "copy on the chip", "crossbar switch, one way"});
     CHECK(rows[Origin::calibrated] ==
-          std::vector<std::string>{"half a round trip: start-up",
+          std::vector<std::string>{"half a round trip, to start",
                                    "farm of 11 workers, routers high, 4500 cycles a packet",
                                    "farm of 71 workers, routers high, 4500 cycles a packet"});
     CHECK(rows[Origin::fitted].size() == 8);

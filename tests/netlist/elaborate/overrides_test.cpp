@@ -145,7 +145,7 @@ TEST_CASE("--set takes strings without quotes") {
     CHECK(label("people") == Value("people")); // this val is not a string
     CHECK(label("code") == Value("binary"));   // this val is a string
     CHECK(label("") == Value(""));
-    CHECK(says(refusal({{"other.label", "\"a"}}), "--set:1:13: error: the string has no end"));
+    CHECK(says(refusal({{"other.label", "\"a"}}), "--set:1:13: error: the string does not end"));
     CHECK(says(refusal({{"m.population", "many"}}), "--set:1:14: error: the name \"many\" is undefined"));
 }
 
@@ -165,7 +165,7 @@ TEST_CASE("values of --set are checked like the netlist's, with errors at the op
     CHECK(says(refusal({{"people", "1.5"}}), "--set:1:8: error: wrong type for the val \"people\""));
     CHECK(says(refusal({{"other.label", "123456789012345678901"}}), "--set:1:13: error: the string is too long"));
     CHECK(says(refusal({{"other.size", "{1, 2, 3}"}}), "--set:1:12: error: wrong type for the parameter \"size\""));
-    CHECK(says(refusal({{"other.size[1]", "3"}}), "\"size\" is set as a whole"));
+    CHECK(says(refusal({{"other.size[1]", "3"}}), "\"size\" can be set only as a whole"));
 }
 
 TEST_CASE("setting a value twice is refused") {
@@ -310,7 +310,7 @@ TEST_CASE("the message about an unknown name gives the nearest name or all names
     // "people" is a similar name, but that of a val.
     CHECK_FALSE(says(refusal({{"peoples.clock", "3"}}), "did you mean"));
     CHECK(says(refusal({{"t[2].clock", "3"}}), "nothing has the name \"t[2]\"\n    t[2].clock=3\n    ^\n"
-                                               "hint: there is t[0] to t[1]\n"));
+                                               "hint: the names are t[0] to t[1]\n"));
     CHECK(
         says(refusal({{"s[1].clock", "3"}}), "hint: the node that \"s[1]\" is placed on has: --set t[1].clock=...\n"));
     CHECK(says(refusal({{"m", "3"}}), "\"m\" is a process: name the attribute or parameter to set\n"));
