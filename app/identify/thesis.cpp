@@ -142,7 +142,7 @@ boost::json::object cost_json(const SearchCost& cost) {
 } // namespace
 
 ExitCode identify_over_whole(const IdentifyOptions& options, boost::json::object& json) {
-    WholeWay whole = whole_way(links_of(links_asked(options)).size(), side_asked(options));
+    WholeWay whole = whole_way(links_asked(options).size(), side_asked(options));
     const Case asked = read_case(options, whole.way);
     whole.way = asked.way;
     json["warnings"] = warnings_json(asked.loaded.warnings);
