@@ -43,7 +43,8 @@ Configuration next_configuration(Configuration now, const BranchPressures&, cons
 /// Returns the pressures of the steady flow through the whole main valve in a configuration.
 BranchPressures branch_pressures(Configuration, const PerLink<JunctionOpening>&, const FlowConstants&);
 
-/// Returns the configuration in which the main valve comes to rest from `now`, while the openings stay as they are. If
+/// Returns the configuration in which the main valve's pressures call for no further change, from `now` on, with
+/// constant openings. If
 /// the valves would move for ever, returns the configuration after eight moves.
 Configuration settled_configuration(Configuration now, const PerLink<JunctionOpening>&, const FlowConstants&,
                                     const CrossOverLimits&);

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "hydraulics/plant/moving_excavator.hpp"
+#include "hydraulics/circuit/boom_orifices.hpp"
+#include "hydraulics/plant/moving_machine.hpp"
 
 namespace placedpar::hydraulics {
 
