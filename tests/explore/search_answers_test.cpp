@@ -10,7 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <string>
+#include <vector>
 
 using namespace placedpar;
 
@@ -73,5 +74,5 @@ TEST_CASE("an unknown search is a defect") {
     CHECK(answers.generations() == 0);
     const ProblemRegistry problems = known_problems(1);
     Network network = load_network(sixteen, {}, problems, [](const std::string&) {});
-    CHECK_THROWS_AS(run_netlist(network, problems, {.seed = 1, .observer = &answers}), std::invalid_argument);
+    CHECK_THROWS(run_netlist(network, problems, {.seed = 1, .observer = &answers}));
 }
