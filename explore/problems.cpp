@@ -10,6 +10,7 @@
 #include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/language/parser.hpp"
 #include "problems/benchmark/benchmark.hpp"
+#include "problems/plant/coefficients.hpp"
 #include "problems/plant/plant_family.hpp"
 #include "runtime/random.hpp"
 #include "text/user_error.hpp"
@@ -32,25 +33,35 @@ struct SimulatedCircuit : CircuitProblem {
     std::vector<double> true_parameters() const { return compliance_in3_per_psi; }
 };
 
+/// Returns scenario A, with the leak of 2.3.2 if asked: it begins as the valve does.
+ExcavatorScenario boom_of_chapter_3(bool leaking) {
+    constexpr double leak_in3_per_s_psi = 0.004; // takes 7 of 50 in^3/s
+    ExcavatorScenario scenario = single_boom_scenario();
+    if (leaking)
+        scenario.links.front().leak = {leak_in3_per_s_psi, Parameters::excavator()["scenario_a.step_time"]};
+    return scenario;
+}
+
 /// Returns the motion, which is simulated once, since a seed decides the noise only.
-const ExcavatorMotion& motion_of_boom() {
-    static const ExcavatorMotion motion = simulate_excavator(single_boom_scenario());
-    return motion;
+const ExcavatorMotion& motion_of_boom(bool leaking) {
+    static const ExcavatorMotion sound = simulate_excavator(boom_of_chapter_3(false));
+    static const ExcavatorMotion with_leak = simulate_excavator(boom_of_chapter_3(true));
+    return leaking ? with_leak : sound;
 }
 
 /// The boom of chapter 3 in the motion of scenario A, measured with the lowest of the noise levels studied. The valve
 /// stays open to the end of the motion, so that the record has as many samples as are asked for.
-void add_boom(ProblemRegistry& problems, std::uint64_t seed) {
-    ExcavatorScenario scenario = single_boom_scenario();
+void add_boom(ProblemRegistry& problems, std::uint64_t seed, const char* name, AreasFrom from, bool leaking) {
+    ExcavatorScenario scenario = boom_of_chapter_3(leaking);
     SimulatedCircuit boom{CircuitProblem(boom_circuit(), scenario.flow),
                           {scenario.links.front().mechanics.inlet_compliance_in3_per_psi}};
     UsableSamples usable;
     auto make = [=] {
         RandomStream noise(seed, "record of the boom");
         return boom_record(
-            motion_of_boom(), scenario, low_noise, [&] { return noise.uniform(); }, usable);
+            motion_of_boom(leaking), scenario, low_noise, [&] { return noise.uniform(); }, usable, from);
     };
-    problems.add_to_make("boom", make_search_problem(std::move(boom)), {usable.count, make});
+    problems.add_to_make(name, make_search_problem(std::move(boom)), {usable.count, make});
 }
 
 std::vector<ProcessKind>& own_kinds() {
@@ -122,8 +133,11 @@ void add_own_problems(std::vector<ProblemFamily> problems) {
 
 ProblemRegistry known_problems(std::uint64_t seed, const std::function<ProblemFamily(const ProblemFamily&)>& around) {
     ProblemRegistry problems;
-    add_boom(problems, seed);
+    add_boom(problems, seed, "boom", AreasFrom::spool, false);
+    add_boom(problems, seed, "boom-by-voltage", AreasFrom::servo, false);
+    add_boom(problems, seed, "leaking-boom", AreasFrom::spool, true);
     problems.add(plant_family(seed));
+    problems.add(maximised<Coefficients>());
     add_benchmark_problems(problems);
     for (const ProblemFamily& family : own_problems())
         add_own_problem(problems, around(guarded(family)));

@@ -1,6 +1,7 @@
 #include "explore/process_search.hpp"
 
 #include "explore/problems.hpp"
+#include "gaprocs/processes/parameters.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "netlist/network/names.hpp"
 #include "report/search_log.hpp"
@@ -15,6 +16,7 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <variant>
 
 namespace placedpar {
 
@@ -98,21 +100,51 @@ bool is_val(const std::string& name, const Network& network) {
     return set != nullptr && set->elements.empty();
 }
 
-/// Reads the netlist with the settings. A setting that the netlist fixes to another value is set by the val of its
-/// name; without such a val the netlist is refused.
-Network load_with(const Settings& settings, const NetlistAsked& netlist, const ProblemRegistry& problems,
-                  const WarningSink& warn) {
-    const Catalogue catalogue = kinds_with(settings, problems);
-    const ParsedNetlist parsed(netlist.path, netlist.options);
-    ReadResult read = parsed.read(catalogue, netlist.overrides);
+/// Returns the names of the processes that search. Throws UserError if there is none, or one of a pair.
+std::vector<std::string> searching_processes(const Network& network, const NetlistAsked& netlist) {
+    std::vector<std::string> names;
+    for (const ProcessInstance& process : network.processes) {
+        if (!searches(process))
+            continue;
+        if (breeds_recoded(process))
+            throw UserError(
+                fmt::format("--on {}: \"{}\" is one of a pair, which identify has no settings for; expected "
+                            "ga.traditional, ga.master or ga.island",
+                            netlist.path.string(), process.name));
+        names.push_back(process.name);
+    }
+    if (names.empty())
+        throw UserError(fmt::format("--on {}: no process searches, expected ga.traditional, ga.master or ga.island",
+                                    netlist.path.string()));
+    return names;
+}
+
+/// Reads the netlist with these settings as the defaults of its searches.
+ReadResult read_with(const Settings& settings, const ParsedNetlist& parsed, const Overrides& overrides,
+                     const ProblemRegistry& problems) {
+    ReadResult read = parsed.read(kinds_with(settings, problems), overrides);
     if (!read.network)
         throw RefusedInput(render(read));
+    return read;
+}
+
+/// Reads the netlist with the settings. A setting that the netlist fixes to another value is set by the val of its
+/// name; without such a val the netlist is refused.
+Network load_with(Settings settings, const NetlistAsked& netlist, const ProblemRegistry& problems,
+                  const WarningSink& warn) {
+    const ParsedNetlist parsed(netlist.path, netlist.options);
+    ReadResult read = read_with(settings, parsed, netlist.overrides, problems);
+    if (searching_processes(*read.network, netlist).size() > 1) {
+        settings.erase("population");
+        settings.erase("stream");
+        read = read_with(settings, parsed, netlist.overrides, problems);
+    }
     std::size_t samples = problems.find("boom").samples();
     Overrides ours = netlist.overrides;
     while (auto difference = first_difference(*read.network, settings, samples)) {
         if (!ours.emplace(difference->name, expression(difference->ours)).second)
             refuse(*difference);
-        ReadResult again = parsed.read(catalogue, ours);
+        ReadResult again = parsed.read(kinds_with(settings, problems), ours);
         if (!again.network || !is_val(difference->name, *again.network))
             refuse(*difference);
         read = std::move(again);
@@ -135,34 +167,39 @@ std::vector<Sample> searched_samples(const ComplianceSearch& prepared) {
     return record;
 }
 
-std::string searching_process(const Network& network, const std::filesystem::path& netlist) {
-    auto first = std::ranges::find_if(network.processes, searches);
-    auto count = std::ranges::count_if(network.processes, searches);
-    if (count != 1)
-        throw UserError(
-            fmt::format("--on {}: {} processes of the netlist search, expected one: ga.traditional, or ga.master "
-                        "with its slaves",
-                        netlist.string(), count));
-    return first->name;
+/// Returns the individuals of all searches together. Throws UserError if they are not as many as identify searches
+/// with.
+std::size_t whole_population(const Network& network, const NetlistAsked& netlist, std::size_t wanted) {
+    std::int64_t sum = 0;
+    for (const ProcessInstance& process : network.processes)
+        if (searches(process))
+            sum += std::get<std::int64_t>(process.parameters.at("population"));
+    if (sum != integer(wanted))
+        throw UserError(fmt::format("--on {}: its searches have {} individuals together, but identify has {}: give "
+                                    "identify --population {}, or --set the netlist's",
+                                    netlist.path.string(), sum, wanted, sum));
+    return wanted;
 }
 
 } // namespace
 
-std::vector<double> ProcessSearch::compliances(const RunReport& report) const {
-    std::vector<double> found;
-    for (const std::string& name : problems.find("boom").problem()->parameter_names())
-        found.push_back(report.measured(master, name));
-    return found;
+SearchAnswers ProcessSearch::answers() const {
+    return SearchAnswers(searches, problems.find("boom").problem()->coded(coding));
 }
 
 ProcessSearch search_by_processes(const NetlistAsked& netlist, const ComplianceSearch& prepared,
                                   const IdentificationWay& way, const WarningSink& warn) {
     ProcessSearch search;
-    search.problems.add("boom", make_search_problem(prepared.problem), searched_samples(prepared));
+    for (const char* name : {"boom", "boom-by-voltage"})
+        search.problems.add(name, make_search_problem(prepared.problem), searched_samples(prepared));
     search.network = load_with(settings_of(way), netlist, search.problems, warn);
     for (const std::string& included : search.network.included_paths)
         require_apart(std::span(&netlist.output, 1), included);
-    search.master = searching_process(search.network, netlist.path);
+    search.searches = searching_processes(search.network, netlist);
+    search.population = whole_population(search.network, netlist, way.search.population);
+    search.first = samples_for_first_generation(way);
+    search.trials = way.search.window.trials;
+    search.coding = way.coding;
     return search;
 }
 

@@ -17,8 +17,8 @@ namespace placedpar {
 ErrorsOfBest errors_of_best(const SearchProblem& problem, std::span<const Individual> bests,
                             std::span<const std::size_t> windows, std::span<const Sample> samples);
 
-/// Chooses one answer among the best individuals of several islands each time the islands broadcast them, and keeps the
-/// answer until the next time (thesis 5.3.2: "output the estimated parameters at the broadcasting frequency"). The
+/// Chooses one answer among the best individuals of several islands when the islands broadcast them. Keeps the answer
+/// until the next broadcast (thesis 5.3.2: "output the estimated parameters at the broadcasting frequency"). The
 /// islands do not change.
 class ActiveErrorAnalysis {
 public:

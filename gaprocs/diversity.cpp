@@ -86,8 +86,8 @@ std::vector<std::uint64_t> neighbours_in(std::span<const Genome> tours, const Pe
     return pairs;
 }
 
-/// Computes the spread of tours. The squared distance of two tours is the number of pairs of neighbours that only one
-/// of them has, which is twice Representation::distance().
+/// Computes the spread of tours. A pair of neighbours that only one of two tours has adds 1 to their squared distance.
+/// So the squared distance is twice Representation::distance().
 Spread spread_of_tours(std::span<const Genome> population, const Permutation& permutation) {
     Spread spread{StringKind::permutation, 2 * static_cast<double>(permutation.places()), population.size()};
     auto pairs = neighbours_in(population, permutation);
@@ -149,9 +149,9 @@ double diversity_within(const Spread& population) {
     return diversity_of(2 * population.squares / static_cast<double>(population.individuals - 1), population);
 }
 
-/// The mean squared distance of two individuals is the sum of three squares: the distance of each from the centre of
-/// its population, and the distance of the two centres. The mean over all pairs of centres follows from the centres'
-/// distances from their own mean.
+/// The mean squared distance of two individuals is a sum of three squared distances: first individual to its
+/// population's centre, second individual to its population's centre, and centre to centre. The mean over all pairs of
+/// centres is computed from the centres' distances from their own mean.
 double diversity_between(std::span<const Spread> populations) {
     auto count = static_cast<double>(populations.size());
     double from_own = 0, of_centres = 0;

@@ -18,8 +18,8 @@ inline constexpr double fitness_term_limit = 0x1p23;
 inline constexpr std::size_t exact_fitness_terms = 1024;
 
 /// The constant 1.5 * 2^32. Adding and then subtracting it rounds a term to the nearest multiple of 2^-20, ties to
-/// even, because between 2^32 and 2^33 neighbouring doubles are 2^-20 apart. The limits of a term are not changed.
-/// Needs IEEE arithmetic, so never -ffast-math.
+/// even. The reason is that neighbouring doubles between 2^32 and 2^33 are 2^-20 apart. The limits of a term are not
+/// changed. Needs IEEE arithmetic, so never -ffast-math.
 inline constexpr double fitness_rounding_shift = 0x1.8p32;
 
 /// Returns one sample's term of the fitness, for one individual (T is double) or for several (T is Lanes). `bias` is in

@@ -14,8 +14,8 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the objective of a fitness, with the sign that the problem gives it. If the objective was not a finite
-/// number, returns infinity with the sign of the worst value.
+/// Returns the objective for a fitness: the fitness itself, or its negative if the objective is minimised. If the
+/// objective was not a finite number, returns the infinity that is the worst value.
 double in_its_own_sign(double fitness, std::optional<Goal> goal) {
     if (goal && fitness == worst_fitness)
         fitness = -std::numeric_limits<double>::infinity();

@@ -50,7 +50,7 @@ void validate_islands(const IslandsSettings& settings) {
     require_places(settings, neighbours);
 }
 
-/// Returns for each island all islands that begin at the same time as it.
+/// Returns for each island a list of the islands that begin together with it.
 std::vector<std::vector<std::size_t>> islands_in_step(const Schedule& schedule, const Neighbours& neighbours) {
     std::vector<std::vector<std::size_t>> together(neighbours.size());
     auto parts = separate_parts(schedule.in_step() ? neighbours : Neighbours(neighbours.size()));
@@ -190,7 +190,8 @@ std::vector<Migration> Islands::emigrants(std::size_t from) {
     return all;
 }
 
-/// Sends the emigrants. They replace earlier emigrants from the same island that the neighbour has not accepted yet.
+/// Sends the emigrants. If a neighbour has not accepted earlier emigrants from the same island, the new ones replace
+/// them.
 void Islands::send_by_mail(std::size_t from) {
     auto leaving = emigrants(from);
     for (const Migration& each : leaving)

@@ -16,7 +16,8 @@ namespace placedpar {
 class RecodedProblem final : public SearchProblem {
 public:
     /// The problem itself is read in natural binary. Throws as Recoding::validate(). Throws UserError if the problem's
-    /// strings are not binary, or if the problem does not state fields whose bits add up to the length of its string.
+    /// strings are not binary, or if the problem states no fields. The bits of the fields must add up to the length of
+    /// the string.
     RecodedProblem(const SearchProblem& problem, Recoding recoding);
 
     /// Moves the point to which the bred strings are relative. REQUIRES: a string of the problem.

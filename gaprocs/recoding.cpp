@@ -51,7 +51,7 @@ void Recoding::validate() const {
     for (std::size_t i = 0; i < bits.size(); ++i)
         validate_field(i, bits[i], problem_bits[i]);
     if (around && around->size() != problem_length())
-        throw std::invalid_argument(fmt::format("around a string of {}, the problem's has {}",
+        throw std::invalid_argument(fmt::format("the bias point has {}, the problem's string has {}",
                                                 counted(around->size(), "bit"), problem_length()));
 }
 

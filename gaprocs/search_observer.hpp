@@ -50,8 +50,8 @@ struct ObservedAnswer {
 /// Receives the events of the searches of one run. The observer must not affect the searches.
 ///
 /// 1. The generations of a search come in order, without gaps.
-/// 2. The immigrants of a generation come after it and before the next generation of the same search, in the order in
-/// which they were accepted or rejected.
+/// 2. The immigrants of a generation come after it, and before the next generation of the same search. They come in the
+/// order of acceptance or rejection.
 /// 3. The order of events of different searches is not specified.
 /// 4. References and views in the arguments are valid only during the call.
 ///

@@ -66,7 +66,7 @@ std::shared_ptr<const SearchProblem> SearchProblem::coded(Coding coding) const {
     if (coding.dont_care() == 0)
         return plain;
     if (plain->representation().kind() != StringKind::binary)
-        throw UserError(fmt::format("don't-care bits are of binary strings, and this problem's are {}",
+        throw UserError(fmt::format("don't-care bits need binary strings, and this problem's are {}",
                                     name_of(plain->representation().kind())));
     return std::make_shared<StuffedProblem>(std::move(plain), coding);
 }

@@ -34,7 +34,7 @@ hydraulics::CircuitTerms CircuitProblem::prepared(std::span<const double> sample
 std::vector<std::string> CircuitProblem::parameter_names() const {
     std::vector<std::string> names;
     for (const hydraulics::Junction& junction : circuit_)
-        names.push_back(fmt::format("C_{}i", hydraulics::symbol_of(junction.link)));
+        names.push_back(hydraulics::compliance_name(junction));
     return names;
 }
 

@@ -30,6 +30,16 @@ void require_one_group(const Question& question) {
                                 list(question.links), name_of(question.configuration)));
 }
 
+void require_described(const Question& question) {
+    if (question.side == Side::outlet && question.links != LinkSet{Link::boom})
+        throw UserError(fmt::format("--side outlet: {}: the machine's constants describe the outlet side of the boom "
+                                    "only (boom.outlet_area, A.7 to A.9)",
+                                    list(question.links)));
+    if (question.side == Side::outlet && question.areas_from == AreasFrom::areas)
+        throw UserError("--side outlet: no sensor reads the area of an outlet; it comes from the spool or the "
+                        "servo-valve: --areas-from spool or servo");
+}
+
 } // namespace
 
 double spool_sensor_step_in(const Parameters& machine) {
@@ -39,14 +49,17 @@ double spool_sensor_step_in(const Parameters& machine) {
 ComplianceSearch prepare(const Record& record, const Parameters& machine, const Question& question,
                          const IdentificationWay& way) {
     require_one_group(question);
-    Circuit circuit = circuit_of(question.configuration, question.links);
+    require_described(question);
+    const bool drain = question.side == Side::outlet;
+    Circuit circuit = drain ? drain_circuit(Link::boom) : circuit_of(question.configuration, question.links);
     FlowConstants flow = flow_constants(machine);
-    LinkCalibrations calibrations = link_calibrations(machine);
+    LinkCalibrations calibrations = drain ? drain_calibrations(machine) : link_calibrations(machine);
     calibrations[index_of(Link::boom)].spool_offset_in = question.spool_offset_in.value_or(0);
     for (LinkCalibration& calibration : calibrations)
         calibration.from = question.areas_from;
     auto samples = usable_samples(circuit_samples(record, circuit, calibrations), circuit, flow, way.usable);
-    return {CircuitProblem(circuit, flow, way.bits), flow, calibrations, std::move(samples)};
+    const InletFlow form = drain ? InletFlow::as_signed : printed_inlet_flow(circuit.size());
+    return {CircuitProblem(circuit, flow, way.bits, form), flow, calibrations, std::move(samples)};
 }
 
 } // namespace placedpar::identification

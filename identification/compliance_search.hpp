@@ -17,6 +17,7 @@ struct Question {
     hydraulics::LinkSet links = {hydraulics::Link::boom};
     std::optional<double> spool_offset_in;                ///< offset of the boom's spool, subtracted from its readings
     std::optional<hydraulics::AreasFrom> areas_from = {}; ///< nullopt: the first source that the record has
+    hydraulics::Side side = hydraulics::Side::inlet;
 };
 
 /// A search for compliances, prepared from a record.
@@ -30,8 +31,8 @@ struct ComplianceSearch {
 /// Returns the resolution of the spool's sensor.
 double spool_sensor_step_in(const hydraulics::Parameters& machine);
 
-/// Throws UserError if the links do not belong to one coupled group of the configuration, and UnfitRecord if the record
-/// lacks a channel.
+/// Throws UserError if the links do not belong to one coupled group of the configuration, or if the question is about
+/// an outlet side other than the boom's. Throws UnfitRecord if the record lacks a channel.
 ComplianceSearch prepare(const hydraulics::Record& record, const hydraulics::Parameters& machine,
                          const Question& question, const IdentificationWay& way);
 

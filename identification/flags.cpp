@@ -57,9 +57,12 @@ void flag_uncertainty(LinkIdentified& link) {
 }
 
 /// Flags a valve reading that never changes. A valve that has opened keeps moving, so the sensor is dead.
-void flag_still_valve(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction) {
-    auto inlet_in2 = [&](const CircuitSample& sample) { return sample.links[junction].inlet_in2; };
-    if (std::ranges::count(samples, inlet_in2(samples.front()), inlet_in2) == std::ssize(samples))
+void flag_still_valve(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction, Side side) {
+    auto area_in2 = [&](const CircuitSample& sample) {
+        const LinkSample& read = sample.links[junction];
+        return side == Side::inlet ? read.inlet_in2 : read.bypass_in2;
+    };
+    if (std::ranges::count(samples, area_in2(samples.front()), area_in2) == std::ssize(samples))
         link.flags.push_back({FlagKind::still_valve,
                               "inconsistent: the valve reading never changes, but the pressure changes as if the valve "
                               "moved"});
@@ -83,10 +86,12 @@ void flag_pressure(LinkIdentified& link, std::span<const CircuitSample> samples,
 
 /// Flags a piston that retracts on average over the samples. Oil that flows in extends the piston, apart from the oil
 /// that the hose takes up.
-void flag_falling(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction) {
+void flag_falling(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction, Side side) {
     double flow = 0;
     for (const CircuitSample& sample : samples)
         flow += sample.links[junction].piston_flow_in3_per_s / static_cast<double>(samples.size());
+    if (side == Side::outlet)
+        flow = -flow;
     if (flow < -least_flow_in3_per_s)
         link.flags.push_back(
             {FlagKind::falls, fmt::format("inconsistent: the piston moves back, by {:.1f} in^3/s on average, while "
@@ -133,9 +138,9 @@ void add_flags(Identified& identified, const CircuitProblem& problem, const Flow
                 {FlagKind::misfit, fmt::format("inconsistent: the flow error of the best individual is {:.1f} in^3/s "
                                                "(rms), more than the bias allows ({:.1f} in^3/s)",
                                                error, allowed)});
-        flag_still_valve(link, samples, j);
+        flag_still_valve(link, samples, j, identified.circuit[j].side);
         flag_pressure(link, samples, j);
-        flag_falling(link, samples, j);
+        flag_falling(link, samples, j, identified.circuit[j].side);
         if (early && late)
             flag_halves(link, *early, *late, j);
         if (!at_bound && !still)
@@ -145,9 +150,10 @@ void add_flags(Identified& identified, const CircuitProblem& problem, const Flow
 
 void flag_spikes(Identified& identified, const Record& record, std::span<const CircuitSample> samples) {
     constexpr std::size_t reach = line_fit_points / 2;
+    const Side side = identified.circuit.front().side, other = side == Side::inlet ? Side::outlet : Side::inlet;
     for (LinkIdentified& link : identified.links)
         for (Sensor sensor : all_sensors) {
-            if (sensor == Sensor::outlet_pressure || !record.has(link.link, sensor))
+            if (sensor == pressure_sensor(other) || !record.has(link.link, sensor))
                 continue;
             const std::span<const double> readings = record.of(link.link, sensor);
             const double greatest = greatest_excursion(sensor, record.period_s);

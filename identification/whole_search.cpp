@@ -98,7 +98,7 @@ void flag_limit(LinkIdentified& link) {
 
 } // namespace
 
-WholeWay whole_way(std::size_t links) {
+WholeWay whole_way(std::size_t links, Side side) {
     constexpr std::array<std::size_t, 4> populations{120, 200, 300, 600}, generations{20, 30, 50, 80};
     WholeWay whole;
     whole.way.bits = 12;
@@ -107,7 +107,8 @@ WholeWay whole_way(std::size_t links) {
     whole.way.search.population = populations[links - 1];
     whole.way.search.window.trials = generations[links - 1];
     whole.way.search.window.length = exact_fitness_terms;
-    whole.way.usable.count = exact_fitness_terms;
+    if (side == Side::inlet)
+        whole.way.usable.count = exact_fitness_terms;
     return whole;
 }
 

@@ -19,8 +19,9 @@ struct WholeWay {
 };
 
 /// Returns the settings for this number of links, chosen on seeds 1001 to 1040 of simulated machines: Gray code, an
-/// elite of 2, 12 bits for each compliance, and more individuals for more links.
-WholeWay whole_way(std::size_t links);
+/// elite of 2, 12 bits for each compliance, and more individuals for more links. On an outlet side the search uses only
+/// the samples of the transient: afterwards the pressure says little of C_o, and its noise shifts the answer.
+WholeWay whole_way(std::size_t links, hydraulics::Side side = hydraulics::Side::inlet);
 
 /// Identifies the compliances from all samples at once. LinkIdentified::standard_error and of_all_samples are those of
 /// weighed least squares, the limit that the record's noise leaves (Cramer-Rao). Uses at most 1,024 samples, to which a

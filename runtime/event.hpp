@@ -50,8 +50,8 @@ public:
     /// REQUIRES: the event is scheduled.
     Time time_of(const Event& event) const { return heap_[event.position_].time; }
 
-    /// Schedules the event. Events of equal time and priority happen in the order of these calls. REQUIRES: the event
-    /// is not scheduled.
+    /// Schedules the event. Events of equal time and priority happen in the order in which they were scheduled.
+    /// REQUIRES: the event is not scheduled.
     void schedule(Event&, Time, Priority);
     /// Schedules the event. Events of equal time and priority happen in the order of their ranks (Kernel::new_ranks),
     /// however early they were scheduled. REQUIRES: the event is not scheduled, and no other event of this time and
@@ -70,8 +70,8 @@ private:
         Time time;
         std::uint64_t order; ///< priority in the upper 8 bits, insertion or rank in the lower bits
         Event* event;
-        /// Returns time and order as one number. The host processor could not predict the branch of two comparisons.
-        /// Times are not negative.
+        /// Returns time and order as one number. Two comparisons would need a branch, which the host processor cannot
+        /// predict. Times are not negative.
         __extension__ unsigned __int128 key() const {
             return static_cast<decltype(key())>(static_cast<std::uint64_t>(time.count())) << 64 | order;
         }

@@ -20,8 +20,7 @@ struct OperationCosts {
     Cycles soft_communication{}; ///< an input or output on a soft channel, without the copy of its message
     Cycles soft_word_output{};   ///< an output of one byte or one word on a soft channel, including the copy
     Cycles hard_communication{}; ///< an input or output on a hard channel, for each part of the message
-    Cycles word_outside{};       ///< additional cycles of each access to a word outside the chip (CodeShape), beyond
-                                 ///< the cycle that is counted anyway
+    Cycles word_outside{};       ///< additional cycles of each access to a word outside the chip (CodeShape)
     Cycles copied_word{};        ///< on a soft channel, paid by the process that arrives second, except for
                                  ///< soft_word_output
     std::int64_t bytes_in_a_word = 4;
@@ -93,8 +92,8 @@ public:
     // The next functions are for the kernel.
     virtual void make_ready(Process&) = 0;
     /// Called when the process that has the executive waits or has ended. If `successor` is not null, it must be made
-    /// ready now. The successor is the component of a PAR that the process runs in its own place, or the parent of a
-    /// PAR whose last component has ended.
+    /// ready now. At the start of a PAR, the successor is the component that the process runs in its own place. At the
+    /// end of a PAR, it is the parent.
     virtual void leave(Process&, Process* successor) = 0;
 
 protected:
@@ -103,7 +102,7 @@ protected:
     /// Returns how much longer the process must compute before its program continues. It is stored in the process, but
     /// only the process's executive reads and writes it.
     static Time& work_left(Process& p) { return p.work_left_; }
-    /// Returns the shape of the code of this work. It is stored in the same way.
+    /// Returns the shape of the code of this work, which is stored in the same way.
     static CodeShape& grain(Process& p) { return p.grain_; }
 
 private:

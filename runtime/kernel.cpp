@@ -21,8 +21,8 @@ namespace placedpar {
 
 namespace {
 
-/// Returns an error about the end of virtual time. It names the first process that computes or waits for its timer,
-/// because its computation or delay may be too long.
+/// Returns an error about the end of virtual time. The error names the first process that computes or waits for its
+/// timer, because this computation or delay may be too long.
 [[gnu::cold, gnu::noinline]] std::exception_ptr beyond_the_end_of_time(const Kernel& kernel) {
     const std::vector<const Process*> living = kernel.living();
     auto late = std::ranges::find_if(living, [](const Process* p) {
@@ -99,8 +99,8 @@ void Kernel::add(Process& p) {
         hot_.rare_conditions.clear(RareConditions::no_process_left);
 }
 
-/// Subtracts a process from the processes of the program. It has ended, or it serves the machine and is not part of the
-/// program.
+/// Subtracts one from the number of processes of the program. Called for a process that has ended, and for a process
+/// that serves the machine.
 void Kernel::count_out() {
     if (--population_.of_the_program == 0)
         hot_.rare_conditions.set(RareConditions::no_process_left);

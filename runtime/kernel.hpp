@@ -115,9 +115,9 @@ public:
     void give_way();
     /// Begins an operation of the running process: output, input, ALT, computation, delay, PAR. Returns the process's
     /// history, which records the operation, or null if the process keeps no history. Throws Unwinding when the
-    /// simulation is over. In a run with histories it also throws Unwinding after an interruption, because a process
-    /// that repeats its history never waits and would not notice the interruption. Ends the program with a message if
-    /// the process has caught Unwinding many times.
+    /// simulation is over. In a run with histories it also throws Unwinding after an interruption. A process that
+    /// repeats its history never waits, so it would not notice the interruption otherwise. Ends the program with a
+    /// message if the process has caught Unwinding many times.
     ReplayLog* begin_operation(const Process& running) {
         if (hot_.rare_conditions.any_of(RareConditions::unwinding | RareConditions::histories)) [[unlikely]]
             return attend(running);
@@ -140,8 +140,8 @@ public:
     static constexpr std::uint64_t unheeded_readings = most_operations_at_once / 1000;
     /// Makes a waiting process ready when the work is over.
     void after_work(Process& p) { end_.after_work.push_back(p); }
-    /// Advances virtual time to `until` if nothing else can happen before or at that time. Returns whether it did. Has
-    /// the same effect as waiting, without two context switches.
+    /// Advances virtual time to `until` if nothing else can happen before or at that time. Returns whether time was
+    /// advanced. Has the same effect as waiting, without two context switches.
     bool pass_time(Time until);
 
     /// The functions that the kernel calls at the end of the work, and at the end of the run.

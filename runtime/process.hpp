@@ -92,8 +92,8 @@ private:
 };
 
 /// A process of the simulation. It has a body, which runs on a fiber. If it is placed, it has an executive, which it
-/// shares with other processes. The `par` or the simulation that made the process owns it, and destroys it only when it
-/// has ended or the simulation is over.
+/// shares with other processes. The `par` or the simulation that made the process owns it. The owner destroys the
+/// process only when the process has ended or the simulation is over.
 class Process {
 public:
     using Body = std::function<void()>;

@@ -30,13 +30,13 @@ struct ReplaySession {
 /// guards that its alternations chose, and the times that its clocks showed.
 ///
 /// A process can repeat its history with other messages and without a machine. Its alternations choose the same guards,
-/// and its clocks show the same times, as in the original run. If all processes do exactly what their histories say, a
-/// run on the machine with these messages would have taken the same course, event for event. The reason is that the
+/// and its clocks show the same times, as in the original run. Suppose that all processes do exactly what their
+/// histories say. Then a run on the machine with these messages would have had the same events. The reason is that the
 /// machine and the kernel know nothing else of a program: by induction over the events, each process would have seen
 /// what it saw in the original run. If a process acts differently, the run has departed from its history. (T. LeBlanc
 /// and J. Mellor-Crummey, Debugging parallel programs with Instant Replay, IEEE Transactions on Computers C-36(4),
-/// 1987. Each channel has its messages in the same order, however processes take turns: G. Kahn, The semantics of a
-/// simple language for parallel programming, 1974.)
+/// 1987. The order of processes does not change the order of messages on a channel: G. Kahn, The semantics of a simple
+/// language for parallel programming, 1974.)
 ///
 /// REQUIRES of the program: the actions and messages of a process follow from its messages and from the observations
 /// recorded here. Two processes, even components of one PAR, share no data that one of them changes.
@@ -91,9 +91,8 @@ public:
     void record_quietly(Action, std::uint64_t what);
     /// Returns an observation that messages do not carry: the result of `look`, or, when repeating, the value that the
     /// original saw. Actions of the process during `look` are not recorded separately. Throws ReplayDivergence if the
-    /// original did not make this observation at this point, or if any process has departed. A reading of the clock
-    /// then does not throw, because destructors may read the clock: it returns 0, and throws only after 100,000 such
-    /// readings.
+    /// original did not make this observation at this point, or if any process has departed. Destructors may read the
+    /// clock, so a clock reading returns 0 instead of throwing. After 100,000 such readings it throws, too.
     template <std::invocable Look>
     std::int64_t observe(Action what, Look look) {
         if (is_silent_)

@@ -19,8 +19,8 @@ struct Stack {
     static constexpr std::size_t zone_bytes = 64 * 1024; ///< more than the size of most arrays, which may be written in
                                                          ///< any order
 
-    /// Returns whether a fault at the address is an overflow of this stack. The address is in its guarded zone, or
-    /// below a zone that is not guarded.
+    /// Returns whether a fault at the address is an overflow of this stack. This is so if the address is in the guarded
+    /// zone. If the zone is not guarded, it is so if the address is below the zone and the zone has been written to.
     bool was_left_for(const void* address) const;
     /// Returns whether the end of the zone has been overwritten; it was all zeros. For stacks that are not guarded.
     bool has_overflowed() const;

@@ -49,12 +49,12 @@ public:
     int bits() const;
     /// Returns the reading of `timer ? t`: the lowest bits of the number of whole ticks since the start of the run.
     std::int32_t read() const;
-    /// Return `a PLUS b`, `a MINUS b` and `a AFTER b` in words of the running process's executive.
+    /// Return `a PLUS b`, `a MINUS b` and `a AFTER b`, with numbers of bits() bits.
     std::int32_t plus(std::int32_t a, std::int32_t b) const;
     std::int32_t minus(std::int32_t a, std::int32_t b) const;
     bool is_after(std::int32_t a, std::int32_t b) const { return minus(a, b) > 0; }
     /// Returns the time at which the clock's reading becomes later than `ticks`. `timer ? AFTER ticks` waits until
-    /// then. Returns a past or the present time if the reading is already later.
+    /// then. If the reading is already later, returns the present time or an earlier time.
     Time moment_after(std::int32_t ticks) const;
     /// Waits as `timer ? AFTER ticks` does.
     void wait_after(std::int32_t ticks, const SourceLocation& = SourceLocation::current()) const;

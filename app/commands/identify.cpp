@@ -61,7 +61,9 @@ void require_files(const IdentifyOptions& options) {
         require_writable(options.json);
 }
 
-ExitCode identify_record(const IdentifyOptions& options, const std::string& command_line) try {
+ExitCode identify_record(IdentifyOptions options, const std::string& command_line) try {
+    if (options.side == "outlet" && options.way == "service")
+        options.way = "whole";
     require_files(options);
     require_one_way(options);
     boost::json::object json{

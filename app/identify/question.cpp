@@ -24,6 +24,8 @@ std::optional<AreasFrom> areas_asked(const IdentifyOptions& options) {
     return options.areas == "spool" ? AreasFrom::spool : options.areas == "servo" ? AreasFrom::servo : AreasFrom::areas;
 }
 
+Side side_asked(const IdentifyOptions& options) { return options.side == "outlet" ? Side::outlet : Side::inlet; }
+
 double offset_asked(const std::string& text) {
     std::optional<double> inches = parse_number<double>(text);
     if (!inches || !(std::abs(*inches) <= greatest_spool_offset_in))
@@ -33,10 +35,11 @@ double offset_asked(const std::string& text) {
 }
 
 RecordNeeds needs_of(const IdentifyOptions& options, std::function<LinkSet(const ChannelSet&)> links) {
-    auto needed = [asked = areas_asked(options), links = std::move(links)](const ChannelSet& there) {
+    auto needed = [asked = areas_asked(options), side = side_asked(options),
+                   links = std::move(links)](const ChannelSet& there) {
         ChannelSet needed;
         for (Link link : links_of(links(there)))
-            for (const ChannelSet of_link = channels_needed(link, areas_from(there, link, asked));
+            for (const ChannelSet of_link = channels_needed(link, areas_from(there, link, asked, side), side);
                  Sensor sensor : all_sensors)
                 if (of_link.contains(link, sensor))
                     needed.insert(link, sensor);

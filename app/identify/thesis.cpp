@@ -1,16 +1,15 @@
 #include "app/identify/ways.hpp"
 
+#include "app/identify/on_machine.hpp"
 #include "app/identify/question.hpp"
 #include "app/options/link_options.hpp"
 #include "app/options/netlist_options.hpp"
-#include "app/signals.hpp"
 #include "app/standard_error.hpp"
 #include "explore/load.hpp"
 #include "explore/process_search.hpp"
 #include "identification/flags.hpp"
 #include "identification/report/identification_report.hpp"
 #include "identification/whole_search.hpp"
-#include "report/run_report.hpp"
 #include "text/counted.hpp"
 #include "text/output_file.hpp"
 #include "text/standard_streams.hpp"
@@ -76,7 +75,8 @@ std::string print_calibration(const std::optional<SpoolOffset>& found) {
 
 /// Calibrates the offset from the record's own steady motion.
 void calibrate(Case& asked) {
-    asked.calibrates = asked.loaded.record.has(Link::boom, Sensor::spool);
+    asked.calibrates = asked.loaded.record.has(Link::boom, Sensor::spool) &&
+                       asked.loaded.record.has(Link::boom, Sensor::inlet_pressure);
     if (asked.calibrates)
         asked.calibration = calibrate_spool_offset(asked.loaded.record, link_calibrations(asked.machine),
                                                    flow_constants(asked.machine));
@@ -92,7 +92,8 @@ Case read_case(const IdentifyOptions& options, const IdentificationWay& way) {
     Case asked;
     asked.way = way_of(options, way);
     const LinkSet links = links_asked(options);
-    asked.question = {*configuration_named(options.configuration), links, std::nullopt, areas_asked(options)};
+    asked.question = {*configuration_named(options.configuration), links, std::nullopt, areas_asked(options),
+                      side_asked(options)};
     bool automatic = options.offset.empty() || options.offset == "auto";
     if (!automatic && options.offset != "none")
         asked.question.spool_offset_in = offset_asked(options.offset);
@@ -111,24 +112,6 @@ Case read_case(const IdentifyOptions& options, const IdentificationWay& way) {
         calibrate(asked);
     }
     return asked;
-}
-
-/// Runs the identification as processes of a simulated machine, and reports whether the answer equals the native one.
-ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, std::uint64_t seed,
-                        boost::json::object& json) {
-    InterruptedBySignals interruption;
-    RunReport report = run_netlist(search.network, search.problems, {.seed = seed, .interruption = &interruption});
-    print_out(fmt::format("\n{}\n", print_report(report, search.network)));
-    if (report.result.ending != Ending::completed)
-        return exit_code_of(report.result.ending);
-    std::vector<double> here = native.estimates.back().compliance_in3_per_psi, there = search.compliances(report);
-    for (std::size_t j = 0; j < native.links.size(); ++j)
-        print_out(fmt::format("C_{}i: {:.5f} in^3/psi by the direct search, {:.5f} by the netlist's processes: "
-                              "{}\n",
-                              symbol_of(native.links[j].link), here[j], there[j],
-                              here[j] == there[j] ? "equal" : "different"));
-    json["by_processes"] = boost::json::array(there.begin(), there.end());
-    return here == there ? ExitCode::success : ExitCode::missed_tolerance;
 }
 
 /// Prints the settings of a search over the whole movement, the limit of the record, and the cost.
@@ -159,7 +142,7 @@ boost::json::object cost_json(const SearchCost& cost) {
 } // namespace
 
 ExitCode identify_over_whole(const IdentifyOptions& options, boost::json::object& json) {
-    WholeWay whole = whole_way(links_of(links_asked(options)).size());
+    WholeWay whole = whole_way(links_asked(options).size(), side_asked(options));
     const Case asked = read_case(options, whole.way);
     whole.way = asked.way;
     json["warnings"] = warnings_json(asked.loaded.warnings);
@@ -202,7 +185,8 @@ ExitCode identify_by_thesis(const IdentifyOptions& options, boost::json::object&
     print_out(print_identified(identified, prepared, asked.way));
     for (auto& [key, value] : identified_json(identified, prepared))
         json[key] = value;
-    ExitCode ended = processes ? run_on_machine(*processes, identified, options.seed, json) : ExitCode::success;
+    ExitCode ended =
+        processes ? run_on_machine(*processes, identified, prepared, options.seed, json) : ExitCode::success;
     bool doubted = options.strict && identified.flagged();
     return ended == ExitCode::success && doubted ? ExitCode::missed_tolerance : ended;
 }

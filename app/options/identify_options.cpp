@@ -65,18 +65,25 @@ void declare_thesis_way(Options& command, IdentifyOptions& options) {
     const char* group = "With --way thesis or whole";
     add_number(command, "--samples", options.samples, 1, a_million,
                "number of samples to use, from the valve's opening on; default: 20, the thesis's 0.4 s; with "
-               "--way whole all, up to 1,024")
+               "--way whole all, on the inlet side up to 1,024")
+        .group(group);
+    command
+        .add("--side", options.side,
+             "side of the boom's cylinder: inlet identifies C_i from the pump's flow; outlet identifies C_o from the "
+             "flow to the tank, and needs outlet_pressure (equation 3.4)")
+        .one_of({"inlet", "outlet"})
+        .show_default()
         .group(group);
     command.add_flag("--rising", options.rising, "with --way thesis: uses only samples before the pressure first falls")
         .group(group);
     command.add("--coding", options.coding, "coding of a compliance as bits; default: natural, with --way whole gray")
         .one_of({"natural", "gray"})
         .group(group);
-    Option netlist =
-        add_file(command, "--on", options.netlist,
-                 "with --way thesis: also runs the search as the processes of this netlist; exit code 3 if the answers "
-                 "differ",
-                 "NETLIST");
+    Option netlist = add_file(
+        command, "--on", options.netlist,
+        "with --way thesis: also runs the search as the processes of this netlist, one search or several islands; "
+        "exit code 3 if a single search gives another answer",
+        "NETLIST");
     netlist.group(group);
     command.add_list("--set", options.set, "NAME=VALUE", "sets a val, an attribute or a parameter of the netlist")
         .needs(netlist)

@@ -19,7 +19,7 @@ struct IdentifyOptions {
     bool strict = false;
 
     // --way service does not use these members.
-    std::string coding, netlist;
+    std::string coding, netlist, side = "inlet";
     std::vector<std::string> set;
     ReadOptionsTyped read; ///< for the netlist
     std::optional<std::size_t> samples;

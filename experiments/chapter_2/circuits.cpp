@@ -143,19 +143,23 @@ private:
 struct CaptionedCircuit {
     std::string caption;
     Circuit circuit;
+    bool beside = false; ///< drawn to the right of the circuit before it
 };
 
 std::string draw_circuits(const std::string& title, const std::vector<CaptionedCircuit>& circuits) {
     SvgPen pen;
     pen.text({12, 24}, "title", title);
-    double y = 36, width = picture::width_of(title, 15, true) + 24;
-    for (const auto& [caption, circuit] : circuits) {
-        pen.text({12, y + 18}, "caption", caption);
-        CircuitDrawing drawing(pen, circuit, {0, y + caption_height - 14});
-        width = std::max(width, drawing.width());
-        y += caption_height + drawing.height();
+    At corner{0, 36};
+    double width = picture::width_of(title, 15, true) + 24, right = 0, bottom = corner.y;
+    for (const auto& [caption, circuit, beside] : circuits) {
+        corner = beside ? At{right, corner.y} : At{0, bottom};
+        pen.text(corner + At{12, 18}, "caption", caption);
+        CircuitDrawing drawing(pen, circuit, corner + At{0, caption_height - 14});
+        right = corner.x + drawing.width();
+        bottom = std::max(beside ? bottom : 0, corner.y + caption_height + drawing.height());
+        width = std::max(width, right);
     }
-    return pen.document({{width / 2, y / 2}, width, y}, circuit_style, flow_head);
+    return pen.document({{width / 2, bottom / 2}, width, bottom}, circuit_style, flow_head);
 }
 
 /// Returns the circuits of a configuration with all links active.
@@ -163,7 +167,7 @@ std::vector<CaptionedCircuit> circuits_of(Configuration configuration) {
     std::vector<CaptionedCircuit> circuits;
     for (LinkSet group : coupled_groups(configuration))
         circuits.push_back({fmt::format("configuration {}: {}", name_of(configuration), names_of(group)),
-                            circuit_of(configuration, group)});
+                            circuit_of(configuration, group), !circuits.empty()});
     return circuits;
 }
 

@@ -156,18 +156,30 @@ Series grid(const Recoding& reading, const std::string& name) {
     return points;
 }
 
+/// Returns the panel with other axes, without the points beyond them.
+Panel part_of(Panel panel, const std::string& title, const Axis& x, const Axis& y) {
+    panel.title = title;
+    panel.x = x;
+    panel.y = y;
+    for (Series& series : panel.series)
+        std::erase_if(series.points,
+                      [&](const Point& at) { return at.x < x.from || at.x > x.to || at.y < y.from || at.y > y.to; });
+    return panel;
+}
+
 /// Draws the grid of a coarse search with 4 bits a parameter, and that of the fine search around one of its points.
 Plot figure_6_7() {
     Recoding coarse = plant_reading(4), fine = coarse;
     fine.around = string_at(coarse, 13, 11);
     std::vector<double> bias_point = plant_search_problem().decode(*fine.around);
-    return {
-        "Figure 6.7: what a coarse and a fine search of 4 bits a parameter can express",
-        {{.x = {"alpha", -1, 1},
-          .y = {"beta", -1, 1},
-          .series = {grid(coarse, "coarse, 16 x 16"),
-                     grid(fine, "fine, 16 x 16"),
-                     {.name = "bias point", .points = {{bias_point[1], bias_point[2]}}, .stroke = Stroke::points}}}}};
+    Panel whole{
+        .x = {"alpha", -1, 1},
+        .y = {"beta", -1, 1},
+        .series = {grid(coarse, "coarse, 16 x 16"),
+                   grid(fine, "fine, 16 x 16"),
+                   {.name = "bias point", .points = {{bias_point[1], bias_point[2]}}, .stroke = Stroke::points}}};
+    return {"Figure 6.7: what a coarse and a fine search of 4 bits a parameter can express",
+            {whole, part_of(whole, "around the bias point", {"alpha", 0.45, 0.8}, {"beta", 0.2, 0.55})}};
 }
 
 Replay replay_coarse_fine(const ReplayContext& context) {

@@ -90,8 +90,8 @@ Places OwnAcceptance::operator()(const IslandPopulation& island, std::span<const
         auto is_elite = [&](std::size_t place) { return std::ranges::count(elite, place) > 0; };
         require(places.size() == immigrants.size() && are_different(taken, 0, island.strings.size()) &&
                     std::ranges::none_of(taken, is_elite),
-                "it gave immigrants a place that there is not, that is another's or one of the elite's, or not each "
-                "one an answer");
+                "it must give each immigrant an answer: no place, or a place outside the elite that exists and that no "
+                "other immigrant has");
         return places;
     });
 }

@@ -41,7 +41,7 @@ struct WorstAcceptance {
     bool only_if_better = false;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"only_if_better", &WorstAcceptance::only_if_better, 0, 1,
-                                       "1: only where the guest is the better one; 0: always"});
+                                       "1: only if the immigrant is fitter; 0: always"});
     }
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
@@ -49,12 +49,13 @@ struct WorstAcceptance {
 /// Replaces an individual outside the elite, each with the same probability. Draws at least one number for each
 /// immigrant.
 struct RandomAcceptance {
-    static constexpr std::string_view name = "random", about = "one drawn at random, not of the elite, is replaced",
+    static constexpr std::string_view name = "random",
+                                      about = "an individual outside the elite, drawn at random, is replaced",
                                       source = "not in the thesis";
     bool only_if_better = false;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"only_if_better", &RandomAcceptance::only_if_better, 0, 1,
-                                       "1: only where the guest is the better one; 0: always"});
+                                       "1: only if the immigrant is fitter; 0: always"});
     }
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
@@ -63,12 +64,13 @@ struct RandomAcceptance {
 /// Representation::distance(), which for binary strings is the number of different bits. Among equals it replaces the
 /// least fit, then the lowest index. Draws no number.
 struct AlikeAcceptance {
-    static constexpr std::string_view name = "alike", about = "the most alike, not of the elite, is replaced",
+    static constexpr std::string_view name = "alike",
+                                      about = "the most similar individual outside the elite is replaced",
                                       source = "not in the thesis";
     bool only_if_better = false;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"only_if_better", &AlikeAcceptance::only_if_better, 0, 1,
-                                       "1: only where the guest is the better one; 0: always"});
+                                       "1: only if the immigrant is fitter; 0: always"});
     }
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
@@ -79,8 +81,8 @@ struct AlikeAcceptance {
 /// is rejected. Draws at least one number for each immigrant.
 struct OffspringAcceptance {
     static constexpr std::string_view name = "offspring",
-                                      about = "one of the new population drawn at random, not of its elite, is "
-                                              "replaced; the immigrant is evaluated one generation later",
+                                      about = "an individual of the new population outside its elite, drawn at random, "
+                                              "is replaced; the immigrant is evaluated one generation later",
                                       source = "thesis 5.3.2, \"one generation later\"";
     static constexpr std::tuple<> numbers() { return {}; }
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants,

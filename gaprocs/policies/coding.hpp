@@ -21,7 +21,7 @@ struct NaturalCoding {
     std::size_t dont_care = 0;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"dont_care", &NaturalCoding::dont_care, 0, 64,
-                                       "bits stuffed into each field that mean nothing (6.14, 6.15)"});
+                                       "unused bits between every two bits of the string (6.14, 6.15)"});
     }
 };
 
@@ -32,7 +32,7 @@ struct GrayCoding {
     std::size_t dont_care = 0;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"dont_care", &GrayCoding::dont_care, 0, 64,
-                                       "bits stuffed into each field that mean nothing (6.14, 6.15)"});
+                                       "unused bits between every two bits of the string (6.14, 6.15)"});
     }
 };
 
@@ -46,9 +46,8 @@ struct RealCoding {
 class Coding : public OneOf<Coding, NaturalCoding, GrayCoding, RealCoding> {
 public:
     using OneOf::OneOf;
-    static constexpr std::string_view
-        noun = "representation",
-        about = "how a string stands for the parameters of a problem, a field of bits for each";
+    static constexpr std::string_view noun = "representation",
+                                      about = "how a string codes the parameters of a problem, each in a field of bits";
     static const Coding natural, gray, real; ///< without don't-care bits
 
     /// Returns the text of the policy, without the number of don't-care bits if this number is 0.

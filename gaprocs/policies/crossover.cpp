@@ -11,8 +11,8 @@ namespace placedpar {
 
 namespace {
 
-/// Looks for an individual that differs from the first in two bits or more, and moves the nearest such individual to
-/// the place behind the first. Returns false if no individual does.
+/// Looks for the next individual that differs from the first in two bits or more. Moves it to the place behind the
+/// first. Returns false if no individual does.
 bool mate_by_difference(std::span<Genome> unmated) {
     auto differs = [&](const Genome& other) { return difference(unmated.front(), other) >= 2; };
     auto mate = std::find_if(unmated.begin() + 1, unmated.end(), differs);

@@ -43,7 +43,7 @@ struct TwoPointCrossover {
 /// binary strings, draws one number for each 32 bits, and one for the rest of the string. For real vectors, draws one
 /// for each number of the vector.
 struct UniformCrossover {
-    static constexpr std::string_view name = "uniform", about = "each character with an even chance",
+    static constexpr std::string_view name = "uniform", about = "each character with probability 1/2",
                                       source = "G. Syswerda, 1989";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind != StringKind::permutation; }
@@ -55,7 +55,7 @@ struct UniformCrossover {
 /// number.
 struct DifferenceCrossover {
     static constexpr std::string_view name = "by-difference",
-                                      about = "a cut between bits that differ, of mates that differ in two",
+                                      about = "a cut between different bits; mates differ in two bits or more",
                                       source = "thesis 6.3";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
@@ -68,13 +68,15 @@ struct DifferenceCrossover {
 /// algorithms and interval-schemata", 1993: BLX-alpha). A value outside the parameter's range is replaced by the
 /// nearest end of the range. Draws two random numbers for each number of the vector.
 struct BlendCrossover {
-    static constexpr std::string_view name = "blend",
-                                      about = "numbers between the parents', and `alpha` of their distance beyond",
-                                      source = "L. Eshelman and J. Schaffer, 1993";
+    static constexpr std::string_view
+        name = "blend",
+        about = "numbers between the parents' numbers, and up to `alpha` times their distance beyond",
+        source = "L. Eshelman and J. Schaffer, 1993";
     double alpha = 0.5;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"alpha", &BlendCrossover::alpha, 0, 10,
-                                       "how far beyond its parents a child may lie, in their distances"});
+        return std::tuple(
+            PolicyNumber{"alpha", &BlendCrossover::alpha, 0, 10,
+                         "how far beyond its parents' numbers an offspring's may be, as a multiple of their distance"});
     }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
     void operator()(Genome& a, Genome& b, const RealVector& reals, RandomStream& random) const;
@@ -85,7 +87,7 @@ struct BlendCrossover {
 /// Draws two numbers, the cuts, as TwoPointCrossover does.
 struct OrderCrossover {
     static constexpr std::string_view name = "order",
-                                      about = "a stretch of one parent, the rest in the order of the other",
+                                      about = "a part of one parent, the rest in the order of the other",
                                       source = "L. Davis, 1985";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::permutation; }

@@ -15,8 +15,8 @@ namespace placedpar {
 
 namespace {
 
-/// Chooses `count` different individuals. Each is at the index choose(remaining individuals), and is then removed from
-/// the remaining individuals.
+/// Chooses `count` different individuals. choose(remaining individuals) returns the index of the next one, which is
+/// then removed from the remaining individuals.
 template <class Choose>
 std::vector<std::size_t> choose_different(std::size_t population, std::size_t count, Choose choose) {
     std::vector<std::size_t> left(population), chosen;
@@ -57,7 +57,7 @@ std::vector<std::size_t> OwnEmigration::operator()(std::span<const double> fitne
     return tried([&] {
         std::vector<std::size_t> chosen = choose_(fitness, random);
         require(chosen.size() == count && are_different(chosen, 0, fitness.size()),
-                "those who leave are not as many different individuals as its count says");
+                "it must choose `count` different individuals");
         return chosen;
     });
 }

@@ -46,7 +46,7 @@ struct TournamentEmigration {
     static constexpr auto numbers() {
         return std::tuple(
             PolicyNumber{"count", &TournamentEmigration::count, 1, 1e6, "individuals that leave"},
-            PolicyNumber{"size", &TournamentEmigration::size, 1, 1e6, "individuals that are drawn for each"});
+            PolicyNumber{"size", &TournamentEmigration::size, 1, 1e6, "individuals drawn for each emigrant"});
     }
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };

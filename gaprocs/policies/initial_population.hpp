@@ -23,10 +23,10 @@ struct RandomStart {
 /// Spreads the codes of each field evenly over the field's range, by spread_population(). The order of the codes is
 /// drawn for each field.
 struct SpreadStart {
-    static constexpr std::string_view name = "spread",
-                                      about = "the codes of each field evenly over its range, in an order drawn for "
-                                              "each",
-                                      source = "thesis 6.3, predefined populations; M. McKay et al., 1979";
+    static constexpr std::string_view
+        name = "spread",
+        about = "the codes of each field are evenly spread over its range, in an order drawn for each field",
+        source = "thesis 6.3, predefined populations; M. McKay et al., 1979";
     static constexpr std::tuple<> numbers() { return {}; }
 };
 
@@ -43,8 +43,9 @@ public:
                                    RandomStream& random) const {
         return tried([&] {
             std::vector<Genome> strings = begin_(population, representation, random);
-            require(strings.size() <= population && representation.holds(strings),
-                    "it begins with more strings than the population has, or with one that is none of the problem");
+            require(
+                strings.size() <= population && representation.holds(strings),
+                "it begins with more strings than the population has, or with a string that is not one of the problem");
             return strings;
         });
     }

@@ -50,14 +50,14 @@ std::size_t RandomChoice::operator()(const ErrorsOfBest& bests, RandomStream& ra
 std::size_t OwnChoice::operator()(const ErrorsOfBest& bests, RandomStream& random) const {
     return tried([&] {
         std::size_t island = choose_(bests, random);
-        require(island < bests.windows.size(), "it chose an island that there is not");
+        require(island < bests.windows.size(), "it chose an island that does not exist");
         return island;
     });
 }
 
 void IslandChoice::validate_for(std::size_t islands) const {
     if (auto fixed = std::get_if<FixedChoice>(&policy()); fixed && fixed->island >= islands)
-        throw UserError(fmt::format("the answer shall be that of island {}, but there are {}: 0 to {}", fixed->island,
+        throw UserError(fmt::format("the answer would be that of island {}, but there are {}: 0 to {}", fixed->island,
                                     islands, islands - 1));
 }
 

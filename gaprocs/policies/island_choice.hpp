@@ -14,7 +14,7 @@ class RandomStream;
 
 // Active error analysis (thesis 5.3.2) has islands with windows of different lengths. Each policy chooses the island
 // whose best individual is the answer. Ratios are Sw_i / SA_i of eq. 5.7; among equal ratios the first island is
-// chosen. REQUIRES of every policy: as ErrorMatrix, and at least one island.
+// chosen. REQUIRES of every policy: at least one island, and the requirements of ErrorMatrix.
 //
 // The rule as printed cannot do what the thesis says. Windows are nested: the newest ten samples are among the newest
 // thirty. So with squared errors, Error(w_i, A_j) never decreases when w_i grows. If w_1 >= w_2 >= ... >= w_n, and no
@@ -26,11 +26,11 @@ class RandomStream;
 
 /// Chooses the greatest Sw_i / SA_i exactly as eq. 5.3, 5.4 and 5.7 are printed, with the squared errors of eq. 5.1.
 struct PrintedChoice {
-    static constexpr std::string_view name = "printed",
-                                      about = "greatest Sw/SA as printed, squared errors: where these do not depend "
-                                              "on the window, never the shortest before the longest, which it nearly "
-                                              "always chooses",
-                                      source = "thesis eq. 5.1 and 5.3 to 5.7";
+    static constexpr std::string_view
+        name = "printed",
+        about = "greatest Sw/SA as printed, with squared errors; if errors do not depend on the window, never prefers "
+                "the shortest window to the longest, which it nearly always chooses",
+        source = "thesis eq. 5.1 and 5.3 to 5.7";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
@@ -43,8 +43,8 @@ struct PlainSumChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// Chooses as PrintedChoice does, but with mean errors instead of sums, so that a longer window has no greater error
-/// for its length alone.
+/// Chooses as PrintedChoice does, but with mean errors instead of sums. So the length of a window alone does not
+/// increase its error.
 struct MeansChoice {
     static constexpr std::string_view name = "means", about = "greatest Sw/SA of mean squared errors",
                                       source = "a reading of thesis eq. 5.3 and 5.4";
@@ -52,12 +52,12 @@ struct MeansChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// Divides each error by the error of the row's own island. In the window of island i, Sw_i then states how much worse
-/// the other islands' individuals are than the individual of island i. Means and sums give the same choice.
+/// Divides each error by the error of the row's own island. Sw_i then compares all islands in the window of island i:
+/// the error of each island's best is divided by the error of island i's best. Means and sums give the same choice.
 struct RowChoice {
     static constexpr std::string_view name = "row",
-                                      about = "greatest Sw/SA, divided by the row's own error: of sums and of means "
-                                              "the same",
+                                      about =
+                                          "greatest Sw/SA, divided by the row's own error; the same for sums and means",
                                       source = "a reading of thesis eq. 5.3 and 5.4";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
@@ -77,7 +77,7 @@ struct FixedChoice {
 
 /// Chooses an island at random, as a baseline for the other policies. Draws one number.
 struct RandomChoice {
-    static constexpr std::string_view name = "random", about = "an island drawn anew each time",
+    static constexpr std::string_view name = "random", about = "an island drawn at random each time",
                                       source = "a control: not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream& random) const;
@@ -99,8 +99,9 @@ class IslandChoice : public OneOf<IslandChoice, PrintedChoice, PlainSumChoice, M
                                   RandomChoice, OwnChoice> {
 public:
     using OneOf::OneOf;
-    static constexpr std::string_view noun = "choice",
-                                      about = "of islands with windows of different lengths, whose best is the answer";
+    static constexpr std::string_view
+        noun = "choice",
+        about = "which island's best is the answer, among islands with windows of different lengths";
 
     /// Throws UserError if the policy names an island that does not exist.
     void validate_for(std::size_t islands) const;

@@ -38,12 +38,13 @@ struct BitMutation {
     void operator()(std::span<Genome> population, RandomStream& random) const;
 };
 
-/// Flips bits with the same distribution as BitMutation. Draws the distance from each flipped bit to the next, which
-/// has a geometric distribution: one number for each flip, and one for the end of the population. REQUIRES: all strings
-/// have the same length.
+/// Flips bits with the same distribution as BitMutation. Draws the distance from each flipped bit to the next flipped
+/// bit. This distance has a geometric distribution. Draws one number for each flip, and one for the end of the
+/// population. REQUIRES: all strings have the same length.
 struct DistanceMutation {
-    static constexpr std::string_view name = "distance", about = "as bit, by drawing how far it is to the next flip",
-                                      source = "thesis 1.1, drawn in another way";
+    static constexpr std::string_view name = "distance",
+                                      about = "as bit, by drawing the distance to the next flipped bit",
+                                      source = "thesis 1.1, with other random draws";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
 
@@ -77,7 +78,7 @@ struct BreederMutation {
         return std::tuple(
             PolicyNumber{"range", &BreederMutation::range, 0, 1, "greatest step, in widths of the parameter's bounds"},
             PolicyNumber{"precision", &BreederMutation::precision, 0, 60,
-                         "the least step is the greatest by 2 to this power"});
+                         "the least step is the greatest divided by 2 to this power"});
     }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
     void operator()(Genome& genome, std::size_t place, const Representation& representation,
@@ -86,7 +87,7 @@ struct BreederMutation {
 
 /// Replaces the number by a new one, uniform in its range. Draws one number.
 struct UniformMutation {
-    static constexpr std::string_view name = "uniform", about = "a number is drawn anew from its range",
+    static constexpr std::string_view name = "uniform", about = "a number is replaced by a random one from its range",
                                       source = "Z. Michalewicz, 1992";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
@@ -103,10 +104,10 @@ struct SwapMutation {
                     RandomStream& random) const;
 };
 
-/// Reverses the order of the places from this place to another. If the other place comes first, the reversed part
-/// continues from the end of the string to its beginning. In a closed tour this changes two edges. Draws one number.
+/// Reverses the order of the places from this place to another. If the other place comes first, the reversed part runs
+/// through the end of the string and its beginning. In a closed tour this changes two edges. Draws one number.
 struct InversionMutation {
-    static constexpr std::string_view name = "inversion", about = "the places from one to another are turned round",
+    static constexpr std::string_view name = "inversion", about = "the places from one to another are reversed",
                                       source = "the 2-opt step of G. Croes, 1958";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::permutation; }
@@ -133,7 +134,7 @@ class Mutation : public OneOf<Mutation, BitMutation, DistanceMutation, GaussianM
                               UniformMutation, SwapMutation, InversionMutation, OwnMutation> {
 public:
     using OneOf::OneOf;
-    static constexpr std::string_view noun = "mutation", about = "how an offspring is changed by chance alone";
+    static constexpr std::string_view noun = "mutation", about = "how an offspring is changed at random";
 
     /// Mutates each place of each string with the given probability. Draws one number for each place, in addition to
     /// the policy's draws. A permutation of one place stays unchanged, without a draw. REQUIRES:

@@ -8,7 +8,8 @@
 
 namespace placedpar {
 
-/// A choice that a netlist makes by a number, a file, the problem or the connections, and not by a policy's name.
+/// A choice that a netlist does not make by a policy's name. Instead, a number, a file, the problem or the connections
+/// decide.
 struct Form {
     std::string noun; ///< name of the aspect that the form belongs to: "farm"
     std::string name; ///< name of the form: "star"
@@ -19,8 +20,8 @@ struct Form {
                          ///< examples/
 };
 
-/// One aspect of a genetic algorithm, with its policies. Netlists and the library use the same names. A netlist's
-/// parameters decide the aspect if their ParameterDescription::noun is its name.
+/// One aspect of a genetic algorithm, with its policies. Netlists and the library use the same names. The parameters
+/// that decide the aspect have its name as their ParameterDescription::noun.
 struct Noun {
     std::string name; ///< "selection"
     std::string about;
@@ -33,7 +34,7 @@ struct Noun {
     std::vector<Form> forms = {};
 };
 
-/// Returns the aspects: first those of one population, then those of islands, of a pair, and of a farm.
+/// Returns the aspects of one population, then those of islands, of a pair, and of a farm.
 std::vector<Noun> policy_nouns();
 
 } // namespace placedpar

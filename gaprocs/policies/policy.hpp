@@ -66,8 +66,8 @@ struct PolicyDescription {
 
 /// The policy that a text names, with its numbers.
 struct NamedPolicy {
-    std::size_t index;           ///< of the policy among the known ones
-    std::vector<double> numbers; ///< all numbers, each in its range; a default value where the text gives none
+    std::size_t index;           ///< index of the policy among the known policies
+    std::vector<double> numbers; ///< all numbers, each in its range; numbers that the text omits have default values
 };
 
 /// Reads a policy from a text such as "name", "name(2)" or "name(number = 2, 3.5)". Throws UserError, with what would
@@ -134,9 +134,9 @@ auto tried(const Whose& whose, const Work& work) {
     }
 }
 
-/// A user-defined policy of a step. If a step allows such policies, its last policy is a class derived from OwnPolicy.
-/// The derived class keeps the user's operator in a std::function. Steps that work on a whole population call it once
-/// for the population.
+/// A user-defined policy of a step. If a step allows user-defined policies, its last policy is a class derived from
+/// OwnPolicy. The derived class keeps the user's operator in a std::function. A step that works on a whole population
+/// calls the function once for the population.
 class OwnPolicy {
 public:
     template <class Policy>
@@ -217,8 +217,8 @@ public:
         return all;
     }
 
-    /// Returns whether the policy works on this kind of string. For steps whose policies have fits(). fitting() returns
-    /// the names of all policies that do.
+    /// Returns whether the policy works on this kind of string. fitting() returns the names of all policies that work
+    /// on it. Only for steps whose policies have fits().
     template <class Kind>
     bool fits(Kind kind) const {
         return std::visit([&](const auto& policy) { return policy.fits(kind); }, policy_);

@@ -56,8 +56,9 @@ struct ScaledReproduction {
     static constexpr bool needs_positive_fitness = false;
     double best = 2;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"best", &ScaledReproduction::best, 1, 100,
-                                       "copies that the best expects, where the mean expects 1"});
+        return std::tuple(
+            PolicyNumber{"best", &ScaledReproduction::best, 1, 100,
+                         "mean number of copies of the best individual; an individual of mean fitness has 1"});
     }
 
     /// Draws as UniversalReproduction. There are always parents.
@@ -73,8 +74,9 @@ struct RankingReproduction {
     static constexpr bool needs_positive_fitness = false;
     double best = 2;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"best", &RankingReproduction::best, 1, 2,
-                                       "copies that the best expects; the worst expects 2 less this"});
+        return std::tuple(
+            PolicyNumber{"best", &RankingReproduction::best, 1, 2,
+                         "mean number of copies of the best individual; the worst has 2 minus this number"});
     }
 
     /// Draws as UniversalReproduction. There are always parents.
@@ -85,7 +87,7 @@ struct RankingReproduction {
 struct TournamentReproduction {
     static constexpr std::string_view
         name = "tournament",
-        about = "for each parent the best of `size` drawn at random, some of them more than once",
+        about = "each parent is the best of `size` individuals, drawn at random with replacement",
         source = "D. Goldberg and K. Deb, 1991";
     static constexpr bool needs_positive_fitness = false;
     std::size_t size = 2;

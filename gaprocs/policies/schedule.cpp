@@ -49,7 +49,7 @@ std::span<const std::size_t> OwnSchedule::operator()(std::uint64_t exchange,
         const std::size_t *begin = neighbours.data(), *end = begin + neighbours.size();
         require(chosen.empty() ||
                     (!std::less<>()(chosen.data(), begin) && !std::less<>()(end, chosen.data() + chosen.size())),
-                "it gave neighbours that are not in the list that it was given");
+                "it returned neighbours that are not adjacent members of the list");
         return chosen;
     });
 }

@@ -31,7 +31,7 @@ struct BroadcastSchedule {
 /// the first again. In a hypercube of two dimensions the neighbours are i xor 1 and i xor 2 (thesis 5.3.2).
 struct SequentialSchedule {
     static constexpr std::string_view name = "sequential",
-                                      about = "every `every` generations to one neighbour, each in its turn",
+                                      about = "every `every` generations to one neighbour, each in turn",
                                       source = "thesis 5.2.1 and 5.3.2";
     std::size_t every = 3;
     static constexpr auto numbers() {
@@ -41,10 +41,10 @@ struct SequentialSchedule {
 };
 
 /// No island waits for another. Emigrants go to all neighbours. An island accepts the emigrants that have arrived; from
-/// each neighbour only the last ones. Which have arrived depends on the simulated times, and is the same in every run.
+/// each neighbour only the last emigrants. The arrivals depend on the simulated times, and are the same in every run.
 struct AsynchronousSchedule {
     static constexpr std::string_view name = "asynchronous",
-                                      about = "every `every` generations to all neighbours, waiting for none",
+                                      about = "every `every` generations to all neighbours, without waiting for them",
                                       source = "not in the thesis";
     std::size_t every = 3;
     static constexpr auto numbers() {
@@ -98,10 +98,10 @@ public:
     std::span<const std::size_t> destinations(std::uint64_t generation, std::span<const std::size_t> neighbours) const;
 };
 
-/// Returns for each island the largest number of islands that send to it in one exchange. A user-defined schedule
-/// counts all islands that have it as a neighbour. Other schedules are tried for at most 10 000 exchanges. These
-/// contain every combination of turns unless the numbers of neighbours have a very large common multiple. REQUIRES:
-/// neighbours as returned by Topology::neighbours().
+/// Returns for each island the largest number of islands that send to it in one exchange. With a user-defined schedule,
+/// this is the number of all islands that have the island as a neighbour. Other schedules are tried for at most 10 000
+/// exchanges. These contain every combination of turns unless the numbers of neighbours have a very large common
+/// multiple. REQUIRES: neighbours as returned by Topology::neighbours().
 std::vector<std::size_t> most_senders_at_once(const Schedule&, const Neighbours&);
 
 } // namespace placedpar

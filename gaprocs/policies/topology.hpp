@@ -37,7 +37,7 @@ struct RingTopology {
 /// Connects islands whose numbers differ in one binary digit: i xor 1, i xor 2, i xor 4, ... (thesis 5.3.2 has two
 /// dimensions). The number of islands must be a power of two.
 struct HypercubeTopology {
-    static constexpr std::string_view name = "hypercube", about = "to those whose number differs in one binary digit",
+    static constexpr std::string_view name = "hypercube", about = "to islands whose numbers differ in one binary digit",
                                       source = "thesis 5.2.1 and 5.3.2";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const;
@@ -46,19 +46,22 @@ struct HypercubeTopology {
 /// Connects the islands of a rectangle, which is closed in both directions, to the east, south, west and north. Island
 /// i is in row i / columns and column i % columns.
 struct TorusTopology {
-    static constexpr std::string_view name = "torus", about = "a closed rectangle, to the east, south, west and north",
+    static constexpr std::string_view name = "torus",
+                                      about =
+                                          "a rectangle closed in both directions: to the east, south, west and north",
                                       source = "not in the thesis";
     std::size_t rows = 2;
     static constexpr auto numbers() {
-        return std::tuple(
-            PolicyNumber{"rows", &TorusTopology::rows, 1, 1e6, "of islands; as many columns as there are islands for"});
+        return std::tuple(PolicyNumber{"rows", &TorusTopology::rows, 1, 1e6,
+                                       "rows of islands; the number of columns is islands / rows"});
     }
     Neighbours operator()(std::size_t islands) const;
 };
 
 /// Connects island 0 with each other island, in both directions.
 struct StarTopology {
-    static constexpr std::string_view name = "star", about = "island 0 with all others, which have only that one",
+    static constexpr std::string_view name = "star",
+                                      about = "island 0 with all other islands, which have no other neighbours",
                                       source = "not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const;
@@ -81,7 +84,7 @@ struct NoTopology {
 /// Connects islands by a list. The list is not part of the policy's text, because a netlist's connections are its list.
 /// An island may only send or only receive, but must do at least one of them.
 struct GivenTopology {
-    static constexpr std::string_view name = "given", about = "neighbours as they are listed",
+    static constexpr std::string_view name = "given", about = "neighbours as listed",
                                       source = "as a netlist connects islands";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours neighbours;
@@ -119,8 +122,8 @@ public:
     Neighbours neighbours(std::size_t islands) const;
 };
 
-/// Returns for each island the number of exchanges after which individuals from the island `from` can have reached it,
-/// if each island sends to all its neighbours. The number is 0 for `from` itself, and absent if individuals never
+/// Returns for each island its distance from the island `from`: the number of exchanges in which individuals reach it,
+/// if each island sends to all its neighbours. The distance is 0 for `from` itself, and absent if individuals never
 /// arrive. REQUIRES: from < neighbours.size().
 std::vector<std::optional<std::size_t>> distances(const Neighbours& neighbours, std::size_t from);
 

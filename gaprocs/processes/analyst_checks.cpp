@@ -100,8 +100,8 @@ private:
         return static_cast<std::size_t>(longest);
     }
 
-    /// Warns if even the last exchange happens before the host has sent enough samples for the longest window. The
-    /// analyst gives an answer only at an exchange with a full window.
+    /// The analyst gives an answer only at an exchange at which all windows are full. Warns if the longest window is
+    /// not full even at the last exchange.
     void warn_of_no_answer() {
         Archipelago archipelago(network_);
         auto run = run_of(network_, archipelago, archipelago.number_of(first_island()), problems_);

@@ -29,10 +29,10 @@ struct NamedTopology {
     std::string does_not_fit; ///< reason why the topology does not fit the number of islands; "" if it fits
 };
 
-/// The islands of a netlist, which are its processes of the kind ga.island. They are numbered from 0 in the order of
-/// their declarations. An island's neighbours are in the order of its topology if the topology names the same
-/// neighbours, else in the order of the connections. Construction takes time proportional to the size of the netlist,
-/// so all islands share one archipelago.
+/// The islands of a netlist: the processes of the kind ga.island. Islands are numbered from 0 in the order of their
+/// declarations. An island's neighbours are in the order of its topology if the topology names the same neighbours,
+/// else in the order of the connections. Construction takes time proportional to the size of the netlist, so all
+/// islands share one archipelago.
 class Archipelago {
 public:
     explicit Archipelago(const Network&);

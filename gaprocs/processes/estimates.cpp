@@ -55,12 +55,14 @@ Estimates::Estimates(ProcessEnvironment& environment, const ProblemRegistry& pro
 
 void Estimates::note_taken(std::size_t process) { taken_[process].push_back(now()); }
 
-void Estimates::receive(std::size_t search) {
+void Estimates::receive(std::size_t search, const std::function<void(std::size_t samples)>& received) {
     for (EstimateMessage estimate = inputs_[search].input(); !estimate.end; estimate = inputs_[search].input()) {
         answers_[search].push_back({estimate.samples, now()});
+        const std::size_t samples = estimate.samples;
         last_[search] = std::move(estimate);
         if (accuracy_ > 0)
             judge_fittest();
+        received(samples);
     }
 }
 

@@ -6,6 +6,7 @@
 #include "runtime/time.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -27,11 +28,13 @@ public:
     std::size_t searches() const { return last_.size(); }
     /// Notes that the process has taken one more sample at the current time.
     void note_taken(std::size_t process);
-    /// Receives the estimates of one search until the search ends. A search takes no further sample until its estimate
-    /// has been received. So call this for each search in its own process, in parallel with the processes that send
-    /// samples.
-    void receive(std::size_t search);
-    /// Reports as measurements: the number of estimates, the response times, and the fittest of the searches' last
+    /// Receives the estimates of one search until the search ends. Call it for each search in a process of its own,
+    /// parallel to the processes that send samples: a search takes no further sample until its estimate has been
+    /// received. Calls `received` after each estimate, with the number of samples that it followed.
+    void receive(std::size_t search, const std::function<void(std::size_t samples)>& received);
+    /// Returns the parameters of the fittest of the last estimates. REQUIRES: an estimate has been received.
+    std::vector<double> fittest_values() const { return values_of(fittest()); }
+    /// Reports, as measurements, the number of estimates, the response times, and the fittest of the searches' last
     /// estimates. Does nothing if no search sends estimates.
     void report() const;
 

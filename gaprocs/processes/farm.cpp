@@ -83,7 +83,8 @@ Fitnesses Farm::receive() {
     return next;
 }
 
-/// Receives the results of all slaves. If results come in order, the nearest slave's result ends each channel.
+/// Receives the results of all slaves. If results come in order, the last result on each channel is that of the nearest
+/// slave.
 void Farm::take_from_all(std::vector<double>& fitness) {
     if (!settings_.results_in_order || from_slaves_.size() == 1) {
         for (std::size_t slave = 0; slave < settings_.slaves; ++slave)

@@ -44,16 +44,16 @@ public:
     /// Returns the fitness of every individual. REQUIRES: measure() was called.
     std::vector<double> evaluate(std::span<const Genome> population);
     /// Does all communication of a generation with new measurements, but evaluates nothing. The thesis measured C_time2
-    /// in this way. Split::demand gives each slave 1/(slaves + 1) of the individuals here, as for evaluators of equal
-    /// speed. REQUIRES: slaves > 0.
+    /// in this way. With Split::demand each slave gets 1/(slaves + 1) of the individuals, as if all evaluators had the
+    /// same speed. REQUIRES: slaves > 0.
     void rehearse(std::span<const Genome> population);
     /// Ends the slaves.
     void end();
 
     /// Resets the two stopwatches below.
     void forget_times() { send_to_receive = own_evaluation = Stopwatch{}; }
-    /// Measure the time of a generation from the first sending to the last receiving (T_sr), and the time of the
-    /// master's own evaluations (P_time2).
+    /// These stopwatches measure T_sr, the time of a generation from the first sending to the last receiving, and
+    /// P_time2, the time of the master's own evaluations.
     Stopwatch send_to_receive, own_evaluation;
 
 private:

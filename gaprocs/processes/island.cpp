@@ -23,16 +23,16 @@ using namespace search_description;
 
 Parameters exchange_parameters() {
     return {description::deciding(
-                "schedule", description::integer(
-                                "exchange_every", {.unit = "generations", .by_default = 3, .least = 1, .most = 1e6},
-                                "how often the islands exchange individuals (thesis 4.3), where the schedule does not "
-                                "say")),
+                "schedule",
+                description::integer(
+                    "exchange_every", {.unit = "generations", .by_default = 3, .least = 1, .most = 1e6},
+                    "how often the islands exchange individuals (thesis 4.3), if the schedule does not state it")),
             policy<Schedule>("schedule", "broadcast", "when emigrants leave, and to which neighbours"),
-            policy<Emigration>("emigration", Emigration().text(), "which individuals send copies, and how many"),
+            policy<Emigration>("emigration", Emigration().text(), "which individuals leave as copies, and how many"),
             policy<Acceptance>("acceptance", Acceptance().text(), "which individual an immigrant replaces"),
             policy<Topology>("topology", "given",
-                             "\"given\": as the ports are connected; else that topology of all islands in the order of "
-                             "their declaration, which they must be connected as")};
+                             "\"given\": as the ports are connected; otherwise the named topology of all islands in "
+                             "the order of their declaration, with which the connections must agree")};
 }
 
 PortDescription to_neighbours() {
@@ -53,8 +53,8 @@ PortDescription from_neighbours() {
 
 PortDescription to_analyst() {
     using namespace description;
-    return optional(output<EstimateMessage>(
-        "to_analyst", "estimate", "its best, after every generation in which the schedule has islands exchange"));
+    return optional(output<EstimateMessage>("to_analyst", "estimate",
+                                            "its best individual, after every generation in which an exchange is due"));
 }
 
 ProcessKind with_exchange(ProcessKind searching, const ProblemRegistry& problems) {

@@ -106,7 +106,7 @@ private:
         const std::string& schedule = text(process_, "schedule");
         if (says_how_often(schedule) && process_.given.contains("exchange_every"))
             refuse("exchange_every",
-                   fmt::format("exchange_every = {}, but the schedule \"{}\" says how often, too",
+                   fmt::format("exchange_every = {}, but the schedule \"{}\" states an interval, too",
                                integer(process_, "exchange_every"), schedule),
                    "leave out one of them");
     }
@@ -157,8 +157,8 @@ private:
                  samples_sent_to(network_, static_cast<std::size_t>(&first - network_.processes.data()), problems_);
         if (ours && theirs && *ours != *theirs)
             refuse("",
-                   fmt::format("\"{}\" and \"{}\" are not sent as many samples: {} and {}", process_.name, first.name,
-                               *ours, *theirs),
+                   fmt::format("\"{}\" and \"{}\" are sent different numbers of samples: {} and {}", process_.name,
+                               first.name, *ours, *theirs),
                    "they exchange in the same generations");
     }
 

@@ -45,9 +45,8 @@ public:
     bool reports_after(std::uint64_t generation) const { return schedule_.is_due(generation); }
     /// Runs the search. In asynchronous exchange, runs the sending and receiving processes in parallel with it.
     void beside_mail(const std::function<void()>& search);
-    /// Sends the emigrants, and returns the immigrants in the order of acceptance. Evaluates immigrants from islands
-    /// with another window again; the process computes for the time of these evaluations. REQUIRES:
-    /// is_due(search.generation() + 1).
+    /// Sends the emigrants, and returns the immigrants in the order of acceptance. Immigrants from islands with another
+    /// window are evaluated again, which takes computing time. REQUIRES: is_due(search.generation() + 1).
     std::vector<Migration> exchange(Search&, std::span<const double> fitness, std::span<const Sample> window);
     const Acceptance& acceptance() const { return acceptance_; }
     /// Returns the process name of the island. REQUIRES: this island receives immigrants from it.

@@ -40,7 +40,7 @@ public:
         if (!recorded_)
             return;
         if (has_objective())
-            return refuse_given({"samples", "sample_bytes"}, "\"generations\" says how long it is searched");
+            return refuse_given({"samples", "sample_bytes"}, "\"generations\" sets how long it is searched");
         refuse_generations();
         if (integer("samples") > record_length())
             refuse("samples", fmt::format("samples = {}, but the record of \"{}\" has {}", integer("samples"),
@@ -99,7 +99,7 @@ private:
     bool has_objective() const { return recorded_ && recorded_->problem()->objective(); }
     bool given(const std::string& parameter) const { return network_.processes[process_].given.contains(parameter); }
 
-    /// Returns whether an earlier process names the same problem, in which case that process has reported the error.
+    /// Returns whether an earlier process names the same problem. That process has reported the error.
     bool refused_before() const {
         auto first = network_.processes.begin(), self = first + static_cast<std::ptrdiff_t>(process_);
         return std::any_of(first, self, [&](const ProcessInstance& other) {
@@ -133,17 +133,16 @@ private:
         const RecordAdvice& advice = recorded_->advice();
         if (advice.trials != 0 && std::cmp_not_equal(integer("trials"), advice.trials) && !is_as_before("trials"))
             warn(given("trials") ? "trials" : "",
-                 fmt::format(
-                     "trials = {}, but the record of \"{}\" has a sample for every {}: what changes in it changes "
-                     "at another generation than it says",
-                     integer("trials"), text("problem"),
-                     advice.trials == 1 ? "generation" : counted(advice.trials, "generation")),
+                 fmt::format("trials = {}, but the record of \"{}\" has one sample for every {}, so its changes happen "
+                             "at other generations than documented",
+                             integer("trials"), text("problem"),
+                             advice.trials == 1 ? "generation" : counted(advice.trials, "generation")),
                  fmt::format("trials = {}", advice.trials));
         if (advice.bias != 0 && !given("bias") && !is_as_before("bias"))
             warn("",
-                 fmt::format("bias = {:g} is the boom's: beside it the errors of \"{}\" make hardly a difference in "
-                             "fitness",
-                             number("bias"), text("problem")),
+                 fmt::format(
+                     "bias = {:g} was chosen for \"boom\"; it swamps the errors of \"{}\", so fitness hardly varies",
+                     number("bias"), text("problem")),
                  fmt::format("bias = {:g}", advice.bias));
     }
 
@@ -153,10 +152,10 @@ private:
         auto stated = integer("string_bytes"), needed = static_cast<std::int64_t>(string_bytes(0, *coded_problem_));
         if (stated != 0 && stated < needed)
             warn("string_bytes",
-                 fmt::format("string_bytes = {}, but a string of \"{}\" takes {}: messages are shorter than what they "
-                             "carry",
-                             stated, text("problem"), needed),
-                 "left out, it is what the problem's strings take");
+                 fmt::format(
+                     "string_bytes = {}, but a string of \"{}\" takes {}: the messages are shorter than their strings",
+                     stated, text("problem"), needed),
+                 "leave it out: the default is the length of the problem's strings");
     }
 
     /// Returns whether an earlier process has the same problem and the same value of the parameter.
@@ -176,9 +175,9 @@ private:
         for (const char* parameter : parameters)
             if (given(parameter))
                 refuse(parameter,
-                       fmt::format("{} is of identification only: \"{}\" gives a number for each individual as it is, "
-                                   "and has no record of measurements",
-                                   parameter, text("problem")),
+                       fmt::format(
+                           "{} applies only to problems with a record: \"{}\" is an objective without measurements",
+                           parameter, text("problem")),
                        hint);
     }
 
@@ -188,20 +187,21 @@ private:
         for (const Peer& search : peers_at(network_, process_, "from_masters")) {
             auto host = search.process == nowhere ? std::nullopt : other_end(network_, search.process, "from_host");
             if (!host || host->process != process_)
-                refuse(search.port,
-                       fmt::format("\"{}.{}\" brings estimates of a process that is not sent its samples from here",
-                                   name(process_), search.port),
-                       fmt::format("connect {}.to_masters[...] to the same process's from_host", name(process_)));
+                refuse(
+                    search.port,
+                    fmt::format("\"{}.{}\" brings estimates of a process that does not get its samples from this host",
+                                name(process_), search.port),
+                    fmt::format("connect {}.to_masters[...] to the same process's from_host", name(process_)));
         }
     }
 
     void refuse_generations() {
         if (given("generations"))
             refuse("generations",
-                   fmt::format("generations is of problems without a record: \"{}\" has one of {}", text("problem"),
-                               counted(recorded_->samples(), "sample")),
-                   "\"samples\" says how many of them are sent, \"trials\" of a master how many generations are made "
-                   "for each");
+                   fmt::format("generations applies only to problems without a record: \"{}\" has a record of {}",
+                               text("problem"), counted(recorded_->samples(), "sample")),
+                   "\"samples\" sets how many of them are sent, and \"trials\" of a master how many generations are "
+                   "made for each sample");
     }
 
     /// Checks that a crossover or a mutation fits the strings of the problem.
@@ -229,7 +229,7 @@ private:
     void check_objective() {
         refuse_given({"window", "first_window", "trials", "bias", "measurement_bytes", "cycles_per_measurement_word",
                       "measurements"},
-                     "leave it out: \"generations\" of ga.host says how long it is searched");
+                     "leave it out: \"generations\" of ga.host sets how long it is searched");
         if (text("reproduction") != search_description::usual)
             try {
                 require_fitting_reproduction(*recorded_->problem(), Reproduction::named(text("reproduction")));
@@ -265,7 +265,7 @@ private:
             refuse(
                 "first_window",
                 fmt::format("the first generation waits for {} samples, but \"{}\" sends {}", first, name(host), sent),
-                fmt::format("samples of \"{}\" is that many at least", name(host)));
+                fmt::format("set \"samples\" of \"{}\" to {} or more", name(host), first));
     }
 
     void check_coding() {
@@ -294,8 +294,8 @@ private:
             refuse("slaves", fmt::format("slaves = {}, but \"{}.to_slaves\" leads to {}", slaves, name(process_),
                                          tree.slaves.size()));
         else if (slaves >= population)
-            refuse("slaves", fmt::format("slaves = {}, but a population of {} has work for {} slave{} at the most, the "
-                                         "master being an evaluator too",
+            refuse("slaves", fmt::format("slaves = {}, but a population of {} has work for {} slave{} at the most, "
+                                         "because the master evaluates, too",
                                          slaves, population, population - 1, population == 2 ? "" : "s"));
         std::size_t individuals =
             most_individuals(static_cast<std::size_t>(population), static_cast<std::size_t>(slaves),

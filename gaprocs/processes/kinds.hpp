@@ -14,9 +14,11 @@ void add_genetic_algorithm_kinds(Catalogue&, const ProblemRegistry& problems, Se
 
 // Each kind has a file that holds its body and describes its purpose, ports, parameters and measurements.
 
-ProcessKind host_kind(const ProblemRegistry& problems);                         ///< ga.host, in host.cpp
-ProcessKind slave_kind(const ProblemRegistry& problems);                        ///< ga.slave, in slave.cpp
-ProcessKind pipeline_kind(const ProblemRegistry& problems);                     ///< ga.pipeline, in pipeline.cpp
+ProcessKind host_kind(const ProblemRegistry& problems);     ///< ga.host, in host.cpp
+ProcessKind slave_kind(const ProblemRegistry& problems);    ///< ga.slave, in slave.cpp
+ProcessKind sensors_kind(const ProblemRegistry& problems);  ///< ga.sensors, in sensors_and_alarm.cpp
+ProcessKind alarm_kind(const ProblemRegistry& problems);    ///< ga.alarm, in sensors_and_alarm.cpp
+ProcessKind pipeline_kind(const ProblemRegistry& problems); ///< ga.pipeline, in pipeline.cpp
 ProcessKind traditional_kind(const ProblemRegistry& problems, SearchObserver*); ///< ga.traditional, in traditional.cpp
 ProcessKind master_kind(const ProblemRegistry& problems, SearchObserver*);      ///< ga.master, in master.cpp
 ProcessKind island_kind(const ProblemRegistry& problems, SearchObserver*);      ///< ga.island, in island.cpp

@@ -4,6 +4,7 @@
 #include "gaprocs/search.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "runtime/protocol.hpp"
+#include "runtime/time.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -29,6 +30,7 @@ struct SizedMessage {
 struct HostMessage : SizedMessage {
     bool end = false;
     Sample sample;
+    Time read_at{}; ///< when sensors read it (ga.sensors)
     bool operator==(const HostMessage& other) const {
         return bytes == other.bytes && end == other.end && sample == other.sample;
     }
@@ -44,7 +46,7 @@ struct Task : SizedMessage {
     std::size_t address = 0; ///< 0: the task is for the receiving slave; otherwise for a slave behind it, numbered from
                              ///< 1 as in SlaveRoutes
     Share share;
-    std::vector<Genome> strings; ///< individuals of which the share has evaluations
+    std::vector<Genome> strings; ///< all individuals that have evaluations in the share
     Window window;               ///< the measurements; null if the slave has received them before
     double bias = 0;
     Coding coding = Coding::natural; ///< coding of the strings
@@ -86,7 +88,15 @@ struct EstimateMessage : SizedMessage {
     Individual best;
 };
 
-/// Carries the point around which the fine search is to search. The coarse search sends it.
+/// Reports the fittest estimate after a sample, from a host to its alarm.
+struct Finding : SizedMessage {
+    bool end = false;
+    std::size_t sample = 0;         ///< counted from 1
+    Time read_at{}, sent_at{};      ///< when the sensors read the sample, and when the host had the finding
+    std::vector<double> parameters; ///< decoded
+};
+
+/// Carries the bias point from the coarse search to the fine search, which searches around it.
 struct BiasPoint : SizedMessage {
     Genome string; ///< a string of the problem, in natural binary
 };

@@ -27,10 +27,9 @@ ParameterDescription bits_of_fields(std::string name, std::string about) {
 
 ProcessKind searching_recoded(std::string name, std::string about, PortDescription other_one,
                               const ProblemRegistry& problems, SearchObserver* observer) {
-    Parameters recoding{bits_of_fields("fields",
-                                       "bits of each field of the problem's string, such as \"2 7 7 7 7 7\": it "
-                                       "is binary, and so are the operators"),
-                        bits_of_fields("bits", "bits of each field that are bred, at most as many")};
+    Parameters recoding{bits_of_fields("fields", "bits of each field of the problem's string, such as \"2 7 7 7 7 7\"; "
+                                                 "the string and the operators must be binary"),
+                        bits_of_fields("bits", "bits of each field that are bred, at most the bits of the field")};
     ProcessKind kind = searching({.name = std::move(name),
                                   .about = std::move(about),
                                   .ports = {from_host(), std::move(other_one)},
@@ -52,20 +51,20 @@ ProcessKind coarse_kind(const ProblemRegistry& problems, SearchObserver* observe
     using namespace description;
     return searching_recoded(
         "ga.coarse",
-        "The coarse one of a pair of genetic algorithms (thesis 6.2, Figure 6.6): it breeds the most significant bits "
-        "of each field, the others are 0. Its best of each generation goes to the fine one.",
+        "The coarse search of a pair (thesis 6.2, Figure 6.6): it breeds the most significant bits of each field; the "
+        "other bits are 0. The best of each generation goes to the fine search.",
         optional(output<BiasPoint>("to_fine", "bias point", "the best, as a string of the problem")), problems,
         observer);
 }
 
 ProcessKind fine_kind(const ProblemRegistry& problems, SearchObserver* observer) {
     using namespace description;
-    return searching_recoded("ga.fine",
-                             "The fine one of a pair of genetic algorithms (thesis 6.2, Figure 6.6): fields of fewer "
-                             "bits than the problem's count its steps around the best of the coarse one in the same "
-                             "generation.",
-                             input<BiasPoint>("from_coarse", "bias point", "where it searches, in each generation"),
-                             problems, observer);
+    return searching_recoded(
+        "ga.fine",
+        "The fine search of a pair (thesis 6.2, Figure 6.6): a field with fewer bits than the problem's counts the "
+        "problem's steps around the best of the coarse search in the same generation.",
+        input<BiasPoint>("from_coarse", "bias point", "the point around which it searches in each generation"),
+        problems, observer);
 }
 
 } // namespace placedpar

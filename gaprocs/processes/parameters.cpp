@@ -128,7 +128,7 @@ Farm::Settings read_farm_settings(const ProcessEnvironment& environment) {
     settings.measurements_every_generation = environment.text("measurements") == "generation";
     if (settings.slaves >= size(environment, "population"))
         throw UserError(fmt::format("slaves = {}, but a population of {} has work for {} "
-                                    "slaves at the most, the master being an evaluator too",
+                                    "slaves at the most, because the master evaluates, too",
                                     settings.slaves, environment.integer("population"),
                                     environment.integer("population") - 1));
     return settings;

@@ -101,9 +101,8 @@ ProcessKind pipeline_kind(const ProblemRegistry&) {
     using namespace search_description;
     using namespace description;
     return {.name = "ga.pipeline",
-            .about =
-                "Lets masters share the same slaves (thesis, Figure 4.5): while one breeds, the slaves evaluate the "
-                "population of another. Each has the generations that it would have with slaves of its own.",
+            .about = "Lets masters share the same slaves (thesis, Figure 4.5): while one master breeds, the slaves "
+                     "evaluate the population of another. Each master has the same generations as with its own slaves.",
             .ports = {input<Task>("from_masters", "task", "an array: one end for each master's to_slaves"),
                       output<Fitnesses>("to_masters", "fitnesses",
                                         "an array: one end for each master's from_slaves, in the same order"),

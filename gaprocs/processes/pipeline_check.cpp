@@ -57,8 +57,8 @@ private:
                    "a master's to_slaves leads to one ga.pipeline and nothing else");
         if (text(master, "split") == "demand")
             refuse(tasks.port,
-                   fmt::format("\"{}\" deals out on demand: two that do take turns at every individual, and then both "
-                               "breed at once",
+                   fmt::format("\"{}\" deals out on demand: two such masters would take turns at every individual, and "
+                               "then breed at the same time",
                                name(master)),
                    "split = \"individuals\" or \"evaluations\"");
     }

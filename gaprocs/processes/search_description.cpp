@@ -27,9 +27,10 @@ Parameters population_parameters() {
         integer("population", {.unit = "individuals", .by_default = 120, .least = 2, .most = largest_population},
                 "size of this process's population (thesis 4.3: 120 in all)"),
         deciding("window", integer("window", {.unit = "samples", .by_default = 10, .least = 1, .most = 1024},
-                                   "samples that the fitness is summed over (eq. 3.9)")),
-        deciding("window", integer("first_window", {.unit = "samples", .by_default = 5, .least = 1, .most = 1024},
-                                   "samples needed for the first generation; a shorter window must only be full")),
+                                   "samples over which the fitness is summed (eq. 3.9)")),
+        deciding("window",
+                 integer("first_window", {.unit = "samples", .by_default = 5, .least = 1, .most = 1024},
+                         "samples needed for the first generation; a shorter window is enough when it is full")),
         deciding("window", integer("trials", {.unit = "generations", .by_default = 5, .least = 1, .most = 1e6},
                                    "generations for each new sample (thesis 4.3)")),
     };
@@ -48,8 +49,8 @@ void check_initial(const std::string& text) {
 
 ParameterDescription initial() {
     auto description = policy<InitialPopulation>("initial", InitialPopulation().text(),
-                                                 "where the search begins; or a file with the first of the first "
-                                                 "population, a string in each line: the others are drawn at random");
+                                                 "where the search begins: a policy, or a file with a string in each "
+                                                 "line for the first population; other strings are drawn at random");
     description.check = check_initial;
     return description;
 }
@@ -68,18 +69,18 @@ Parameters operator_parameters() {
                       "probability that a bit is flipped (or a number, or a place of a permutation changed)")),
         deciding(
             "elitism",
-            integer("elite", {.unit = "individuals", .by_default = 0, .least = 0, .most = 1e6},
-                    "best individuals that go over unchanged; evaluated again in every generation (thesis: none)")),
+            integer(
+                "elite", {.unit = "individuals", .by_default = 0, .least = 0, .most = 1e6},
+                "best individuals that are copied unchanged, and evaluated again in every generation (thesis: none)")),
         usual_policy<Reproduction>(
-            "reproduction", "how parents are chosen (usual: roulette, thesis; of a problem without a record ranking)"),
-        usual_policy<Crossover>("crossover_operator",
-                                "what a pair exchanges that is crossed over (usual: one-point, thesis; of real numbers "
-                                "blend, of permutations order)"),
-        usual_policy<Mutation>("mutation_operator",
-                               "how what is mutated changes (usual: bit, thesis; of real numbers gaussian, of "
-                               "permutations inversion)"),
+            "reproduction",
+            "how parents are chosen (usual: roulette, as in the thesis; ranking for a problem without a record)"),
+        usual_policy<Crossover>("crossover_operator", "what two mates exchange (usual: one-point, as in the thesis; "
+                                                      "blend for real numbers, order for permutations)"),
+        usual_policy<Mutation>("mutation_operator", "how a place is mutated (usual: bit, as in the thesis; gaussian "
+                                                    "for real numbers, inversion for permutations)"),
         policy<Coding>("coding", Coding().text(),
-                       "how a field of the string stands for a number (thesis: natural); the slaves are told"),
+                       "how a field of the string codes a number (thesis: natural); slaves get it from their master"),
         initial(),
         text("stream", {.by_default = ""}, "name of the random stream; the process's own name if empty"),
     };
@@ -128,8 +129,8 @@ Parameters search_parameters() {
     return population_parameters() + operator_parameters() + workload_parameters() +
            Parameters{
                description::integer("string_bytes", {.unit = "bytes", .by_default = 0, .least = 0, .most = 65536},
-                                    "an individual's string in a message; 0: what the problem's takes, in whole "
-                                    "bytes, 8 for each number or place"),
+                                    "an individual's string in a message; 0: the length of the problem's string in "
+                                    "whole bytes, 8 for each number or place"),
                fitness_bytes(),
                bytes_in_message("measurement_bytes", 148, "the measurements of a window in a message (appendix E)")};
 }
@@ -137,15 +138,15 @@ Parameters search_parameters() {
 std::vector<MeasurementDescription> search_measurements() {
     std::vector<MeasurementDescription> all{
         {"T_exe", "ms",
-         "one generation: mean over the generations with a full window; absent if there were none (as for every time)"},
+         "one generation: mean over the generations with a full window; absent, as all times, if there was none"},
         {"T_sr", "ms", "from the first send to the last receive"},
         {"P_time2", "ms", "the process's own share of the error evaluations"},
         {"C_time2", "ms", "the communication of a generation with new measurements and nothing to evaluate"},
         {"S_time2", "ms", "the genetic operators"},
         {"generations", "", "generations evaluated"},
         {"generations_per_second", "1/s",
-         "of this process's own population, with all that a generation and a new sample cost; not there when they cost "
-         "no time"},
+         "generations of this process's own population, with all costs of a generation and of a new sample; absent if "
+         "they take no time"},
         {"populations", "", "a hash of every population, in order: equal for equal generations"},
     };
     for (MeasurementDescription& each : individual_measurements("the last generation's best individual"))
@@ -169,44 +170,36 @@ PortDescription from_host() {
 PortDescription to_host() {
     return description::optional(description::output<EstimateMessage>(
         "to_host", "estimate",
-        "its best, after the generations of each sample; to the host that sends it the samples"));
+        "its best individual after the generations of each sample, to the host that sends the samples"));
 }
 
 Parameters farm_parameters() {
     using namespace description;
     return {
         deciding("farm", integer("slaves", {.by_default = 1, .least = 1, .most = 4096},
-                                 "slaves in all, where any are connected: as many as there are")),
+                                 "number of slaves, if any are connected; the connections must reach the same number")),
         deciding("farm",
                  text("split", {.by_default = "individuals", .choices = {"individuals", "demand", "evaluations"}},
-                      "how the evaluations are dealt out: whole individuals, individuals one by one to the next idle "
-                      "evaluator, or single error evaluations")),
-        deciding("farm",
-                 real("own_share", {.by_default = 1, .least = 0, .most = 1},
-                      "what the master evaluates itself, as a part of a slave's share: 1 as much as each slave, "
-                      "0 nothing; on demand it evaluates whenever it is idle")),
+                      "how the evaluations are dealt out: whole individuals; individuals one by one, each to an idle "
+                      "evaluator; or single error evaluations")),
+        deciding("farm", real("own_share", {.by_default = 1, .least = 0, .most = 1},
+                              "the master's own share as a fraction of a slave's share; 0: it evaluates nothing; on "
+                              "demand it evaluates whenever it is idle")),
         deciding("farm",
                  text("measurements", {.by_default = "sample", .choices = {"sample", "generation"}},
                       "when the slaves are sent the measurements: with each new sample, or in every generation")),
-        deciding(
-            "farm",
-            integer(
-                "tasks_under_way", {.unit = "tasks", .by_default = 1, .least = 1, .most = 1024},
-                "with the split demand: tasks that a slave is sent before it has answered the first; with 2, the next "
-                "is there when one is done")),
-        deciding(
-            "farm",
-            text(
-                "sending", {.by_default = "in turn", .choices = {"in turn", "at once"}},
-                "how the master sends tasks: one after the other, or each channel by a process of its own, so that all "
-                "links are busy at once")),
+        deciding("farm", integer("tasks_under_way", {.unit = "tasks", .by_default = 1, .least = 1, .most = 1024},
+                                 "with the split demand: largest number of unanswered tasks of a slave; with 2, the "
+                                 "next task is there when one is done")),
+        deciding("farm", text("sending", {.by_default = "in turn", .choices = {"in turn", "at once"}},
+                              "how the master sends tasks: one after another, or at once by a process for each "
+                              "channel, so that all links are busy")),
         deciding("farm", text("results", {.by_default = "chain", .choices = {"chain", "ready"}},
                               "how results come back: in the order of the chain, the farthest first, and chain by "
-                              "chain where there are "
-                              "several; or as they are ready; on demand always as they are ready")),
+                              "chain if there are several; or each when it is ready, as always on demand")),
         integer("rehearsals", {.unit = "rounds", .by_default = 100, .least = 0, .most = 1e6},
-                "rounds of communication with nothing to evaluate, to measure C_time2: after the work, in none of its "
-                "totals; 0 for no measurement"),
+                "rounds of communication without evaluations, which measure C_time2 after the work and do not count in "
+                "its totals; 0: no measurement"),
     };
 }
 

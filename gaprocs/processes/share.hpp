@@ -13,7 +13,7 @@ namespace placedpar {
 /// / window at sample e % window.
 struct Share {
     std::size_t first = 0, last = 0;
-    std::size_t window = 1; ///< samples in the window
+    std::size_t window = 1; ///< number of samples in the window
 
     std::size_t evaluations() const { return last - first; }
     std::size_t first_individual() const { return first / window; }

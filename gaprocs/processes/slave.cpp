@@ -204,8 +204,9 @@ ProcessKind slave_kind(const ProblemRegistry& problems) {
     using namespace search_description;
     using namespace description;
     return {.name = "ga.slave",
-            .about = "A slave of algorithm A: evaluates its share and passes on what is for the slaves beyond it. The "
-                     "connections make a chain, a star or any other tree of a master and its slaves.",
+            .about =
+                "A slave of algorithm A: evaluates its share and passes on the messages of the slaves beyond it. The "
+                "connections make a chain, a star or any other tree of a master and its slaves.",
             .ports = {input<Task>("from_master", "task", "from the master or the slave before"),
                       output<Fitnesses>("to_master", "fitnesses", "to the master or the slave before"),
                       formerly("to_next", to_slaves()), formerly("from_next", from_slaves())},

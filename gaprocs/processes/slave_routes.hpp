@@ -20,8 +20,8 @@ public:
 
     struct Hop {
         std::size_t channel; ///< channel towards the slave
-        std::size_t address; ///< number of the slave, counted from the process at the other end of the channel; 0: that
-                             ///< process itself
+        std::size_t address; ///< number of the slave, counted from the process at the other end of the channel, which
+                             ///< has number 0
     };
     /// Returns the first hop towards a slave. Slaves are numbered from 0.
     Hop to(std::size_t slave) const;

@@ -1,5 +1,7 @@
 #include "hydraulics/circuit/circuit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -99,5 +101,11 @@ Circuit circuit_of(Configuration configuration, LinkSet active) {
 }
 
 Circuit boom_circuit() { return circuit_of(Configuration::a, {Link::boom}); }
+
+Circuit drain_circuit(Link link) { return {{link, 0, Through::tank, 0, Side::outlet}}; }
+
+std::string compliance_name(const Junction& junction) {
+    return fmt::format("C_{}{}", symbol_of(junction.link), junction.side == Side::inlet ? 'i' : 'o');
+}
 
 } // namespace placedpar::hydraulics

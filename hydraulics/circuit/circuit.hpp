@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct Junction {
     Through through;
     std::size_t next =
         0; ///< index of the junction to which the bypass leads, if any; INVARIANT: higher than this junction's index
+    Side side = Side::inlet; ///< the side of the link whose compliance is at this junction
 };
 
 /// Junctions that share flow, upstream before downstream.
@@ -49,5 +51,11 @@ std::vector<LinkSet> coupled_groups(Configuration);
 Circuit circuit_of(Configuration, LinkSet active);
 /// Returns the circuit of the boom alone, fed by its pump.
 Circuit boom_circuit();
+/// Returns the drain side of a link as a circuit (equation 3.4): a junction without a pump, at the pressure of the
+/// cylinder. The piston supplies its flow, and the outlet orifice takes the place of the bypass to the tank.
+Circuit drain_circuit(Link);
+
+/// Returns the thesis's name of the compliance at a junction: "C_BOi" on the inlet side, "C_BOo" on the outlet side.
+std::string compliance_name(const Junction&);
 
 } // namespace placedpar::hydraulics

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace placedpar::hydraulics {
 
@@ -24,8 +26,8 @@ std::vector<double> spool_by_voltage(const Record& record, Link link, double spo
 }
 
 /// Returns the areas of one link at every instant.
-std::vector<OrificeAreas> areas_of(const Record& record, Link link, const LinkCalibration& calibration) {
-    AreasFrom from = areas_from(record.channels(), link, calibration.from);
+std::vector<OrificeAreas> areas_of(const Record& record, Link link, AreasFrom from,
+                                   const LinkCalibration& calibration) {
     if (from == AreasFrom::areas)
         return areas_as_read(record, link);
     std::vector<double> spool = from == AreasFrom::spool
@@ -37,23 +39,28 @@ std::vector<OrificeAreas> areas_of(const Record& record, Link link, const LinkCa
     return areas;
 }
 
-/// The channels of one link in the record.
+/// The channels of one side of a link in the record.
 struct LinkChannels {
-    const std::vector<double>&inlet_psi, &angle_deg;
+    Side side;
+    const std::vector<double>&psi, &angle_deg;
     std::vector<OrificeAreas> areas;
     double piston_in3_per_deg;
 };
 
-LinkChannels channels_of(const Record& record, Link link, const LinkCalibration& calibration) {
-    require_channels(record, link, areas_from(record.channels(), link, calibration.from));
-    return {record.of(link, Sensor::inlet_pressure), record.of(link, Sensor::angle),
-            areas_of(record, link, calibration), calibration.constants.piston_in3_per_deg()};
+LinkChannels channels_of(const Record& record, const Junction& junction, const LinkCalibration& calibration) {
+    const auto [link, side] = std::pair(junction.link, junction.side);
+    const AreasFrom from = areas_from(record.channels(), link, calibration.from, side);
+    require_channels(record, link, from, side);
+    return {side, record.of(link, pressure_sensor(side)), record.of(link, Sensor::angle),
+            areas_of(record, link, from, calibration), calibration.constants.piston_in3_per_deg()};
 }
 
 LinkSample sample_at(const LinkChannels& link, const CentredLineFit& fit, std::size_t i) {
-    return {link.inlet_psi[i], fit.slope_per_s(link.inlet_psi, i),
-            link.piston_in3_per_deg * fit.slope_per_s(link.angle_deg, i), link.areas[i].inlet_in2,
-            link.areas[i].bypass_in2};
+    const OrificeAreas& areas = link.areas[i];
+    const bool drain = link.side == Side::outlet;
+    return {link.psi[i], fit.slope_per_s(link.psi, i), link.piston_in3_per_deg * fit.slope_per_s(link.angle_deg, i),
+            drain ? std::numeric_limits<double>::infinity() : areas.inlet_in2,
+            drain ? areas.outlet_in2 : areas.bypass_in2};
 }
 
 } // namespace
@@ -70,7 +77,7 @@ std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& 
                                            const LinkCalibrations& calibrations) {
     std::vector<LinkChannels> links;
     for (const Junction& junction : circuit)
-        links.push_back(channels_of(record, junction.link, calibrations[index_of(junction.link)]));
+        links.push_back(channels_of(record, junction, calibrations[index_of(junction.link)]));
     std::vector<CircuitSample> samples;
     if (record.size() == 0)
         return samples;
@@ -88,6 +95,10 @@ std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& 
 }
 
 bool all_open(const Circuit& circuit, std::span<const LinkSample> links, const FlowConstants& flow, double margin_psi) {
+    if (circuit.front().side == Side::outlet)
+        return std::ranges::all_of(links, [&](const LinkSample& link) {
+            return link.bypass_in2 > 0 && link.inlet_psi - margin_psi > flow.tank_psi;
+        });
     std::vector<JunctionOpening> openings;
     for (const LinkSample& link : links)
         openings.push_back({link.inlet_psi + margin_psi, link.inlet_in2, link.bypass_in2});

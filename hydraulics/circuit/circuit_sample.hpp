@@ -31,7 +31,8 @@ std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& 
                                            const LinkCalibrations& calibrations);
 
 /// Returns whether flow enters every link, and would do so if each link's pressure were `margin_psi` higher. Uses the
-/// steady flow of the circuit (junction_flow.hpp).
+/// steady flow of the circuit (junction_flow.hpp). On an outlet side, returns whether flow leaves the link, and would
+/// do so if its pressure were `margin_psi` lower.
 bool all_open(const Circuit& circuit, std::span<const LinkSample> links, const FlowConstants& flow, double margin_psi);
 
 /// Returns the rms slope of the pressure of one link. REQUIRES: there is a sample.

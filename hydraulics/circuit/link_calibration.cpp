@@ -25,18 +25,25 @@ LinkCalibrations link_calibrations(const Parameters& parameters) {
     return calibrations;
 }
 
-AreasFrom areas_from(const ChannelSet& there, Link link, std::optional<AreasFrom> asked) {
+LinkCalibrations drain_calibrations(const Parameters& parameters) {
+    LinkCalibrations calibrations = link_calibrations(parameters);
+    calibrations[index_of(Link::boom)].constants.piston_in3_per_rad =
+        -piston_in3_per_rad(parameters["boom.outlet_area"], parameters["boom.moment_arm"]);
+    return calibrations;
+}
+
+AreasFrom areas_from(const ChannelSet& there, Link link, std::optional<AreasFrom> asked, Side side) {
     if (asked)
         return *asked;
-    if (there.contains(link, Sensor::inlet_area) && there.contains(link, Sensor::bypass_area))
+    if (side == Side::inlet && there.contains(link, Sensor::inlet_area) && there.contains(link, Sensor::bypass_area))
         return AreasFrom::areas;
     return there.contains(link, Sensor::spool) || !there.contains(link, Sensor::servo) ? AreasFrom::spool
                                                                                        : AreasFrom::servo;
 }
 
-ChannelSet channels_needed(Link link, AreasFrom from) {
+ChannelSet channels_needed(Link link, AreasFrom from, Side side) {
     ChannelSet needed;
-    needed.insert(link, Sensor::inlet_pressure);
+    needed.insert(link, pressure_sensor(side));
     needed.insert(link, Sensor::angle);
     switch (from) {
     case AreasFrom::areas:
@@ -62,8 +69,8 @@ std::string list_channels(const Record& record) {
 
 } // namespace
 
-void require_channels(const Record& record, Link link, AreasFrom from) {
-    const ChannelSet needed = channels_needed(link, from);
+void require_channels(const Record& record, Link link, AreasFrom from, Side side) {
+    const ChannelSet needed = channels_needed(link, from, side);
     for (Sensor sensor : all_sensors)
         if (needed.contains(link, sensor) && !record.has(link, sensor))
             throw UnfitRecord(fmt::format("the record has no channel {}.{}; it has {}", name_of(link), name_of(sensor),

@@ -24,7 +24,7 @@ enum class AreasFrom : unsigned char { areas, spool, servo };
 
 /// The constants that convert the readings of one link to flows.
 struct LinkConstants {
-    double piston_in3_per_rad = 0; ///< volume taken by the pump side per radian of the joint
+    double piston_in3_per_rad = 0; ///< volume taken by the side per radian of the joint; negative on the outlet side
     double spool_lag_per_s = 0;    ///< a_0 of A.2
 
     double piston_in3_per_deg() const { return piston_in3_per_rad * std::numbers::pi / 180; }
@@ -44,15 +44,19 @@ using LinkCalibrations = PerLink<LinkCalibration>;
 
 /// Returns link_constants(), without an offset.
 LinkCalibrations link_calibrations(const Parameters& parameters);
+/// Returns the calibrations of the outlet sides. Only the boom's outlet side is described (boom.outlet_area); the other
+/// links keep the constants of their inlet sides.
+LinkCalibrations drain_calibrations(const Parameters& parameters);
 
-/// Returns `asked`; if it is nullopt, the first AreasFrom source whose channels are in `there`.
-AreasFrom areas_from(const ChannelSet& there, Link link, std::optional<AreasFrom> asked);
+/// Returns `asked`; if it is nullopt, the first AreasFrom source whose channels are in `there`. No sensor reads the
+/// area of an outlet.
+AreasFrom areas_from(const ChannelSet& there, Link link, std::optional<AreasFrom> asked, Side side = Side::inlet);
 
-/// Returns the channels from which a link's flows and areas are computed: inlet pressure, angle, and the source of its
-/// areas.
-ChannelSet channels_needed(Link link, AreasFrom from);
+/// Returns the channels from which the flows and areas of one side of a link are computed: the side's pressure, the
+/// angle, and the source of the areas.
+ChannelSet channels_needed(Link link, AreasFrom from, Side side = Side::inlet);
 /// Throws UnfitRecord if one of channels_needed() is missing; the message names the first such channel and the channels
 /// present.
-void require_channels(const Record& record, Link link, AreasFrom from);
+void require_channels(const Record& record, Link link, AreasFrom from, Side side = Side::inlet);
 
 } // namespace placedpar::hydraulics

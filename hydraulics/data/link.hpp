@@ -27,6 +27,9 @@ std::string_view symbol_of(Link);
 /// Returns the link with this name or symbol, or nullopt.
 std::optional<Link> link_named(std::string_view);
 
+/// The side of a cylinder: the pump feeds the inlet side, and the outlet side drains to the tank.
+enum class Side : unsigned char { inlet, outlet };
+
 /// A set of links.
 class LinkSet {
 public:

@@ -28,6 +28,11 @@ inline constexpr std::array<Sensor, 7> all_sensors{Sensor::inlet_pressure, Senso
                                                    Sensor::spool,          Sensor::servo,           Sensor::inlet_area,
                                                    Sensor::bypass_area};
 
+/// Returns the sensor of the pressure on one side of a link.
+constexpr Sensor pressure_sensor(Side side) {
+    return side == Side::inlet ? Sensor::inlet_pressure : Sensor::outlet_pressure;
+}
+
 /// Returns "inlet_pressure" and so on, as in the header of a record's file: boom.inlet_pressure [psi].
 std::string_view name_of(Sensor);
 Quantity quantity_of(Sensor);

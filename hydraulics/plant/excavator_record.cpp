@@ -1,5 +1,9 @@
 #include "hydraulics/plant/excavator_record.hpp"
 
+#include "hydraulics/circuit/voltage_spool.hpp"
+
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <variant>
 
@@ -48,6 +52,17 @@ LinkCalibrations boom_calibrations(const LinkMechanics& boom) {
     return calibrations;
 }
 
+void add_servo_voltage(Record& record, const ExcavatorScenario& scenario, double offset_in) {
+    const auto& valve = std::get<SpoolOrifices>(scenario.links.front().valve);
+    const SpoolStep& step = valve.steps.front();
+    for (double time_s : record.time_s) {
+        double since_s = time_s - step.time_s + scenario.integration_step_s / 2;
+        double gone = since_s < 0 ? 0 : step.ramp_s > 0 ? std::min(since_s / step.ramp_s, 1.0) : 1;
+        double wanted = std::lerp(valve.rest_in, step.desired_in, gone);
+        record.of(Link::boom, Sensor::servo).push_back(servo_volts(wanted + offset_in));
+    }
+}
+
 std::vector<std::vector<double>> boom_record(const ExcavatorScenario& scenario, const MeasurementNoise& noise,
                                              const UniformSource& uniform, const UsableSamples& usable) {
     return boom_record(simulate_excavator(scenario), scenario, noise, uniform, usable);
@@ -55,10 +70,14 @@ std::vector<std::vector<double>> boom_record(const ExcavatorScenario& scenario, 
 
 std::vector<std::vector<double>> boom_record(const ExcavatorMotion& motion, const ExcavatorScenario& scenario,
                                              const MeasurementNoise& noise, const UniformSource& uniform,
-                                             const UsableSamples& usable) {
+                                             const UsableSamples& usable, AreasFrom from) {
     Record measured = measure_excavator(motion, scenario, sampling_period_s, noise, uniform);
+    LinkCalibrations calibrations = boom_calibrations(scenario.links.front().mechanics);
+    calibrations[index_of(Link::boom)].from = from;
+    if (from == AreasFrom::servo)
+        add_servo_voltage(measured, scenario);
     Circuit circuit = boom_circuit();
-    auto samples = circuit_samples(measured, circuit, boom_calibrations(scenario.links.front().mechanics));
+    auto samples = circuit_samples(measured, circuit, calibrations);
     std::vector<std::vector<double>> record;
     for (const CircuitSample& sample : usable_samples(samples, circuit, scenario.flow, usable))
         record.push_back(sample.values());

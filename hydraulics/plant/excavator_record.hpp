@@ -20,14 +20,20 @@ Record measure_excavator(const ExcavatorMotion& motion, const ExcavatorScenario&
 /// Returns the calibrations that convert the readings of the boom alone to flows and areas.
 LinkCalibrations boom_calibrations(const LinkMechanics& boom);
 
+/// Adds the voltage that the controller commands for the boom at every instant of the record. The controller computes
+/// it from the desired spool position with equation A.1, which has `offset_in` as its error. REQUIRES: the scenario's
+/// first link is the boom, with a spool that makes a step.
+void add_servo_voltage(Record& record, const ExcavatorScenario& scenario, double offset_in = 0);
+
 /// Simulates a scenario of the boom alone (single_boom_scenario), measures it with noise at the thesis's period, and
 /// returns the usable samples, as plain numbers in the order of LinkSample.
 std::vector<std::vector<double>> boom_record(const ExcavatorScenario& scenario, const MeasurementNoise& noise,
                                              const UniformSource& uniform, const UsableSamples& usable = {});
-/// Measures a motion that has been simulated already, and returns the usable samples. REQUIRES: `motion` is a
-/// simulation of `scenario`.
+/// Measures a motion that has been simulated already, and returns the usable samples, with the orifices' areas from the
+/// measured spool (thesis 3.1.3, experiment 1) or from the servo-valve's voltage (experiment 2). REQUIRES: `motion` is
+/// a simulation of `scenario`.
 std::vector<std::vector<double>> boom_record(const ExcavatorMotion& motion, const ExcavatorScenario& scenario,
                                              const MeasurementNoise& noise, const UniformSource& uniform,
-                                             const UsableSamples& usable = {});
+                                             const UsableSamples& usable = {}, AreasFrom from = AreasFrom::spool);
 
 } // namespace placedpar::hydraulics

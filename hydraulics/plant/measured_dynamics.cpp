@@ -41,7 +41,11 @@ MeasuredDynamics::State MeasuredDynamics::at_rest() const {
 
 void MeasuredDynamics::hold(double time_s) {
     double acted_on_s = std::max(time_s - excavator_.dead_time_s, 0.0);
-    desired_spool_in_ = excavator_.voltage_spool.desired_spool_in(held_volts(excavator_, acted_on_s), time_s);
+    hold(held_volts(excavator_, acted_on_s), time_s);
+}
+
+void MeasuredDynamics::hold(double volts, double time_s) {
+    desired_spool_in_ = excavator_.voltage_spool.desired_spool_in(volts, time_s);
 }
 
 double MeasuredDynamics::pump_in3_per_s(double time_s) const {

@@ -49,6 +49,8 @@ public:
     State at_rest() const;
     /// Holds the command and the drift at their values at this instant.
     void hold(double time_s);
+    /// Holds another voltage, with the drift at its value at this instant.
+    void hold(double volts, double time_s);
     /// Computes the derivative and returns the mode in which it holds.
     Mode rate(const State& state, State& derivative, double time_s) const;
     /// Returns the pump's flow, with its ripple.

@@ -2,7 +2,9 @@
 
 #include "hydraulics/plant/event_step.hpp"
 #include "hydraulics/plant/measured_dynamics.hpp"
+#include "hydraulics/plant/measurement.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -27,9 +29,9 @@ MeasuredState state_at(const MeasuredDynamics& dynamics, const MeasuredDynamics:
             .leak_in3_per_s = dynamics.leak_in3_per_s(state, time_s)};
 }
 
-} // namespace
-
-std::vector<MeasuredState> simulate_measured_excavator(const MeasuredExcavator& excavator) {
+/// Simulates the excavator. `hold(dynamics, state, step)` sets the voltage of each step.
+template <typename Hold>
+std::vector<MeasuredState> simulate(const MeasuredExcavator& excavator, Hold hold) {
     require_valid(excavator);
     MeasuredDynamics dynamics(excavator);
     double step_s = excavator.integration_step_s;
@@ -38,15 +40,36 @@ std::vector<MeasuredState> simulate_measured_excavator(const MeasuredExcavator& 
     motion.reserve(steps + 1);
     EventStepper stepper(dynamics, dynamics.at_rest(), 0);
     for (std::size_t i = 0;; ++i) {
-        double time_s = static_cast<double>(i) * step_s;
-        motion.push_back(state_at(dynamics, stepper.state(), time_s));
+        motion.push_back(state_at(dynamics, stepper.state(), static_cast<double>(i) * step_s));
         if (i == steps)
             return motion;
-        // The command is constant within a step: a command begins between two steps.
-        dynamics.hold(time_s + step_s / 2);
+        hold(dynamics, motion.back(), i);
         stepper.system_changed();
         stepper.advance_to(static_cast<double>(i + 1) * step_s, [](auto&&...) {});
     }
+}
+
+} // namespace
+
+std::vector<MeasuredState> simulate_measured_excavator(const MeasuredExcavator& excavator) {
+    // The command is constant within a step: a command begins between two steps.
+    return simulate(excavator, [&](MeasuredDynamics& dynamics, const MeasuredState& state, std::size_t) {
+        dynamics.hold(state.time_s + excavator.integration_step_s / 2);
+    });
+}
+
+std::vector<MeasuredState> simulate_measured_excavator(const MeasuredExcavator& excavator,
+                                                       const VoltageControl& control) {
+    const std::size_t stride = steps_in(excavator.sampling_period_s, excavator.integration_step_s);
+    const Converter& converter = excavator.servo_converter;
+    std::vector<double> volts; // of each sampling period
+    return simulate(excavator, [&](MeasuredDynamics& dynamics, const MeasuredState& state, std::size_t step) {
+        if (step % stride == 0)
+            volts.push_back(converter.limited(control(state), -converter.range / 2));
+        const double time_s = state.time_s + excavator.integration_step_s / 2;
+        const double acted_on_s = std::max(time_s - excavator.dead_time_s, 0.0);
+        dynamics.hold(volts[static_cast<std::size_t>(acted_on_s / excavator.sampling_period_s + 1e-6)], time_s);
+    });
 }
 
 } // namespace placedpar::hydraulics

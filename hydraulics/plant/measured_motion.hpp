@@ -2,6 +2,7 @@
 
 #include "hydraulics/plant/measured_excavator.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace placedpar::hydraulics {
@@ -30,5 +31,13 @@ struct MeasuredState {
 /// (requirement.hpp) if a value is out of range, or if the step is too long for the hoses, the bristles or the drain:
 /// it names the fastest of these and the longest step that it allows.
 std::vector<MeasuredState> simulate_measured_excavator(const MeasuredExcavator& excavator);
+
+/// Returns the voltage to be held for a sampling period, given the state at the beginning of the period.
+using VoltageControl = std::function<double(const MeasuredState&)>;
+
+/// Simulates the excavator under a control in place of its command. The voltage passes the converter, and acts after
+/// the dead time. Throws UnfitScenario as well if the sampling period is not a whole multiple of the step.
+std::vector<MeasuredState> simulate_measured_excavator(const MeasuredExcavator& excavator,
+                                                       const VoltageControl& control);
 
 } // namespace placedpar::hydraulics

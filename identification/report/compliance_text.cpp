@@ -24,10 +24,10 @@ std::string print_compliance(std::string_view name, double compliance, double st
 
 std::string compliance_heading() { return "         in^3/psi  std.error     m^3/Pa  std.error"; }
 
-std::string print_flags(hydraulics::Link link, const std::vector<Flag>& flags) {
+std::string print_flags(std::string_view name, const std::vector<Flag>& flags) {
     std::string text;
     for (const Flag& flag : flags)
-        text += fmt::format("! C_{}i: {}\n", symbol_of(link), flag.text);
+        text += fmt::format("! {}: {}\n", name, flag.text);
     return text;
 }
 

@@ -18,8 +18,8 @@ std::string print_compliance(std::string_view name, double compliance_in3_per_ps
 /// Returns the heading of the columns of print_compliance().
 std::string compliance_heading();
 
-/// Returns one line, which begins with !, for each flag.
-std::string print_flags(hydraulics::Link link, const std::vector<identification::Flag>& flags);
+/// Returns one line, which begins with ! and the compliance's name, for each flag.
+std::string print_flags(std::string_view name, const std::vector<identification::Flag>& flags);
 boost::json::array flags_json(const std::vector<identification::Flag>& flags);
 
 /// Returns null if the number is missing or not finite.

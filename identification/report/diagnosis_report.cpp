@@ -153,7 +153,7 @@ std::string print_movement(const MovementFinding& movement) {
         times = no_times;
     }
     for (const LinkFinding& link : movement.links)
-        text += print_flags(link.link, link.flags);
+        text += print_flags(fmt::format("C_{}i", symbol_of(link.link)), link.flags);
     return text;
 }
 

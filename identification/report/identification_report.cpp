@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
 namespace placedpar {
@@ -15,13 +16,12 @@ using namespace identification;
 
 namespace {
 
-std::string print_link(const LinkIdentified& link) {
+std::string print_link(const LinkIdentified& link, const hydraulics::Junction& junction) {
     std::string optimum = link.optimum ? fmt::format("{:9.5f} {:9.0f}", *link.optimum, *link.codes_from_optimum)
                                        : fmt::format("{:>9} {:>9}", "-", "-");
-    return fmt::format(
-        "{}  {}\n",
-        print_compliance(fmt::format("C_{}i", symbol_of(link.link)), link.compliance_in3_per_psi, link.standard_error),
-        optimum);
+    return fmt::format("{}  {}\n",
+                       print_compliance(compliance_name(junction), link.compliance_in3_per_psi, link.standard_error),
+                       optimum);
 }
 
 std::string print_search(const Identified& identified, const ComplianceSearch& prepared, const IdentificationWay& way) {
@@ -65,17 +65,19 @@ std::string print_identified(const Identified& identified, const ComplianceSearc
     if (double offset = spool_offset_in(prepared); offset != 0)
         text += fmt::format("spool offset subtracted from the readings: {:+.5f} in\n", offset);
     text += fmt::format("\n{}    optimum  codes off\n", compliance_heading());
-    for (const LinkIdentified& link : identified.links)
-        text += print_link(link);
-    for (const LinkIdentified& link : identified.links)
-        text += print_flags(link.link, link.flags);
+    for (std::size_t j = 0; j < identified.links.size(); ++j)
+        text += print_link(identified.links[j], identified.circuit[j]);
+    for (std::size_t j = 0; j < identified.links.size(); ++j)
+        text += print_flags(compliance_name(identified.circuit[j]), identified.links[j].flags);
     return text;
 }
 
 boost::json::object identified_json(const Identified& identified, const ComplianceSearch& prepared) {
     boost::json::array links, estimates;
-    for (const LinkIdentified& link : identified.links)
-        links.push_back(link_json(link));
+    for (std::size_t j = 0; j < identified.links.size(); ++j) {
+        links.push_back(link_json(identified.links[j]));
+        links.back().as_object()["name"] = compliance_name(identified.circuit[j]);
+    }
     for (const TransientEstimate& estimate : identified.estimates)
         estimates.push_back(estimate_json(estimate));
     return {{"links", std::move(links)},

@@ -55,8 +55,8 @@ LinkFaults& Link::faults() {
     return *faults_;
 }
 
-/// Returns the time until which packets need no decision of the faults. If a fault changes the speed, this is now,
-/// because the new speed applies to the next packet.
+/// Returns the time until which no packet has to be checked for faults. While a fault changes the speed, every packet
+/// has to be checked, so the time is now.
 Time Link::steady_until() const {
     const bool is_at_speed = faults_->bits_per_second(kernel_.now()) == timing_.bits_per_second;
     return is_at_speed ? faults_->steady_until(kernel_.now()) : kernel_.now();
@@ -79,7 +79,7 @@ LinkDirection::LinkDirection(Kernel& kernel, std::string name, const PacketTimes
 
 void LinkDirection::move_messages_of(LinkEngineMemory& memory) {
     if (memories_[1])
-        throw std::logic_error(fmt::format("{}: a link has two ends, which have a processor each already", name_));
+        throw std::logic_error(fmt::format("{}: both ends of the link already have a processor", name_));
     memories_[memories_[0] ? 1 : 0] = &memory;
 }
 
@@ -193,8 +193,8 @@ bool LinkDirection::receiver_asks(LinkCourse::Touch& touch) {
     const bool all_here =
         has_come && direction.ends != LinkState::Ends::sender_left && touch->packets.streams[number_].bytes_left == 0;
     if (all_here) {
-        touch->drop_last_bytes(number_); // only those at this very time, if the first byte's arrival woke an
-                                         // alternation
+        // If the first byte's arrival woke an alternation, the last byte may be about to arrive at this very time.
+        touch->drop_last_bytes(number_);
         deliver();
     } else {
         direction.receiver = LinkState::Receiver::waits;

@@ -29,8 +29,8 @@ struct LinkEngineMemory {
     }
 };
 
-/// A program that writes the bytes of a direction to a register, or reads them from a register, such as the driver of a
-/// link adapter. It replaces an engine, which would move the bytes from or to memory.
+/// A program that writes the bytes of a direction to a register, or reads them from a register. The driver of a link
+/// adapter is such a program. It replaces an engine, which would move the bytes from or to memory.
 class RegisterUser {
 public:
     /// Called when the register is free for the next byte, or when it holds a byte. Must not wait or throw.

@@ -59,8 +59,8 @@ public:
     /// processes that output by to_link() and input by from_link().
     AdapterProgram(Kernel&, VmeMaster&, LinkAdapter&);
 
-    /// Return carriers for channels from a process on the master to a process on the transputer at the other end of the
-    /// link, and back.
+    /// Return the carriers of the two directions: from a process on the master to a process on the transputer behind
+    /// the link, and back.
     Carrier& to_link() { return to_link_; }
     Carrier& from_link() { return from_link_; }
 
@@ -122,7 +122,8 @@ public:
 ///
 /// 1. Each lane gets a channel before the run.
 /// 2. Simultaneous outputs on the lanes must be equal messages of the same form. A process that outputs a different
-/// message gets a BroadcastError. If messages of the protocol cannot be compared (SameMessage), every process gets it.
+/// message gets a BroadcastError. If messages of the protocol cannot be compared (SameMessage), every process gets a
+/// BroadcastError.
 class AdapterBroadcast {
 public:
     /// REQUIRES: at least one program, and all programs have the same master. Throws std::logic_error otherwise.

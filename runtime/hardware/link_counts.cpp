@@ -25,7 +25,8 @@ void LinkDirection::move_by_counts(ByteUser& sender, ByteUser& receiver) {
 
 void LinkDirection::give(std::uint32_t bytes) {
     if (bytes == 0 || std::exchange(counts_->gives, true))
-        throw std::logic_error(fmt::format("{}: give() wants bytes, and the bytes before them sent", name_));
+        throw std::logic_error(
+            fmt::format("{}: give() needs at least one byte, and sent() for the bytes before", name_));
     LinkCourse::Touch touch(course_);
     counts_->to_give = bytes;
     begin_part_by_counts(*touch);
@@ -34,7 +35,8 @@ void LinkDirection::give(std::uint32_t bytes) {
 
 void LinkDirection::take(std::uint32_t bytes) {
     if (bytes == 0 || std::exchange(counts_->takes, true))
-        throw std::logic_error(fmt::format("{}: take() wants bytes, and the bytes before them taken", name_));
+        throw std::logic_error(
+            fmt::format("{}: take() needs at least one byte, and taken() for the bytes before", name_));
     counts_->to_take = bytes;
     ask_by_counts();
 }

@@ -137,7 +137,7 @@ void LinkCourse::run_ahead(LinkState::Next next) {
     schedule(next);
 }
 
-/// Returns whether the following packets may be computed together, from this packet on.
+/// Returns whether this packet and the following ones may be computed together.
 bool LinkCourse::may_run(const LinkState::Next& next) const {
     if (next.at >= ahead_->runs_before(next.direction, times_))
         return false;
@@ -150,7 +150,8 @@ bool LinkCourse::may_run(const LinkState::Next& next) const {
     return is_told(0) && is_told(1);
 }
 
-/// Begins packets for which only their times must be computed. Returns whether any packet has begun.
+/// Computes several packets together, as long as only their times must be computed. Returns whether any packet
+/// has begun.
 bool LinkCourse::run_packets(LinkState& state) {
     Time before = std::min({end_of_time, steady_until_, state.arrivals[state.first_arrival()]});
     for (std::size_t direction : {0u, 1u})

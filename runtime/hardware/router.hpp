@@ -52,8 +52,8 @@ struct RouterCosts {
 /// process here, or continues over another link. Channels whose packets wait for a link take turns, with one packet in
 /// each turn, so that a long message does not block a short one.
 ///
-/// Each packet costs the links a header, and costs the processors RouterCosts::handling when it is sent and when it is
-/// received, in addition to the instructions. A packet that is passed on is both received and sent.
+/// Each packet costs the links a header. It costs a processor RouterCosts::handling, in addition to the instructions,
+/// when it is sent and when it is received. A packet that is passed on is both received and sent.
 ///
 /// Routing cannot cause a deadlock, whatever the routes are. A receiver waits only for its link, because there is
 /// always room for a packet. A channel has at most Route::most_under_way packets and their acknowledges at a time, and

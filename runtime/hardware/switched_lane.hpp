@@ -19,9 +19,9 @@ struct SharedEngine {
     const AnyChannel* channel = nullptr;
 };
 
-/// A direction of a link that leads through a switch which is set during the run, so that other links share the engines
-/// at its ends. Throws std::logic_error if a process uses an engine while it carries a message of another channel. On
-/// the real machine these channels would be one channel, with one process at each end.
+/// A direction of a link through a switch. The switch is set during the run, so other links share the engines at the
+/// ends of this link. Throws std::logic_error if a process uses an engine while it carries a message of another
+/// channel. On the real machine these channels would be one channel, with one process at each end.
 class SwitchedLane final : public Carrier {
 public:
     /// REQUIRES: the arguments outlive the lane.

@@ -21,8 +21,8 @@ void require_place(const VmeBus& bus, const std::string& name, const VmePlace& p
                                            "{} and {}",
                                            bus.name(), levels - 1, slots, name, place.level, place.slot));
     if (bus.arbitration() == Arbitration::single_level && place.level != levels - 1)
-        throw std::logic_error(fmt::format("bus {}: an arbiter of a single level knows BR3 only; {} has {}", bus.name(),
-                                           name, place.level));
+        throw std::logic_error(fmt::format("bus {}: an arbiter of a single level only knows BR3; {} has BR{}",
+                                           bus.name(), name, place.level));
 }
 
 } // namespace
@@ -31,7 +31,9 @@ VmeBus::VmeBus(Kernel& kernel, std::string name, Arbitration arbitration, const 
     : kernel_(kernel), name_(std::move(name)), arbitration_(arbitration), timing_(timing),
       first_rank_(kernel.new_ranks(2)) {
     if (timing.word <= Time{0} || timing.byte <= Time{0} || timing.time_out <= Time{0} || timing.arbitration < Time{0})
-        throw std::logic_error("bus " + name_ + ": its words, bytes and time-out take time, its arbitration may");
+        throw std::logic_error(
+            "bus " + name_ +
+            ": the times of a word, a byte and the time-out must be positive, the time of arbitration not negative");
 }
 
 void VmeBus::attach(VmeMaster& master) {

@@ -64,8 +64,8 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// A VMEbus. Its masters request it, one of them gets it, and it moves words for the processes that this master
-/// executes.
+/// A VMEbus. Its masters request the bus, and one of them gets it. The bus then moves words for the processes of this
+/// master.
 ///
 /// 1. The arbiter decides `arbitration` after the bus was requested or given up. It decides among all masters that then
 /// request the bus.

@@ -11,6 +11,7 @@ from program import CLUSTER, EXAMPLES, FIGURE_E2, placedpar
 
 RECORDS = EXAMPLES / "hydraulics" / "records"
 STEP = RECORDS / "boom-4deg.csv"
+MATRIX = EXAMPLES / "csp" / "matrix" / "matrix.cfs"  # nothing in it searches
 TRUTH = 0.0086
 
 
@@ -174,7 +175,7 @@ class Identification(unittest.TestCase):
     def test_a_result_is_written_whole_or_not_at_all(self):
         before = "before"
         path = self.file("result.json", before)
-        for arguments in (("--samples", 4), ("--link", "bucket"), ("--on", FIGURE_E2), ("--areas-from", "areas")):
+        for arguments in (("--samples", 4), ("--link", "bucket"), ("--on", MATRIX), ("--areas-from", "areas")):
             self.refused(STEP, *arguments, "--json", path)
             self.assertEqual(path.read_text(encoding="utf-8"), before)
         self.assertEqual(list(self.folder.iterdir()), [path])
@@ -206,7 +207,45 @@ class Identification(unittest.TestCase):
         self.assertIn('population = 60 in the netlist for "master", but identify searches with 120',
                       self.refused(STEP, "--on", CLUSTER, "--set", "population=60"))
         self.assertIn("samples = 15", self.refused(STEP, "--on", CLUSTER, "--set", "samples=15"))
-        self.assertIn("processes search, expected one", self.refused(STEP, "--on", FIGURE_E2))
+
+    def test_sixteen_transputers_identify_a_record_by_spool_and_by_voltage(self):
+        record = self.record("excavator", "--noise", "low", "--seed", 5)
+        for source in ("spool", "servo"):
+            machine = self.result(record, "--on", FIGURE_E2, "--areas-from", source)["on_machine"]
+            self.assertEqual(machine["searches"], [f"master[{i}]" for i in range(4)])
+            last = machine["answers"][-1]
+            found = [island[0] for island in last["found"]]
+            self.assertLess(abs(found[machine["searches"].index(last["fittest"])] / TRUTH - 1), 0.1, source)
+            self.assertAlmostEqual(last["spread"][0], max(found) - min(found), 12)
+            times = [answer["ready_s"] for answer in machine["answers"]]
+            self.assertEqual(times, sorted(times))
+            self.assertEqual(len(times), 16)  # one for each of 20 samples from the fifth on
+            self.assertAlmostEqual(times[-1], machine["ended_s"], 3)  # about 8.9 ms for each of 80 generations
+            self.assertAlmostEqual(machine["ended_s"], 0.671, 2)
+
+    def test_the_islands_of_a_netlist_are_no_copies_of_each_other(self):
+        machine = self.result(STEP, "--on", FIGURE_E2)["on_machine"]
+        first = [island[0] for island in machine["answers"][0]["found"]]
+        self.assertGreater(len(set(first)), 1)
+
+    def test_several_searches_divide_the_population(self):
+        printed = self.identify(STEP, "--on", FIGURE_E2, "--set", "clusters=2")
+        self.assertRegex(printed, r"(?m)^C_BOi: 0\.00\d+ in\^3/psi by the direct search, 0\.00\d+ by master\[\d\], "
+                                  r"the fittest of 2 searches, which differ by up to 0\.0\d+$")
+        said = self.refused(STEP, "--on", FIGURE_E2, "--set", "population=20")
+        self.assertIn("its searches have 80 individuals together, but identify has 120: give identify --population 80",
+                      said)
+        self.identify(STEP, "--on", FIGURE_E2, "--set", "population=20", "--population", 80)
+
+    def test_netlists_that_cannot_search_the_record_are_refused(self):
+        self.assertIn("no process searches, expected ga.traditional", self.refused(STEP, "--on", MATRIX))
+        pair = EXAMPLES / "genetic" / "coarse-fine" / "pair.cfs"
+        self.assertIn("unknown search problem 'plant'", self.refused(STEP, "--on", pair))
+        text = pair.read_text(encoding="utf-8")
+        for was, becomes in (('"plant"', '"boom"'), ('"2 5 5 5 5 5"', '"5"'), ('"2 7 7 7 7 7"', '"10"'),
+                             ('"../../', f'"{EXAMPLES}/'), ("window = 30", "window = 10")):
+            text = text.replace(was, becomes)
+        self.assertIn("is one of a pair", self.refused(STEP, "--on", self.file("pair.cfs", text)))
 
     def test_processes_that_do_not_find_the_same_end_with_3(self):
         # This crossover is not the one that identify uses.
@@ -218,7 +257,7 @@ class Identification(unittest.TestCase):
             place host on sun; place master on t;""")
         run = by_thesis(STEP, "--population", 20, "--on", other)
         self.assertEqual(run.returncode, 3, run.stderr)
-        self.assertTrue(run.stdout.endswith("by the netlist's processes: different\n"))
+        self.assertIn("by the netlist's processes: different\n", run.stdout)
 
     def test_processes_that_cannot_search_as_natively_are_refused(self):
         gap = self.rows(lambda row: None if 0.39 < float(row[0]) < 0.45 else row)

@@ -125,6 +125,18 @@ class Replay(unittest.TestCase):
             self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
             self.assertTrue(document["within_tolerance"])
 
+    def test_islands_on_sixteen_transputers_find_what_one_search_finds(self):
+        for experiment in ("figure-4-9", "figure-4-10"):
+            run, document = replay(experiment, self.folder, "--seeds", 20)
+            self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+            tables = [document, *document["other_readings"]]
+            self.assertEqual(len(tables), 4)
+            for table in tables[1::2]:
+                after = {cell["column"]: cell["simulated"] for cell in table["cells"]
+                         if cell["row"] == "last answer after"}
+                # 16 T800s are about 10.4 times as fast as one of 20 MHz (Table E.2): their samples are the same.
+                self.assertAlmostEqual(after["GA, 1 T800"] / after["PGA, fittest"], 10.4, 0)
+
     def test_a_study_goes_on_where_it_was_killed(self):
         kept = pathlib.Path(self.folder) / "kept"
         with subprocess.Popen([PROGRAM, "replay", "crossover-by-difference", "--seeds", "50", "--resume", kept]) as run:

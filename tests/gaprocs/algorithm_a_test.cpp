@@ -145,7 +145,7 @@ TEST_CASE("algorithm A has other generations with another seed") {
     CHECK(second != populations_of_traditional(30, 1));
 }
 
-TEST_CASE("a generation with three slaves is 2.5 times as fast as a generation without slaves") {
+TEST_CASE("a generation with three slaves is more than 2.5 times as fast as without slaves") {
     double alone = run_on_line(Cluster{}.netlist()).measured("master0", "T_exe");
     double with_three = run_on_line(Cluster{.slaves = 3}.netlist()).measured("master0", "T_exe");
     CHECK(with_three < alone / 2.5);

@@ -170,7 +170,7 @@ TEST_CASE("an analyst is refused at its place if it cannot compare its islands")
         CHECK_MESSAGE(refusal.find(marked) != std::string::npos, marked);
     };
     says(with_analyst(netlist, "choice = \"fixed(4)\""),
-         "the answer shall be that of island 4, but there are 4: 0 to 3", "choice = \"fixed(4)\"");
+         "the answer would be that of island 4, but there are 4: 0 to 3", "choice = \"fixed(4)\"");
     says(with_analyst(netlist, "choice = \"best\""), "\"best\"", "choice = \"best\"");
     netlist.settings.schedule = AsynchronousSchedule{1};
     says(with_analyst(netlist, ""), "islands of an asynchronous schedule do not keep step", "process analyst");

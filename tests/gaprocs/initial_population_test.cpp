@@ -154,8 +154,7 @@ TEST_CASE("strings without fields of bits cannot be spread") {
         CAPTURE(problem);
         Cluster cluster{
             .slaves = 0, .master_parameters = fmt::format("initial = \"spread\"{}", more), .problem = problem};
-        CHECK_THROWS_WITH(
-            run_on_line(cluster.netlist()),
-            doctest::Contains("a spread population is of strings whose fields of bits stand for numbers"));
+        CHECK_THROWS_WITH(run_on_line(cluster.netlist()),
+                          doctest::Contains("a spread population needs strings with fields of bits that code numbers"));
     }
 }

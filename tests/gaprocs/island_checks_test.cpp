@@ -199,7 +199,7 @@ TEST_CASE("more emigrants than individuals, than a message holds or than can be 
 
 TEST_CASE("an interval that is given both in the schedule and in exchange_every is refused") {
     check_says(said_of(2, all(", schedule = \"sequential(5)\", exchange_every = 5"), ring(2)),
-               "error: exchange_every = 5, but the schedule \"sequential(5)\" says how often, too");
+               "error: exchange_every = 5, but the schedule \"sequential(5)\" states an interval, too");
     check_says(said_of(2, all(", schedule = \"sequential(0)\""), ring(2)), "every is a whole number from 1");
 }
 
@@ -230,7 +230,7 @@ TEST_CASE("islands in step that are sent different numbers of samples are refuse
                        "connect host.to_masters[0] to i.from_host; connect hosts.to_masters[0] to j.from_host;\n"
                        "connect i.to_neighbours[0] to j.from_neighbours[0]; "
                        "connect j.to_neighbours[0] to i.from_neighbours[0];\n";
-    check_says(said_of(text), "error: \"j\" and \"i\" are not sent as many samples: 11 and 12");
+    check_says(said_of(text), "error: \"j\" and \"i\" are sent different numbers of samples: 11 and 12");
     text.replace(text.find("samples = 11"), 12, "samples = 12");
     CHECK(said_of(text).empty());
 }

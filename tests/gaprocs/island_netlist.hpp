@@ -14,9 +14,9 @@
 
 namespace placedpar::test {
 
-/// Returns islands of the line problem, or of another problem, as a netlist: island[0], island[1], ... They run on as
-/// many workstations, wired as the islands are; on four transputers, each wired to every other; or all on one
-/// transputer.
+/// Returns islands of the line problem, or of another problem, as a netlist: island[0], island[1], ... They run on one
+/// workstation for each island, wired as the islands are; or on four transputers, each wired to every other; or all on
+/// one transputer.
 struct IslandNetlist {
     IslandsSettings settings;
     enum class On { one_transputer, four_transputers, workstations } on = On::one_transputer;

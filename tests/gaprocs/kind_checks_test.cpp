@@ -112,14 +112,14 @@ TEST_CASE("settings that do not suit the record are warnings, once") {
     CHECK(said_with(", trials = 3, bias = 10").empty());
     CHECK(said_with(", trials = 3, bias = 400").empty()); // there is no warning of an explicit setting
     CHECK(said_with(", trials = 2, bias = 10") ==
-          "farm.cfs:5:40: warning: trials = 2, but the record of \"timed\" has a sample for every 3 generations: what "
-          "changes in it changes at another generation than it says\n"
+          "farm.cfs:5:40: warning: trials = 2, but the record of \"timed\" has one sample for every 3 generations, so "
+          "its changes happen at other generations than documented\n"
           "    master (problem = \"timed\", slaves = 2, trials = 2, bias = 10);\n"
           "                                           ^\n"
           "hint: trials = 3\n");
     std::string said = said_with("");
     CHECK(said.find("warning: trials = 5, but") != std::string::npos);
-    CHECK(said.find("warning: bias = 400 is the boom's") != std::string::npos);
+    CHECK(said.find("warning: bias = 400 was chosen for \"boom\"") != std::string::npos);
     CHECK(said.find("hint: bias = 10\n") != std::string::npos);
 }
 
@@ -339,14 +339,16 @@ TEST_CASE("parameters that need a record are refused for a problem without one")
           "cycles_per_measurement_word = 0", "measurements = \"sample\""}) {
         std::string name(parameter, std::string(parameter).find(' '));
         says(refusal_of_sphere("", fmt::format(", {}", parameter)),
-             fmt::format("farm.cfs:5:41: error: {} is of identification only: \"sphere\" gives a number for each "
-                         "individual as it is, and has no record of measurements",
+             fmt::format("farm.cfs:5:41: error: {} applies only to problems with a record: \"sphere\" is an objective "
+                         "without measurements",
                          name));
     }
-    says(refusal_of_sphere(", samples = 3", ""), "farm.cfs:4:27: error: samples is of identification only");
-    says(refusal_of_sphere(", sample_bytes = 3", ""), "hint: \"generations\" says how long it is searched");
+    says(refusal_of_sphere(", samples = 3", ""),
+         "farm.cfs:4:27: error: samples applies only to problems with a record");
+    says(refusal_of_sphere(", sample_bytes = 3", ""), "hint: \"generations\" sets how long it is searched");
     says(refusal("host", "host (problem = \"line\", generations = 3);"),
-         "farm.cfs:4:25: error: generations is of problems without a record: \"line\" has one of 12 samples");
+         "farm.cfs:4:25: error: generations applies only to problems without a record: \"line\" has a record of 12 "
+         "samples");
 }
 
 TEST_CASE("a reproduction that an objective does not allow is refused at its parameter") {

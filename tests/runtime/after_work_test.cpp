@@ -44,7 +44,7 @@ TEST_CASE("the run's time is the time of the work") {
     }
 }
 
-TEST_CASE("the limit is one for the work, and processes may continue beyond it afterwards") {
+TEST_CASE("the time limit applies only to the work, not to processes that continue after it") {
     CHECK(run(true, milliseconds{6}).ending == Ending::completed);
     RunResult result = run(true, milliseconds{4});
     CHECK(result.ending == Ending::time_limit);

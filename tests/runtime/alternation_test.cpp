@@ -196,7 +196,7 @@ TEST_CASE("PRI ALT chooses the first input as long as it is ready, and a fair AL
           }) == "012012012012012");
 }
 
-TEST_CASE("a condition applies to each guard of a replicated guard by its number, also in a fair one") {
+TEST_CASE("a replicated guard, also a fair one, may have a condition that depends on the number of the input") {
     Turn turn;
     CHECK(taken(6, [&](auto inputs, std::string& log) {
               alt(when([](std::size_t i) { return i != 1; },

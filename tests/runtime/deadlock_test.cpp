@@ -40,7 +40,7 @@ Deadlock three_philosophers() {
             alt(on(left[i], [&](int) { left[i].input(); }),
                 on(right[(i + 2) % 3], [&](int) { right[(i + 2) % 3].input(); }));
         };
-#line 43 "deadlock_test.cpp"
+#line 44 "deadlock_test.cpp"
         // clang-format on
         simulation.process("philosopher[" + std::to_string(i) + "]", philosopher);
         simulation.process("fork[" + std::to_string(i) + "]", fork);
@@ -202,7 +202,7 @@ TEST_CASE("a PAR of any form states its place in the program") {
     simulation.process("par", [&] { par(never, [] {}); });
     simulation.process("par_for", [] { par_for(1, [](std::size_t) { Channel<int> d("d"); d.in().input(); }); });
     simulation.process("pri_par", [] { pri_par([] {}, [] { Channel<int> e("e"); e.in().input(); }); });
-#line 204 "deadlock_test.cpp"
+#line 206 "deadlock_test.cpp"
     // clang-format on
     RunResult result = simulation.run();
     REQUIRE(result.deadlock);

@@ -52,7 +52,7 @@ BELOW = {
     "experiments/chapter_2": ["experiments/kit"],
     "experiments/chapter_3/kit": ["experiments/kit", "identification/on_line"],
     "experiments/chapter_3": ["experiments/chapter_3/kit"],
-    "experiments/chapter_4/kit": ["experiments/kit"],
+    "experiments/chapter_4/kit": ["experiments/chapter_3/kit"],
     "experiments/chapter_4": ["experiments/chapter_4/kit"],
     "experiments/chapter_5/kit": ["experiments/kit"],
     "experiments/chapter_5": ["experiments/chapter_5/kit"],

@@ -53,19 +53,6 @@ void add_outlet_pressure(Record& record, std::span<const ExcavatorState> states,
     }
 }
 
-/// Adds the voltage that the controller commands at every sampling instant. The controller computes the voltage from
-/// the desired spool position with equation A.1, which has the offset as its error.
-void add_voltage(Record& record, const ExcavatorScenario& scenario, double offset_in) {
-    const auto& valve = std::get<SpoolOrifices>(scenario.links.front().valve);
-    const SpoolStep& step = valve.steps.front();
-    for (double time_s : record.time_s) {
-        double since_s = time_s - step.time_s + scenario.integration_step_s / 2;
-        double gone = since_s < 0 ? 0 : step.ramp_s > 0 ? std::min(since_s / step.ramp_s, 1.0) : 1;
-        double wanted = std::lerp(valve.rest_in, step.desired_in, gone);
-        record.of(Link::boom, Sensor::servo).push_back(servo_volts(wanted + offset_in));
-    }
-}
-
 std::vector<BoomData> measure_simple(const BoomMotion& motion, std::span<const std::uint64_t> seeds) {
     ExcavatorScenario scenario = single_boom_scenario(parameters_of(motion), motion.slow ? "scenario_b" : "scenario_a");
     ExcavatorMotion simulated = simulate_excavator(scenario);
@@ -77,7 +64,7 @@ std::vector<BoomData> measure_simple(const BoomMotion& motion, std::span<const s
         for (double& spool : record.of(Link::boom, Sensor::spool))
             spool += motion.spool_offset_in;
         add_outlet_pressure(record, simulated.states, motion.noise.pressure_psi, seed);
-        add_voltage(record, scenario, motion.spool_offset_in);
+        add_servo_voltage(record, scenario, motion.spool_offset_in);
         all.push_back({std::move(record), scenario.flow, scenario.links.front().mechanics});
     }
     return all;

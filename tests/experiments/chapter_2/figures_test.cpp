@@ -105,3 +105,27 @@ TEST_CASE("the P-D loop: its margin falls as the compliance grows, and at the li
     CHECK(damping[3].simulated == doctest::Approx(0));
     CHECK(test::row_named(loop, "overshoot").size() == 3); // a loop that does not settle has none
 }
+
+namespace {
+
+std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++found;
+    return found;
+}
+
+} // namespace
+
+TEST_CASE("the circuits: each configuration has four cylinders, two pumps, and a way out for the oil of each pump") {
+    const std::vector<NamedDrawing> drawings = test::replay_named("circuits").drawings;
+    REQUIRE(drawings.size() == 3);
+    CHECK(drawings[0].name == "figure-2-11");
+    CHECK(count(drawings[0].svg, "class=\"cylinder\"") == 5 * 4);
+    CHECK(count(drawings[0].svg, "class=\"pump\"") == 5 * 2);
+    CHECK(count(drawings[0].svg, ">tank<") == 6); // two in a, one in each other configuration
+    CHECK(count(drawings[0].svg, ">shut<") == 2); // the bucket in b, the swing in c
+    CHECK(count(drawings[1].svg, "class=\"cylinder\"") == 2);
+    CHECK(count(drawings[1].svg, "class=\"pump\"") == 1);
+    CHECK(count(drawings[2].svg, "class=\"cylinder\"") == 1);
+}

@@ -11,7 +11,7 @@
 using namespace placedpar;
 
 TEST_CASE("no table has a figure twice, and each judged cell has a known figure or bound") {
-    for (const char* name : {"table-2-6", "figure-2-3", "figures-2-8-2-9", "links", "processor"}) {
+    for (const char* name : {"table-2-6", "figure-2-3", "figures-2-8-2-9", "circuits", "links", "processor"}) {
         CAPTURE(name);
         const Replay replay = test::replay_named(name);
         CHECK(replay.within_tolerance());

@@ -82,6 +82,6 @@ TEST_CASE("a coding that has no meaning for a problem is refused") {
     CHECK_THROWS_AS(minimise(Seats{})->coded(Coding::gray), UserError);
     CHECK_THROWS_AS(maximise(Comb{})->coded(Coding::gray), UserError);
     CHECK_THROWS_WITH_AS(minimise(Seats{})->coded(Coding::named("natural(1)")),
-                         "don't-care bits are of binary strings, and this problem's are permutations", UserError);
+                         "don't-care bits need binary strings, and this problem's are permutations", UserError);
     CHECK(maximise(Comb{})->coded(Coding::named("natural(1)"))->bits() == 8191);
 }

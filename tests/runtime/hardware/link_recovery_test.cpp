@@ -262,7 +262,7 @@ TEST_CASE("a processor that halts executes nothing more, and its neighbours wait
     CHECK(result.deadlock->processes[2].activity == Activity::inputting);
 }
 
-TEST_CASE("the busy time of a processor that halts during a computation ends then") {
+TEST_CASE("a processor that halts during a computation is busy until it halts") {
     for (Priority priority : {Priority::low, Priority::high}) {
         Simulation simulation;
         Processor& t800 = simulation.add<Processor>("t800");

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "app/exit_code.hpp"
+
+#include <boost/json/fwd.hpp>
+
+#include <cstdint>
+
+namespace placedpar {
+
+struct ProcessSearch; // explore/process_search.hpp
+namespace identification {
+struct ComplianceSearch; // identification/compliance_search.hpp
+struct Identified;       // identification/identification.hpp
+} // namespace identification
+
+/// Runs an identification as processes of a simulated machine. Prints the run, the answers of all searches after each
+/// sample, the fittest answer, how far the searches agree, and the seconds that the machine took; adds them to `json`.
+/// Returns missed_tolerance if a single search does not find what identify() found natively: it makes the same
+/// generations. Several searches make others, so that their answer is only printed beside the native one.
+ExitCode run_on_machine(const ProcessSearch& search, const identification::Identified& native,
+                        const identification::ComplianceSearch& prepared, std::uint64_t seed,
+                        boost::json::object& json);
+
+} // namespace placedpar

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "gaprocs/search_observer.hpp"
+#include "runtime/time.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace placedpar {
+
+/// The best individual of one search in one generation.
+struct SearchAnswer {
+    Time time; ///< virtual time at which the generation was complete
+    double fitness;
+    std::vector<double> values; ///< the decoded parameters
+};
+
+/// Keeps the best individual of every generation of the searches of a run, such as the islands of Figure E.2.
+class SearchAnswers final : public SearchObserver {
+public:
+    /// `searches`: names of the processes, all of which search this problem in its coding.
+    SearchAnswers(std::vector<std::string> searches, std::shared_ptr<const SearchProblem> problem);
+
+    /// Throws std::invalid_argument for a search without a name here.
+    void observe(const ObservedGeneration&) override;
+    void observe(const ObservedMigration&) override {}
+    void observe(const ObservedAnswer&) override {}
+
+    const std::vector<std::string>& searches() const { return searches_; }
+    const SearchProblem& problem() const { return *problem_; }
+    /// Returns how many generations all searches have completed.
+    std::size_t generations() const;
+
+    // REQUIRES: generation < generations(), counted from 0.
+
+    const SearchAnswer& of(std::size_t search, std::size_t generation) const { return answers_[search][generation]; }
+    /// Returns the search with the greatest fitness; of several, the first.
+    std::size_t fittest(std::size_t generation) const;
+    /// Returns the difference between the greatest and the least answer of the searches for this parameter.
+    double spread(std::size_t generation, std::size_t parameter) const;
+    /// Returns the time at which the last of the searches had completed the generation.
+    Time ready(std::size_t generation) const;
+
+private:
+    std::vector<std::string> searches_;
+    std::shared_ptr<const SearchProblem> problem_;
+    std::vector<std::vector<SearchAnswer>> answers_; ///< by search
+};
+
+} // namespace placedpar

@@ -1,0 +1,219 @@
+#include "hydraulics/plant/moving_excavator.hpp"
+
+#include "hydraulics/plant/measurement.hpp"
+#include "hydraulics/plant/requirement.hpp"
+#include "hydraulics/plant/tracking_control.hpp"
+
+#include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace placedpar::hydraulics {
+
+namespace {
+
+constexpr std::size_t bu = index_of(Link::bucket), bo = index_of(Link::boom), st = index_of(Link::stick),
+                      sw = index_of(Link::swing);
+
+/// The components of the state for each link, and behind them the pressure at the junction of each link.
+enum Part : std::size_t { inlet_psi, piston_in, velocity, inlet_area, bypass_area, outlet_area, parts };
+constexpr std::size_t junctions = parts * all_links.size();
+using MachineState = std::array<double, junctions + all_links.size()>;
+
+double part(const MachineState& state, std::size_t link, Part which) { return state[link * parts + which]; }
+double& part(MachineState& state, std::size_t link, Part which) { return state[link * parts + which]; }
+double junction_psi(const MachineState& state, std::size_t link) { return state[junctions + link]; }
+
+/// The flows of the main valve.
+struct ValveFlows {
+    PerLink<double> inlet, bypass, outlet, relief;
+};
+
+/// The machine's differential equations while configuration, commands and loads are constant.
+class MovingDynamics {
+public:
+    explicit MovingDynamics(const MovingExcavator& machine) : machine_(machine) {}
+
+    Configuration configuration = Configuration::a;
+    PerLink<OrificeAreas> asked{};
+    PerLink<double> load_lbf{};
+
+    ValveFlows flows(const MachineState& state) const {
+        ValveFlows flows;
+        for (std::size_t i = 0; i < all_links.size(); ++i) {
+            const double psi = junction_psi(state, i);
+            flows.inlet[i] = one_way(part(state, i, inlet_area), psi - part(state, i, inlet_psi));
+            flows.bypass[i] = one_way(part(state, i, bypass_area), psi - beyond_psi(state, i));
+            flows.outlet[i] = one_way(part(state, i, outlet_area), part(state, i, inlet_psi) - machine_.flow.tank_psi);
+            flows.relief[i] = std::max(psi - machine_.flow.relief_psi, 0.0); // 1 in^3/s a psi
+        }
+        return flows;
+    }
+
+    void operator()(const MachineState& state, MachineState& rate, double) const {
+        const ValveFlows flow = flows(state);
+        for (std::size_t i = 0; i < all_links.size(); ++i)
+            link_rate(state, i, flow.inlet[i] - flow.outlet[i], rate);
+        PerLink<double> comes{};
+        comes[bu] = comes[sw] = machine_.flow.pump_in3_per_s;
+        comes[bo] = flow.bypass[bu] + (to_boom() ? flow.bypass[st] : 0);
+        comes[st] = flow.bypass[sw] + (to_stick() ? flow.bypass[bo] : 0);
+        for (std::size_t i = 0; i < all_links.size(); ++i)
+            rate[junctions + i] =
+                (comes[i] - flow.inlet[i] - flow.bypass[i] - flow.relief[i]) / machine_.branch_compliance_in3_per_psi;
+    }
+
+private:
+    bool to_boom() const { return configuration == Configuration::b || configuration == Configuration::d; }
+    bool to_stick() const { return configuration == Configuration::c || configuration == Configuration::e; }
+
+    /// Returns the pressure beyond a link's bypass.
+    double beyond_psi(const MachineState& state, std::size_t link) const {
+        if (link == bu || (link == st && to_boom()))
+            return junction_psi(state, bo);
+        if (link == sw || (link == bo && to_stick()))
+            return junction_psi(state, st);
+        return machine_.flow.tank_psi;
+    }
+
+    /// Returns the flow through an orifice with a check valve, laminar at small drops.
+    double one_way(double area_in2, double drop_psi) const {
+        if (drop_psi <= 0)
+            return 0;
+        const double k = machine_.flow.conductance(area_in2);
+        return drop_psi > machine_.laminar_psi ? k * std::sqrt(drop_psi)
+                                               : k * drop_psi / std::sqrt(machine_.laminar_psi);
+    }
+
+    void link_rate(const MachineState& state, std::size_t i, double oil_in3_per_s, MachineState& rate) const {
+        const LinkMechanics& link = machine_.links[i];
+        const double v = part(state, i, velocity);
+        part(rate, i, inlet_psi) = (oil_in3_per_s - link.inlet_area_in2 * v) / link.inlet_compliance_in3_per_psi;
+        part(rate, i, piston_in) = v;
+        part(rate, i, velocity) =
+            (link.inlet_area_in2 * part(state, i, inlet_psi) - load_lbf[i] - link.damping_lbf_s_per_in * v) /
+            link.mass_lbf_s2_per_in;
+        const double lag = link.spool_lag_per_s;
+        part(rate, i, inlet_area) = lag * (asked[i].inlet_in2 - part(state, i, inlet_area));
+        part(rate, i, bypass_area) = lag * (asked[i].bypass_in2 - part(state, i, bypass_area));
+        part(rate, i, outlet_area) = lag * (asked[i].outlet_in2 - part(state, i, outlet_area));
+    }
+
+    const MovingExcavator& machine_;
+};
+
+/// Simulates a job from one time of the controller to the next.
+class Digging {
+public:
+    Digging(const MovingExcavator& machine, const DigJob& job)
+        : machine_(machine), job_(job), dynamics_(machine), reference_(job, machine.joystick_lag_s),
+          start_(*joint_angles(machine.arm, job.start)),
+          steps_(steps_in(machine.control_period_s, machine.integration_step_s)),
+          late_(static_cast<std::size_t>(std::lround(machine.dead_time_s / machine.integration_step_s))) {
+        for (std::size_t i = 0; i < all_links.size(); ++i) {
+            const LinkMechanics& link = machine.links[i];
+            part(state_, i, inlet_psi) = link.steady_inlet_psi(machine.flow.tank_psi);
+            part(state_, i, bypass_area) = machine.bypass_rest_in2;
+            state_[junctions + i] = machine.flow.tank_psi;
+            dynamics_.asked[i] = {0, machine.bypass_rest_in2, 0};
+        }
+        set_loads();
+    }
+
+    MovingState state(double time_s) const {
+        MovingState now{
+            time_s,           {}, junction_psi(state_, bu), junction_psi(state_, sw), branch(), dynamics_.configuration,
+            reference_.pose()};
+        const ValveFlows flows = dynamics_.flows(state_);
+        for (std::size_t i = 0; i < all_links.size(); ++i)
+            now.links[i] = {part(state_, i, inlet_psi),
+                            angle_rad(i),
+                            part(state_, i, velocity) / arm(i),
+                            dynamics_.load_lbf[i],
+                            {part(state_, i, inlet_area), part(state_, i, bypass_area), part(state_, i, outlet_area)},
+                            flows.inlet[i]};
+        return now;
+    }
+
+    /// Advances by a period of the controller.
+    void advance() {
+        const auto next = controlled();
+        set_loads();
+        for (std::size_t step = 0; step < steps_; ++step) {
+            if (step == late_)
+                dynamics_.asked = next;
+            stepper_.do_step(std::ref(dynamics_), state_, 0.0, machine_.integration_step_s);
+            dynamics_.configuration = next_configuration(dynamics_.configuration, branch(), machine_.cross_over);
+        }
+        reference_.advance(machine_.control_period_s);
+    }
+
+private:
+    double arm(std::size_t link) const { return machine_.links[link].moment_arm_in; }
+    double angle_rad(std::size_t link) const { return start_[link] + part(state_, link, piston_in) / arm(link); }
+
+    BranchPressures branch() const {
+        const double boom = junction_psi(state_, bo), stick = junction_psi(state_, st);
+        return {std::min(junction_psi(state_, bu), boom), boom, std::min(junction_psi(state_, sw), stick), stick};
+    }
+
+    PerLink<OrificeAreas> controlled() const {
+        const JointAngles angles = *joint_angles(machine_.arm, reference_.pose());
+        PerLink<TrackedLink> now;
+        for (std::size_t i = 0; i < all_links.size(); ++i)
+            now[i] = {part(state_, i, inlet_psi), angle_rad(i), part(state_, i, velocity) / arm(i)};
+        return asked_areas(machine_, dynamics_.configuration, now, angles,
+                           joint_rates(machine_.arm, angles, reference_.velocity()));
+    }
+
+    /// Lets the soil oppose the reference's velocity, fully from a few inches a second on.
+    void set_loads() {
+        constexpr double full_in_per_s = 5;
+        const TipPose& v = reference_.velocity();
+        const double force = reference_.soil_lbf() / std::max(std::hypot(v.reach_in, v.height_in), full_in_per_s);
+        JointAngles angles;
+        for (std::size_t i = 0; i < all_links.size(); ++i)
+            angles[i] = angle_rad(i);
+        const auto torques = joint_torques_lbf_in(machine_.arm, angles, -force * v.reach_in, -force * v.height_in);
+        for (Link link : all_links) {
+            const std::size_t i = index_of(link);
+            dynamics_.load_lbf[i] = machine_.links[i].load_lbf - torques[i] / arm(i);
+            if (!(dynamics_.load_lbf[i] > 0))
+                throw UnfitScenario(fmt::format(
+                    "move {}: {:g} lbf of soil lift the {}'s load of {:g} lbf; expected a load above 0",
+                    reference_.move() + 1, reference_.soil_lbf(), name_of(link), machine_.links[i].load_lbf));
+        }
+    }
+
+    const MovingExcavator& machine_;
+    const DigJob& job_;
+    MovingDynamics dynamics_;
+    TipReference reference_;
+    JointAngles start_;
+    std::size_t steps_, late_;
+    MachineState state_{};
+    boost::numeric::odeint::runge_kutta4<MachineState> stepper_;
+};
+
+} // namespace
+
+void simulate_moving(const MovingExcavator& machine, const DigJob& job,
+                     const std::function<void(const MovingState&)>& show) {
+    if (auto move = unreachable_move(job, machine.arm, machine.joystick_lag_s, machine.control_period_s))
+        throw UnfitScenario(fmt::format("move {}: the arm does not reach the tip's path", *move + 1));
+    Digging digging(machine, job);
+    const auto periods = static_cast<std::size_t>(std::lround(job.duration_s() / machine.control_period_s));
+    for (std::size_t i = 0;; ++i) {
+        const double time_s = static_cast<double>(i) * machine.control_period_s;
+        show(digging.state(time_s));
+        if (i == periods)
+            return;
+        digging.advance();
+    }
+}
+
+} // namespace placedpar::hydraulics

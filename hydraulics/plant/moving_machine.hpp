@@ -1,0 +1,41 @@
+#pragma once
+
+#include "hydraulics/circuit/cross_over.hpp"
+#include "hydraulics/circuit/flow_constants.hpp"
+#include "hydraulics/plant/link_mechanics.hpp"
+#include "hydraulics/plant/tip_kinematics.hpp"
+
+namespace placedpar::hydraulics {
+
+/// The gains of the controller of 2.3.2 and what its feedforward leaves over the orifices.
+struct TrackingGains {
+    double proportional_per_s;   ///< of an error in angle
+    double derivative;           ///< of an error in rate
+    double least_flow_in3_per_s; ///< below it, a link is held
+    double inlet_drop_psi, bypass_drop_psi;
+};
+
+/// An excavator whose four links dig: the simplified links and valves of appendix B, the whole main valve with its
+/// cross-over network, and the controller that follows the joysticks.
+///
+/// A link that goes back is not pumped: its load drives it, and the valve throttles its oil to the tank (ours; the
+/// thesis gives no equations for that direction).
+struct MovingExcavator {
+    FlowConstants flow{};
+    CrossOverLimits cross_over{};
+    PerLink<LinkMechanics> links{};
+    ArmLengths arm{};
+    TrackingGains gains{};
+    double joystick_lag_s = 0;
+    double bypass_rest_in2 = 0;               ///< of a valve at rest
+    double dead_time_s = 0;                   ///< of the pilot valves; their lag is LinkMechanics::spool_lag_per_s
+    double branch_compliance_in3_per_psi = 0; ///< of the oil in a pump's line and valve: volume / bulk modulus
+    double laminar_psi = 0;                   ///< drop below which flow is proportional to it
+    double control_period_s = 0;              ///< also the interval between the states that are shown
+    double integration_step_s = 0;
+};
+
+/// Reads the rows that digging_uses() lists (record_scenario.hpp).
+MovingExcavator moving_excavator(const Parameters& parameters);
+
+} // namespace placedpar::hydraulics

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "hydraulics/circuit/boom_orifices.hpp"
+#include "hydraulics/plant/moving_machine.hpp"
+
+namespace placedpar::hydraulics {
+
+/// What the controller reads of a link.
+struct TrackedLink {
+    double inlet_psi, angle_rad, rate_rad_per_s;
+};
+
+/// Returns the areas that the controller of 2.3.2 asks of the four valves. `angles` and `rates` are the reference. A
+/// link whose flow is below the least is held: its inlet and outlet are shut. Neither more flow
+/// than reaches a junction is asked for, nor a pressure at which the relief valve would open.
+PerLink<OrificeAreas> asked_areas(const MovingExcavator&, Configuration, const PerLink<TrackedLink>&,
+                                  const JointAngles& angles, const JointAngles& rates);
+
+} // namespace placedpar::hydraulics

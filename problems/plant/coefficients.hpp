@@ -1,0 +1,56 @@
+#pragma once
+
+#include "gaprocs/policies/policy.hpp"
+#include "gaprocs/representation/parameter_coding.hpp"
+#include "gaprocs/search_problem.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace placedpar {
+
+/// How an error e of prediction enters the fitness, with the bias B: as printed in the thesis (1.7), B - e; or B - |e|;
+/// or with the square of 4.1 and 5.1, B - e^2.
+enum class FitnessForm : unsigned char { as_printed, absolute, square };
+
+/// Identification of the coefficients of the plant of thesis equation 1.3,
+///
+///     y(k) = a1 y(k-1) + a2 y(k-2) + b0 (u(k) + b1 u(k-1)),
+///
+/// with the string a1 | a2 | b0 | b1 of 10 bits each, between -5 and 5 (1.4 to 1.6). As in chapter 5 the input acts one
+/// sample later. The objective is the sum of the fitness over a window of the plant's record, or 0 if the sum is
+/// negative.
+struct CoefficientsProblem {
+    std::vector<Sample> window; ///< as plant_record() returns them
+    FitnessForm form;
+    double bias;
+
+    ParameterCoding representation() const;
+    std::vector<std::string> parameter_names() const { return {"a1", "a2", "b0", "b1"}; }
+    double objective(std::span<const double> coefficients) const;
+};
+
+/// That problem as netlists name it: "coefficients", "coefficients(form = 0, noise = 0.3)".
+struct Coefficients {
+    static constexpr std::string_view name = "coefficients",
+                                      about = "the coefficients of a second-order plant (thesis 1.3, 1.4)";
+    std::size_t form = 2, samples = 30, record = 1;
+    double bias = 10, noise = 0;
+
+    static constexpr auto numbers() {
+        return std::tuple(
+            PolicyNumber{"form", &Coefficients::form, 0, 2,
+                         "an error e in the fitness: 0 for B - e, as 1.7 prints it; 1 for B - |e|; 2 for B - e^2"},
+            PolicyNumber{"bias", &Coefficients::bias, 0, 1e6, "B"},
+            PolicyNumber{"samples", &Coefficients::samples, 1, 1000, "length of the window"},
+            PolicyNumber{"noise", &Coefficients::noise, 0, 1e3, "standard deviation of the white noise (5.8)"},
+            PolicyNumber{"record", &Coefficients::record, 1, 1e6, "number of the record: another input and noise"});
+    }
+    CoefficientsProblem problem() const;
+};
+
+} // namespace placedpar

@@ -1,0 +1,99 @@
+#include "hydraulics/circuit/cross_over.hpp"
+#include "hydraulics/data/parameters.hpp"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <string_view>
+
+using namespace placedpar::hydraulics;
+
+namespace {
+
+constexpr CrossOverLimits limits{1000, 500, 20};
+constexpr std::array<double, 9> pressures{0, 15, 30, 400, 520, 600, 1100, 1700, 2900};
+
+/// Calls work(pressures) for every combination of the pressures.
+void for_all_pressures(auto work) {
+    for (double p12 : pressures)
+        for (double p13 : pressures)
+            for (double p22 : pressures)
+                for (double p23 : pressures)
+                    work(BranchPressures{p12, p13, p22, p23});
+}
+
+/// The rule as a table: where the surpluses go next (tank, boom, stick), by where they go now and by P13 - P23.
+char surplus(char now, double difference_psi) {
+    const std::size_t band = difference_psi < -1000  ? 0
+                             : difference_psi < -500 ? 1
+                             : difference_psi <= 500 ? 2
+                             : difference_psi > 1000 ? 4
+                                                     : 3;
+    return std::string_view(now == 't' ? "stttb" : now == 'b' ? "ttbbb" : "ssstt")[band];
+}
+
+Configuration expected(Configuration now, const BranchPressures& p) {
+    const char letter = name_of(now), from = letter == 'a' ? 't' : letter == 'b' || letter == 'd' ? 'b' : 's';
+    switch (surplus(from, p.p13_psi - p.p23_psi)) {
+    case 'b': return p.p13_psi - p.p12_psi > (letter == 'b' ? 0 : 20) ? Configuration::b : Configuration::d;
+    case 's': return p.p23_psi - p.p22_psi > (letter == 'c' ? 0 : 20) ? Configuration::c : Configuration::e;
+    default: return Configuration::a;
+    }
+}
+
+/// Exchanges the branches.
+Configuration mirrored(Configuration configuration) {
+    constexpr std::array<Configuration, 5> other{Configuration::a, Configuration::c, Configuration::b, Configuration::e,
+                                                 Configuration::d};
+    return other[static_cast<std::size_t>(configuration)];
+}
+
+PerLink<JunctionOpening> at_rest() {
+    PerLink<JunctionOpening> openings;
+    openings.fill({1600, 0, 0.3});
+    return openings;
+}
+
+} // namespace
+
+TEST_CASE("the rule of 2.4 gives the table's configuration for every state and every order of pressures") {
+    for (Configuration now : all_configurations)
+        for_all_pressures([&](const BranchPressures& p) {
+            if (next_configuration(now, p, limits) != expected(now, p))
+                FAIL("from ", name_of(now), " at ", p.p12_psi, " ", p.p13_psi, " ", p.p22_psi, " ", p.p23_psi);
+        });
+}
+
+TEST_CASE("exchanging the branches exchanges b with c and d with e") {
+    for (Configuration now : all_configurations)
+        for_all_pressures([&](const BranchPressures& p) {
+            const BranchPressures other{p.p22_psi, p.p23_psi, p.p12_psi, p.p13_psi};
+            if (next_configuration(mirrored(now), other, limits) != mirrored(next_configuration(now, p, limits)))
+                FAIL("from ", name_of(now));
+        });
+}
+
+TEST_CASE("a machine at rest stays in configuration a, and one boom or one stick at work gets both pumps") {
+    const Parameters& machine = Parameters::excavator();
+    const FlowConstants flow = flow_constants(machine);
+    const CrossOverLimits own = cross_over_limits(machine);
+    CHECK(settled_configuration(Configuration::a, at_rest(), flow, own) == Configuration::a);
+    auto working = [&](Link link, Configuration from) {
+        PerLink<JunctionOpening> openings = at_rest();
+        openings[index_of(link)] = {1600, 0.1, 0.04};
+        return settled_configuration(from, openings, flow, own);
+    };
+    CHECK(working(Link::boom, Configuration::a) == Configuration::d);
+    CHECK(working(Link::boom, Configuration::e) == Configuration::d);
+    CHECK(working(Link::stick, Configuration::a) == Configuration::e);
+    CHECK(working(Link::stick, Configuration::d) == Configuration::e);
+}
+
+TEST_CASE("beside a working boom, a bucket without load that takes its pump's whole flow is alone with it") {
+    const Parameters& machine = Parameters::excavator();
+    PerLink<JunctionOpening> openings = at_rest();
+    openings[index_of(Link::boom)] = {2600, 0.1, 0.05};
+    openings[index_of(Link::bucket)] = {500, 0.4, 0.01};
+    CHECK(settled_configuration(Configuration::d, openings, flow_constants(machine), cross_over_limits(machine)) ==
+          Configuration::b);
+}
