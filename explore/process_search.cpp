@@ -134,6 +134,8 @@ Network load_with(Settings settings, const NetlistAsked& netlist, const ProblemR
                   const WarningSink& warn) {
     const ParsedNetlist parsed(netlist.path, netlist.options);
     ReadResult read = read_with(settings, parsed, netlist.overrides, problems);
+    for (const std::string& included : read.network->included_paths)
+        require_apart(std::span(&netlist.output, 1), included);
     if (searching_processes(*read.network, netlist).size() > 1) {
         settings.erase("population");
         settings.erase("stream");
@@ -193,8 +195,6 @@ ProcessSearch search_by_processes(const NetlistAsked& netlist, const ComplianceS
     for (const char* name : {"boom", "boom-by-voltage"})
         search.problems.add(name, make_search_problem(prepared.problem), searched_samples(prepared));
     search.network = load_with(settings_of(way), netlist, search.problems, warn);
-    for (const std::string& included : search.network.included_paths)
-        require_apart(std::span(&netlist.output, 1), included);
     search.searches = searching_processes(search.network, netlist);
     search.population = whole_population(search.network, netlist, way.search.population);
     search.first = samples_for_first_generation(way);

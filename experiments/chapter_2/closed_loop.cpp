@@ -274,7 +274,7 @@ extern const Experiment closed_loop_experiment{
     .name = "closed-loop",
     .about = "a closed loop masks a leak; a servo-valve's voltage drifts (2.3.2)",
     .chapter = "2",
-    .number = 4,
+    .number = 5,
     .run = replay_closed_loop,
     .seeds = 60,
 };

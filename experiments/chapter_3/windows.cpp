@@ -129,7 +129,7 @@ extern const Experiment windows_experiment{
     .name = "windows",
     .about = "is a window of 10 samples the best (3.4)? Windows of 3 to 60 on the simulated machines",
     .chapter = "3",
-    .number = 10,
+    .number = 11,
     .run = replay_windows,
     .seeds = 60,
 };

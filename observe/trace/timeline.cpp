@@ -26,7 +26,7 @@ bool never_ends(const std::string& process, const RunResult& result) {
 const TraceWindow& require_time_in(const TraceWindow& window) {
     if (window.from >= window.until)
         throw UserError(fmt::format("the trace would begin at {} but end at {}: choose a later end",
-                                    to_string(window.until), to_string(window.from)));
+                                    to_string(window.from), to_string(window.until)));
     return window;
 }
 

@@ -88,7 +88,7 @@ class Identification(unittest.TestCase):
 
     def test_angles_that_are_radians_are_uncertain(self):
         radians = self.rows(lambda row: row[:3] + [str(float(row[3]) * 0.01745)] + row[4:])
-        self.assertRegex(self.boom(radians, "--offset", "none")["flags"][0]["text"], r"^uncertain: .* standard error of \d\d %")
+        self.assertRegex(self.boom(radians, "--offset", "none")["flags"][0]["text"], r"^uncertain: .* standard error is \d\d %")
 
     def test_the_compliance_stands_with_its_standard_error_in_both_systems_of_units(self):
         printed = re.search(r"(?m)^C_BOi +(\S+) +(\S+) +(\S+) +(\S+)", self.identify(STEP))
@@ -120,7 +120,7 @@ class Identification(unittest.TestCase):
             changed = self.result(STEP, option, value)
             self.assertNotEqual(changed["estimates"], plain["estimates"], option)
         self.assertNotEqual(self.result(STEP, "--rising")["estimates"], plain["estimates"])
-        self.assertIn("more than the bias allows (0.5)", self.identify(STEP, "--bias", 0.25))
+        self.assertIn("more than the bias allows (0.5 in^3/s)", self.identify(STEP, "--bias", 0.25))
 
     def test_the_offset_is_not_looked_for_where_no_spool_is_used(self):
         links = self.record("two-links", "--noise", "low")
@@ -274,7 +274,7 @@ class Identification(unittest.TestCase):
                 (("--link", "boom,boom"), "boom is named twice"),
                 (("--link", "boom,"), 'unknown link ""; the links are bucket, boom, stick and swing'),
                 (("--link", "boom,crane"), 'unknown link "crane"'),
-                (("--link", "boom,stick"), "boom,stick are not coupled"),
+                (("--link", "boom,stick"), "boom,stick are not hydraulically coupled"),
                 (("--samples", 4), "--samples 4: expected at least 5"),
                 (("--bits", 1), "--bits: \"1\" is not a whole number from 6 to 52"),
                 (("--population", 10**10), "is not a whole number from 2 to 1000000"),

@@ -89,7 +89,7 @@ class Interruption(unittest.TestCase):
                     run.send_signal(signal.SIGINT)
                     output, errors = run.communicate(timeout=60)
                 self.assertEqual((run.returncode, output), (130, ""), errors)
-                self.assertIn("no table or plot of it was made\n" + said, errors)
+                self.assertIn("no table or plot was made\n" + said, errors)
 
     def test_the_trace_grows_in_its_folder_and_is_whole_in_the_end(self):
         for before in (None, "of an earlier run"):

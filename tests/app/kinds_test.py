@@ -225,7 +225,7 @@ class Kinds(unittest.TestCase):
                 self.assertEqual(said(typed, *form), said(name, *form))
 
     def test_what_a_rate_is_of(self):
-        self.assertRegex(said("ga.island"), r"generations_per_second +1/s +of this process's own population")
+        self.assertRegex(said("ga.island"), r"generations_per_second +1/s +generations of this process's own population")
 
 
 class OtherNames(unittest.TestCase):

@@ -315,9 +315,9 @@ class Refused(Optimise):
     def test_what_is_no_search(self):
         self.refuses('netlist = "small.cfs"\n[set]\nwires = "1..2"\n', "the study has no table [search]")
         self.assertIn("a table [search]", self.optimise("small.cfs", code=1))
-        self.refuses('netlist = "small.cfs"\n[search]\nminimise = []\n', "minimises one measure or two", "refused.toml:2:1")
+        self.refuses('netlist = "small.cfs"\n[search]\nminimise = []\n', "a search minimises one or two measures", "refused.toml:2:1")
         self.refuses('netlist = "small.cfs"\n[search]\nminimise = ["time", "links", "processors"]\n',
-                     "minimises one measure or two")
+                     "a search minimises one or two measures")
         self.refuses('netlist = "small.cfs"\n[search]\nminimize = "time"\n', 'a search has no key "minimize"',
                      'did you mean "minimise"?')
         self.refuses(STUDY.format(minimise='"time"') + "[search]\n", "search")

@@ -55,7 +55,7 @@ class OwnWords(unittest.TestCase):
                 read = subprocess.run([PROGRAM, command, "-"], input=text, capture_output=True, text=True, timeout=60,
                                       check=False)
                 self.assertEqual((read.returncode, read.stdout), (1, ""), (command, text))
-                self.assertIn("error: the netlist is empty" if text else "there is nothing on standard input",
+                self.assertIn("error: the netlist is empty" if text else "standard input is empty or closed",
                               read.stderr)
         path.write_text("T800 a;\n", encoding="utf-8")
         self.assertEqual(placedpar("check", path).returncode, 0)

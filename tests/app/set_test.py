@@ -115,7 +115,7 @@ class Set(unittest.TestCase):
         self.assertIn("set: wire[0].length = 10, for wire[0]\n", run.stdout)
         all_wires = placedpar("run", COMMSTIME, "--set", "wire.length=10").stdout
         self.assertEqual(fingerprint(all_wires), fingerprint(placedpar("run", COMMSTIME, "--set", "length=10").stdout))
-        self.assertIn("hint: there is wire[0] to wire[3]\n",
+        self.assertIn("hint: the names are wire[0] to wire[3]\n",
                       placedpar("run", COMMSTIME, "--set", "wire[4].length=10").stderr)
 
     def test_a_long_list_says_where_all_of_it_is(self):

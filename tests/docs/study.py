@@ -18,8 +18,8 @@ SEEDS = 20
 FEWER_SEEDS = {"faults": 3, "links-at-once": 3, "drain-side": 10, "closed-loop": 6, "logger-rates": 3}  # whose runs take seconds each
 FIGURE = re.compile(r"[+-]?(\d[\d.,]*|\.\d+)(e[+-]?\d+)?%?!?")
 FINGERPRINT = re.compile(r"fingerprint: [0-9a-f]{16}")
-JUDGED = re.compile(r"every judged cell of the first reading is within its tolerance|"
-                    r"a cell of the first reading misses its tolerance")
+JUDGED = re.compile(r"every judged cell (of the first reading )?is within its tolerance|"
+                    r"a cell (of the first reading )?misses its tolerance")
 BOUND = re.compile(r"[<>]= #")  # other seeds may change whether a cell is judged
 VERDICT = re.compile(r"\b(holds under this reading|does not hold|holds|undecided|shown|refuted)\b")
 

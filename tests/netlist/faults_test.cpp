@@ -351,8 +351,8 @@ TEST_CASE("a time-out on a channel that cannot be given up is refused with the r
         return render(read_netlist_text(text, csp()));
     };
     std::string message = refused(routed_streams(""));
-    CHECK(message.find("the channel \"p[0].out -> q[0].in\" travels in packets, which routers carry to their end: its "
-                       "process cannot give up a packet") != std::string::npos);
+    CHECK(message.find("the channel \"p[0].out -> q[0].in\" travels in packets, which routers carry to their end, so "
+                       "its process cannot give up a packet") != std::string::npos);
     CHECK(message.find("hint: a time-out needs a channel within a processor, or with a link of its own") !=
           std::string::npos);
     CHECK(refused(bus_of_two("")).find("leads through the memory of a bus master") != std::string::npos);

@@ -34,7 +34,7 @@ std::vector<std::string> netlists_of_the_guide() {
 
 TEST_CASE("the netlists of the language reference load") {
     auto netlists = netlists_of_the_guide();
-    CHECK(netlists.size() == 10);
+    CHECK(netlists.size() == 9);
     for (const auto& text : netlists) {
         auto result = read_netlist_text(text, small_catalogue());
         INFO(text);

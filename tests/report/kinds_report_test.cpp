@@ -36,8 +36,8 @@ TEST_CASE("a device is described by its attributes, with the model's values as d
     CHECK(contains(print_kind(catalogue, "T414"), "a byte is acknowledged when it has come in"));
     CHECK(contains(print_kind(catalogue, "t800"), "memory                       int     default 4096 "));
     CHECK(print_kind(catalogue, "C004") ==
-          "C004\nA crossbar switch: its crosspoints connect its links to each other. Where "
-          "its link `config` leads to a processor, a program sets them during the run.\n"
+          "C004\nA crossbar switch: its crosspoints connect its links to each other. If "
+          "its link `config` leads to a processor, a program sets the crosspoints during the run.\n"
           "links: 32\nprocesses: a csp.switch_logic, to be set during the run by the "
           "link config\n");
     CHECK(contains(print_kind(catalogue, "VME"), "PRI | RRS | SGL"));

@@ -90,7 +90,7 @@ class Crowd(ServiceTest):
         client.ask(**CONFIGURATION)
         client.ask(**boom(0))
         other = self.client(service)
-        self.assertIn("1 are connected", other.ask(type="forget", machine="digger")["wrong"])
+        self.assertIn("1 are still connected", other.ask(type="forget", machine="digger")["wrong"])
         client.ask(type="bye")
         self.assertIsNone(client.receive())
         self.assertEqual(other.ask(type="forget", machine="digger"), {"type": "forgotten", "text": "digger"})
@@ -122,7 +122,7 @@ class Crowd(ServiceTest):
 
     def test_a_token_that_is_none_is_refused(self):
         for text in ("", "short", "two words of them here", "x" * 1001):
-            self.assertIn("it is not a token", self.refusal("--token-file", self.token_file(text)))
+            self.assertIn("the file has no valid token", self.refusal("--token-file", self.token_file(text)))
         self.assertIn("every user", self.refusal("--token-file", self.token_file(mode=0o644)))
         self.assertIn("cannot be read", self.refusal("--token-file", self.folder / "none"))
 
@@ -140,7 +140,7 @@ class Crowd(ServiceTest):
         client = self.client(service, "digger", path=str(path))
         client.ask(**CONFIGURATION)
         self.assertEqual(client.ask(**boom(0))["samples"], 1)
-        self.assertIn("a program listens there already", self.refusal("--unix", path))
+        self.assertIn("another program already listens on this socket", self.refusal("--unix", path))
         self.assertIn("this is not a socket", self.refusal("--unix", self.token_file()))
         self.assertIn("more than 107 bytes", self.refusal("--unix", "x" * 108))
         _, errors = service.stop(signal.SIGKILL)

@@ -35,7 +35,7 @@ class Options(ServiceTest):
     def test_a_folder_is_no_state_file(self):
         folder = self.folder / "known"
         folder.mkdir()
-        self.assertIn(f"{folder}: it is a folder", self.refusal("--state", folder))
+        self.assertIn(f"{folder}: this is a folder", self.refusal("--state", folder))
         self.assertEqual(list(self.folder.iterdir()), [folder])
 
     def test_a_state_file_in_no_folder_is_refused_by_its_name(self):
