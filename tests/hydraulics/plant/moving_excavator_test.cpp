@@ -1,10 +1,12 @@
 #include "hydraulics/data/parameters.hpp"
 #include "hydraulics/plant/moving_excavator.hpp"
+#include "hydraulics/plant/moving_record.hpp"
 #include "hydraulics/plant/requirement.hpp"
 #include "hydraulics/plant/tracking_control.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -148,6 +150,30 @@ TEST_CASE("the junctions' pressures are mostly those of the steady circuit, and 
     }
     CHECK(static_cast<double>(near) > 0.8 * static_cast<double>(count));
     CHECK(static_cast<double>(right) > 0.98 * static_cast<double>(count));
+}
+
+TEST_CASE("a record without noise holds the motion's readings and its configurations") {
+    const MovingExcavator machine = moving_excavator(Parameters::excavator());
+    const std::vector<MovingState> states = motion(machine, cycle());
+    const Record record = measure_moving(machine, cycle(), no_noise, [] { return 0.5; });
+    REQUIRE(record.size() == states.size());
+    REQUIRE(record.configuration.size() == states.size());
+    CHECK(record.time_s.back() == doctest::Approx(cycle().duration_s()));
+    double worst_psi = 0, worst_deg = 0, worst_in2 = 0;
+    for (std::size_t s = 0; s < states.size(); ++s) {
+        CHECK(record.configuration[s] == name_of(states[s].configuration));
+        for (Link link : all_links) {
+            const MovingLink& now = states[s].links[index_of(link)];
+            auto off = [&](Sensor sensor, double value) { return std::abs(record.of(link, sensor)[s] - value); };
+            worst_psi = std::max(worst_psi, off(Sensor::inlet_pressure, now.inlet_psi));
+            worst_deg = std::max(worst_deg, off(Sensor::angle, now.angle_rad / rad));
+            worst_in2 = std::max({worst_in2, off(Sensor::inlet_area, now.areas.inlet_in2),
+                                  off(Sensor::bypass_area, now.areas.bypass_in2)});
+        }
+    }
+    CHECK(worst_psi <= pressure_resolution_psi);
+    CHECK(worst_deg <= 2 * angle_resolution_deg);
+    CHECK(worst_in2 <= area_resolution_in2);
 }
 
 TEST_CASE("half the integration step gives the same motion") {
