@@ -12,7 +12,7 @@ using namespace identification;
 namespace {
 
 BadMessage in_words_of_protocol(const NoConfiguration&) {
-    return {"type", "a sample before any configuration",
+    return {"type", "a sample arrived before the configuration",
             "first {\"type\":\"configuration\",\"configuration\":\"a\",\"active\":[\"BU\",\"BO\"]}"};
 }
 

@@ -57,7 +57,8 @@ TEST_CASE("each step decided by a parameter is listed with the policies that the
 TEST_CASE("steps decided by numbers, the problem or connections are listed with their netlist form") {
     Known known;
     CHECK(says(print_policy(known.catalogue, "best"), "\n  in a netlist: elite = 1\n  source: K. De Jong, 1975\n"));
-    CHECK(says(print_policy(known.catalogue, "Distributed Fitness"), "\n\ndistributed\n  each island has its own window"));
+    CHECK(says(print_policy(known.catalogue, "Distributed Fitness"),
+               "\n\ndistributed\n  each island has its own window"));
     CHECK(says(print_policy(known.catalogue, "permutation"), "problem = \"tour-circle(cities = 12)\""));
     CHECK(says(print_policy(known.catalogue, "spread"), "\n  in a netlist: initial = \"spread\"\n"));
     std::string star = print_policy(known.catalogue, "star"); // of islands, and of a master and its slaves

@@ -76,6 +76,6 @@ TEST_CASE("a plot is drawn over the axis with the most numbers, with at most eig
     CHECK(panel.series[0].name == "kind = a");
     CHECK(panel.series[0].points.size() == 2);
     add("one too many", "1");
-    CHECK_THROWS_WITH_AS(summary_plot(summary), doctest::Contains("more than 8 curves cannot be told apart"),
+    CHECK_THROWS_WITH_AS(summary_plot(summary), doctest::Contains("more than 8 curves, too many to tell apart"),
                          UserError);
 }

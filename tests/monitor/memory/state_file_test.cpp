@@ -372,11 +372,11 @@ TEST_CASE("a file that is not a state file is refused with its kind and a remedy
     CHECK(refusal("state").find("state.journal exists, the journal of an earlier placedpar monitor") !=
           std::string::npos);
     scratch.write("state-wal", "");
-    CHECK(refusal("state").find("what was written to it last is: ") != std::string::npos);
+    CHECK(refusal("state").find("its last changes are in ") != std::string::npos);
     std::filesystem::create_directory(scratch / "folder");
-    CHECK(refusal("folder").find("it is a folder, no state file") != std::string::npos);
+    CHECK(refusal("folder").find("this is a folder, not a state file") != std::string::npos);
     std::filesystem::create_symlink(scratch / "nothing", scratch / "link");
-    CHECK(refusal("link").find("a symbolic link to a file that is not there") != std::string::npos);
+    CHECK(refusal("link").find("this symbolic link leads to a missing file") != std::string::npos);
 }
 
 TEST_CASE("another program's database, another version and other settings are refused and left alone") {
