@@ -2,6 +2,7 @@
 #include "app/options/common_options.hpp"
 #include "app/options/link_options.hpp"
 #include "app/options/netlist_options.hpp"
+#include "app/record/dig_job_file.hpp"
 #include "app/record/scenario_record.hpp"
 #include "app/standard_error.hpp"
 #include "explore/load.hpp"
@@ -13,6 +14,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +26,7 @@ namespace {
 
 /// The options of the command.
 struct RecordOptions {
-    std::string scenario, links, configuration, noise, machine, out;
+    std::string scenario, job, links, configuration, noise, machine, out;
     std::vector<std::string> set;
     std::uint64_t seed = 1;
     bool list = false;
@@ -43,16 +45,30 @@ void require_output(const RecordOptions& options) {
     if (options.out.empty())
         return;
     const std::filesystem::path output[] = {options.out};
-    require_apart(output, options.machine);
+    for (const std::string& input : {options.machine, options.job})
+        require_apart(output, input);
     require_writable(options.out);
+}
+
+const RecordScenario& scenario_of(const RecordOptions& options) {
+    const RecordScenario& scenario = scenario_called(options.scenario);
+    if (options.job.empty())
+        return scenario;
+    if (scenario.name != digging_scenario().name)
+        throw UserError(fmt::format("--job {}: {} takes no job; the scenario {} does", options.job, scenario.name,
+                                    digging_scenario().name));
+    return digging_scenario();
 }
 
 /// Returns the output of the command: the record, or with --list the scenario's parameters.
 std::string text_of(const RecordOptions& options) {
-    const RecordScenario& scenario = scenario_called(options.scenario);
+    const RecordScenario& scenario = scenario_of(options);
     LinksInMotion moving = moving_of(options, scenario);
     Parameters parameters = scenario_parameters(scenario, load_machine(options.machine, print_warnings), options.noise,
                                                 overrides_of(options.set));
+    std::optional<DigJob> job;
+    if (!options.job.empty())
+        moving.job = &job.emplace(load_dig_job(options.job, moving_excavator(parameters)));
     return options.list ? list_parameters(scenario, parameters)
                         : print_record(scenario_record(scenario, moving, parameters, options.seed));
 }
@@ -69,6 +85,9 @@ ExitCode record(const RecordOptions& options) {
 
 void declare_options(Options& command, RecordOptions& options) {
     command.add("SCENARIO", options.scenario, "one of the scenarios below").required();
+    add_file(command, "--job", options.job,
+             "file of the operator's moves, for the scenario \"excavator\": all links dig, and the record's last "
+             "column is the configuration of the main valve");
     add_links(command, options.links, "links that move, for the scenario \"links\"; default: bucket,boom");
     add_configuration(command, options.configuration,
                       "configuration of the main valve, for the scenario \"links\"; default: a");

@@ -1,6 +1,8 @@
 #include "app/record/scenario_record.hpp"
 
 #include "hydraulics/data/units.hpp"
+#include "hydraulics/plant/dig_job.hpp"
+#include "hydraulics/plant/requirement.hpp"
 #include "runtime/random.hpp"
 #include "text/program_name.hpp"
 #include "text/user_error.hpp"
@@ -36,6 +38,8 @@ Record simulated(const RecordScenario& scenario, const LinksInMotion& moving, co
                  RandomStream noise) {
     try {
         return scenario.make(parameters, moving, [&] { return noise.uniform(); });
+    } catch (const UnfitScenario& unfit) { // from a job: the soil may lift a load
+        throw UserError(moving.job ? fmt::format("--job {}: {}", moving.job->name, unfit.what()) : unfit.what());
     } catch (const std::domain_error&) { // from Boost's solver: the flows at the ends of the interval have equal signs
         throw UserError(fmt::format("{} cannot be simulated with these parameters: no pressure balances the "
                                     "flows; some parameter is far too large or far too small",
@@ -43,8 +47,12 @@ Record simulated(const RecordScenario& scenario, const LinksInMotion& moving, co
     }
 }
 
-/// Returns the options of `placedpar record` for these links and this configuration.
-std::string options_of(const LinksInMotion& moving) {
+/// Returns the options of `placedpar record` for what moves.
+std::string options_of(const LinksInMotion& moving, const RecordScenario& scenario) {
+    if (moving.job)
+        return fmt::format(" --job {}", moving.job->name);
+    if (!scenario.any_links)
+        return "";
     std::vector<std::string_view> names;
     for (Link link : all_links)
         if (moving.links.contains(link))
@@ -92,7 +100,7 @@ std::string description_of(const RecordScenario& scenario, const LinksInMotion& 
                            std::uint64_t seed) {
     auto [options, lines] = changes_of(scenario, parameters);
     std::string command = fmt::format("{} record {}{} --seed {}{}", program_name(), scenario.name,
-                                      scenario.any_links ? options_of(moving) : "", seed, options);
+                                      options_of(moving, scenario), seed, options);
     return fmt::format("{}: {}\nmade by: {}\nseed {}; {}\n{}{}\n", scenario.name, scenario.about, command, seed,
                        lines.empty() ? "every parameter has the program's default value"
                                      : "parameters that differ from the program's defaults:",

@@ -36,8 +36,8 @@ namespace placedpar {
 /// read is meaningless: call refuse_if_failed() before using any value.
 class TomlReader {
 protected:
-    /// Throws RefusedInput if the text cannot be read.
-    explicit TomlReader(const std::string& path) {
+    /// Reads a file of this kind. Throws RefusedInput if the text cannot be read.
+    explicit TomlReader(const std::string& path, std::string_view kind = "study") : kind_(kind) {
         LoadedSource loaded = load_input(path);
         source_ = loaded.file;
         if (has_errors(loaded.problems))
@@ -50,7 +50,8 @@ protected:
         try {
             return toml::parse(source_->text(), source_->path());
         } catch (const toml::parse_error& error) {
-            report(error.source().begin, described(error), "a study is written in TOML: https://toml.io");
+            report(error.source().begin, described(error),
+                   fmt::format("a {} is written in TOML: https://toml.io", kind_));
         }
         refuse_if_failed();
         return {};
@@ -106,9 +107,12 @@ protected:
         return names;
     }
 
-    static std::string hint_for(const std::string& name, const Handlers& handlers) {
-        std::string meant = did_you_mean(name, names_of(handlers));
-        return meant.empty() ? "write settings of the netlist below [set]" : meant;
+    std::string hint_for(const std::string& name, const Handlers& handlers) const {
+        const std::vector<std::string> names = names_of(handlers);
+        if (std::string meant = did_you_mean(name, names); !meant.empty())
+            return meant;
+        return kind_ == "study" ? "write settings of the netlist below [set]"
+                                : fmt::format("its keys are {}", fmt::join(names, ", "));
     }
 
     std::vector<const toml::table*> tables_in(const toml::node& node, const char* what, const char* form) {
@@ -192,6 +196,7 @@ protected:
     }
 
 private:
+    std::string kind_;
     std::shared_ptr<const SourceFile> source_;
     Reporter reporter_;
     std::set<std::tuple<toml::source_index, toml::source_index, std::string>>

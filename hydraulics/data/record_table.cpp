@@ -302,11 +302,12 @@ std::string print_record(const Record& record) {
                                     units_of(quantity_of(sensor)).front().name);
                 channels.push_back({&record.of(link, sensor), quantity_of(sensor) == Quantity::pressure ? 4 : 7});
             }
-    text += '\n';
-    for (std::size_t i = 0; i < record.size(); ++i)
+    text += record.configuration.empty() ? "\n" : ",configuration\n";
+    for (std::size_t i = 0; i < record.size(); ++i) {
         for (std::size_t c = 0; c < channels.size(); ++c)
-            text +=
-                print_number((*channels[c].values)[i], channels[c].decimals) + (c + 1 == channels.size() ? '\n' : ',');
+            text += (c == 0 ? "" : ",") + print_number((*channels[c].values)[i], channels[c].decimals);
+        text += record.configuration.empty() ? "\n" : fmt::format(",{}\n", record.configuration[i]);
+    }
     return text;
 }
 

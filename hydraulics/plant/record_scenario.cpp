@@ -3,6 +3,7 @@
 #include "hydraulics/plant/boom_sensors.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
+#include "hydraulics/plant/moving_record.hpp"
 
 #include <fmt/format.h>
 
@@ -113,6 +114,19 @@ Record record_links(const Parameters& parameters, const LinksInMotion& moving, c
     return simulate_and_measure(step_scenario(moving.configuration, moving.links, parameters), parameters, uniform);
 }
 
+bool digging_uses(std::string_view name) {
+    if (name == "oil.bulk_modulus" || name == "valve.dead_time" || name == "valve.drain_laminar")
+        return true;
+    if (name == "controller.asked_flow" || name.starts_with("fault.") || name == "two_links.duration" ||
+        name == "two_links.integration_step")
+        return false;
+    return links_use(name) || in_group(name, {"cross_over.", "pipe.", "arm.", "joystick.", "tracking.", "digging."});
+}
+
+Record record_digging(const Parameters& parameters, const LinksInMotion& moving, const UniformSource& uniform) {
+    return measure_moving(moving_excavator(parameters), *moving.job, measurement_noise(parameters), uniform);
+}
+
 constexpr std::array<RecordScenario, 5> scenarios{{
     {"scenario-a", "the simple plant, a step to 4 deg/s of boom", as_they_are, scenario_a_uses, record_scenario_a},
     {"scenario-b", "the simple plant made heavy and slow, a ramp to 4 deg/s of boom", with_machine_of_b,
@@ -128,6 +142,13 @@ constexpr std::array<RecordScenario, 5> scenarios{{
 } // namespace
 
 std::span<const RecordScenario> record_scenarios() { return scenarios; }
+
+const RecordScenario& digging_scenario() {
+    static constexpr RecordScenario digging{
+        "excavator", "all links of the simplified machine, which a job moves through the cross-over network",
+        as_they_are, digging_uses, record_digging};
+    return digging;
+}
 
 const RecordScenario* record_scenario_named(std::string_view name) {
     const auto* found = std::ranges::find(scenarios, name, &RecordScenario::name);

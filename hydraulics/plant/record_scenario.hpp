@@ -11,10 +11,13 @@
 
 namespace placedpar::hydraulics {
 
-/// The moving links and the configuration of the main valve.
+struct DigJob; // hydraulics/plant/dig_job.hpp
+
+/// The moving links and the configuration of the main valve, or a job.
 struct LinksInMotion {
     Configuration configuration = Configuration::a;
     LinkSet links;
+    const DigJob* job = nullptr; ///< not null for digging_scenario(), whose links and configurations follow from it
 };
 
 /// A motion of a simulated machine that can be recorded.
@@ -35,6 +38,9 @@ struct RecordScenario {
 /// Returns the scenarios: scenario-a and scenario-b of the simple plant, two-links and links of appendix B, and
 /// excavator, the measured machine.
 std::span<const RecordScenario> record_scenarios();
+
+/// Returns the scenario in which an excavator does a job. It is not among record_scenarios(), since it takes the job.
+const RecordScenario& digging_scenario();
 
 /// Returns null if there is no such scenario.
 const RecordScenario* record_scenario_named(std::string_view name);

@@ -3,12 +3,15 @@
 import json
 import pathlib
 import re
+import statistics
 import tempfile
+import tomllib
 import unittest
 
 from program import EXAMPLES, placedpar
 
 RECORDS = EXAMPLES / "hydraulics" / "records"
+DIG = EXAMPLES / "hydraulics" / "digging" / "dig.toml"
 SCENARIOS = ("scenario-a", "scenario-b", "two-links", "links", "excavator")
 
 
@@ -24,6 +27,13 @@ def columns(text):
     lines = [line for line in text.splitlines() if not line.startswith("#")]
     rows = [[float(cell) for cell in line.split(",")] for line in lines[1:]]
     return {name.split(" [")[0]: [row[i] for row in rows] for i, name in enumerate(lines[0].split(","))}
+
+
+def with_configuration(text):
+    """Returns the values of a record by column name, and the text of its last column."""
+    lines = [line.rpartition(",") for line in text.splitlines() if not line.startswith("#")]
+    assert lines[0][2] == "configuration", lines[0]
+    return columns("\n".join(line[0] for line in lines)), "".join(line[2] for line in lines[1:])
 
 
 class Records(unittest.TestCase):
@@ -197,6 +207,113 @@ class Records(unittest.TestCase):
         self.assertIn("binary", self.refused("identify", rubbish))
         rubbish.write_bytes(b"")
         self.assertIn("the header is missing", self.refused("identify", rubbish))
+
+
+class Jobs(unittest.TestCase):
+    """Tests records of an excavator that does a job."""
+
+    START = "start = {reach = 300, height = -20, pitch = -60, swing = 0}\n"
+    LOWER = "[[move]]\nseconds = 1\n[[move]]\nseconds = 2\nheight = -20\n"
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.job = self.folder / "job.toml"
+        self.job.write_text(self.START + self.LOWER, encoding="utf-8")
+
+    def refused(self, text, *arguments):
+        """Returns the lines of the message about a wrong job; nothing is written."""
+        self.job.write_text(text, encoding="utf-8")
+        out = self.folder / "record.csv"
+        run = placedpar("record", "excavator", "--job", "job.toml", "--out", out, *arguments, folder=self.folder)
+        self.assertEqual((run.returncode, run.stdout), (1, ""), run.stderr)
+        self.assertFalse(out.exists())
+        return run.stderr.splitlines()
+
+    def dig(self, *arguments):
+        """Returns the columns of a record of the short job, and its configurations."""
+        return with_configuration(record("excavator", "--job", self.job, *arguments))
+
+    def test_the_record_lasts_as_long_as_the_job_and_the_configuration_changes(self):
+        job = tomllib.loads(DIG.read_text(encoding="utf-8"))
+        values, configuration = with_configuration(record("excavator", "--job", DIG))
+        self.assertEqual(values["time"][0], 0)
+        self.assertAlmostEqual(values["time"][-1], job["repeat"] * sum(move["seconds"] for move in job["move"]))
+        self.assertEqual({name.split(".")[0] for name in values} - {"time"}, {"bucket", "boom", "stick", "swing"})
+        self.assertLessEqual(set(configuration), set("abcde"))
+        self.assertGreaterEqual(len(set(configuration)), 3)
+        self.assertEqual(configuration[0], "a")
+        self.assertGreater(max(values["swing.angle"]) - min(values["swing.angle"]), 30)
+
+    def test_the_same_seed_gives_the_same_bytes_and_another_gives_other_noise_on_the_same_motion(self):
+        first = record("excavator", "--job", self.job, "--seed", 5)
+        self.assertEqual(first, record("excavator", "--job", self.job, "--seed", 5))
+        values, configuration = with_configuration(first)
+        others, same = self.dig("--seed", 6)
+        self.assertNotEqual(values["boom.inlet_pressure"], others["boom.inlet_pressure"])
+        self.assertEqual(configuration, same)
+
+    def test_the_noise_has_the_stated_deviations(self):
+        exact, configuration = self.dig("--noise", "none")
+        for level, psi, deg, share in (("low", 2, 0.003, 0.001), ("mid", 5, 0.005, 0.002), ("high", 10, 0.01, 0.004)):
+            noisy, same = self.dig("--noise", level)
+            self.assertEqual(configuration, same)
+            for name in set(exact) - {"time"}:
+                pairs = [(n, e) for n, e in zip(noisy[name], exact[name], strict=True)
+                         if not name.endswith("area") or e > 0.001]
+                area = name.endswith("area")
+                errors = [(n - e) / (e if area else 1) for n, e in pairs]
+                if len(errors) < 100: # the inlet of a link that hardly moves
+                    continue
+                stated = psi if name.endswith("pressure") else share if area else deg
+                self.assertAlmostEqual(statistics.pstdev(errors) / stated, 1, delta=0.25, msg=f"{level} {name}")
+
+    def test_a_records_own_description_makes_it_again(self):
+        text = record("excavator", "--job", self.job, "--seed", 3, "--noise", "low", "--set", "cross_over.shift=900")
+        command = re.search(r"^# made by: placedpar record (.*)$", text, re.MULTILINE)[1]
+        self.assertEqual(record(*command.split()), text)
+        self.assertEqual(len(re.findall(r"true \w+\.inlet_compliance", text)), 4)
+
+    def test_a_wrong_job_is_refused_with_line_and_cure(self):
+        for text, place, said, cure in (
+                (self.START + "[[move]]\nsecond = 1\n", "3:1", 'a move has no key "second"', 'did you mean "seconds"?'),
+                (self.START + "turbo = 1\n" + self.LOWER, "2:1", 'a job has no key "turbo"',
+                 "its keys are about, move, repeat, start"),
+                (self.START + "[[move]]\nreach = 5\n", "2:1", "a move lasts some time", "seconds = 2"),
+                (self.START + "[[move]]\nseconds = 2\nreach = -200\n", "2:1", "the arm does not reach", "a shorter or slower move"),
+                ("repeat = 300\n" + self.START + self.LOWER, "3:1", "the job lasts 900 s, expected at most 600", "a smaller repeat"),
+                (self.LOWER, "1:1", "a job has a start and at least one move", "start = {reach = 300"),
+                (self.START, "1:1", "a job has a start and at least one move", "[[move]]"),
+                ("start = 3\n" + self.LOWER, "1:9", "it takes a pose", "start = {reach = 300"),
+                (self.START + "[[move]]\nseconds = \n", "3:", "", "a job is written in TOML")):
+            message = self.refused(text)
+            self.assertRegex(message[0], rf"^job\.toml:{place}.*error: .*{re.escape(said)}", text)
+            self.assertRegex("\n".join(message), rf"(?m)^hint: .*{re.escape(cure)}", text)
+        for value in ("nan", "inf", "-1", '"4"', "1e9", "0", "true"):
+            self.assertRegex(self.refused(f"{self.START}[[move]]\nseconds = {value}\n")[0],
+                             r"^job\.toml:3:11: error: it takes a number from 0.02 to 600$")
+
+    def test_a_soil_that_lifts_the_machine_is_refused_with_the_move(self):
+        said = self.refused(self.START + self.LOWER + "soil = 1e6\n")
+        self.assertRegex(said[0], r"^placedpar: --job job\.toml: move 2: 1e\+06 lbf of soil lift the \w+'s load")
+
+    def test_any_beginning_of_a_job_is_read_or_refused(self):
+        text = DIG.read_text(encoding="utf-8")
+        for end in range(0, len(text), 97):
+            self.job.write_text(text[:end], encoding="utf-8")
+            run = placedpar("record", "excavator", "--job", self.job, "--list")
+            self.assertIn(run.returncode, (0, 1), run.stderr)
+
+    def test_the_job_belongs_to_one_scenario(self):
+        said = "--job job.toml: links takes no job; the scenario excavator does"
+        run = placedpar("record", "links", "--job", "job.toml", folder=self.folder)
+        self.assertEqual((run.returncode, run.stderr), (1, f"placedpar: {said}\n"))
+        run = placedpar("record", "excavator", "--job", self.job, "--set", "fault.leak=1")
+        self.assertEqual(run.returncode, 1)
+        run = placedpar("record", "excavator", "--job", self.job, "--out", self.job)
+        self.assertEqual(run.returncode, 1)
+        self.assertEqual(self.job.read_text(encoding="utf-8"), self.START + self.LOWER)
 
 
 if __name__ == "__main__":

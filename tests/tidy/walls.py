@@ -62,7 +62,7 @@ BELOW = {
     "experiments/machine": ["experiments/kit"],
     "app": ["explore", "observe/page"],
     "app/generation": ["gaprocs", "picture"],
-    "app/record": ["hydraulics/plant", "netlist"],
+    "app/record": ["explore/study", "hydraulics/plant"],
     "app/options": ["app"],
     "app/identify": ["app/options", "identification/report"],
     "app/mpi": ["explore/study"],

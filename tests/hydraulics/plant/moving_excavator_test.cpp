@@ -1,9 +1,12 @@
 #include "hydraulics/data/parameters.hpp"
 #include "hydraulics/plant/moving_excavator.hpp"
+#include "hydraulics/plant/moving_record.hpp"
 #include "hydraulics/plant/requirement.hpp"
+#include "hydraulics/plant/tracking_control.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -94,6 +97,83 @@ TEST_CASE("the tip follows its reference while the configuration changes") {
     for (char each : {'a', 'c', 'd', 'e'})
         CHECK(seen.find(each) != std::string::npos);
     CHECK(seen.size() < 20); // the valves do not chatter
+}
+
+TEST_CASE("the pilot valves answer each command after their dead time like exp(-a_0 t)") {
+    const MovingExcavator machine = moving_excavator(Parameters::excavator());
+    const std::vector<MovingState> states = motion(machine, cycle());
+    const DigJob job = cycle();
+    TipReference reference(job, machine.joystick_lag_s);
+    auto asked = [&](const MovingState& state) {
+        PerLink<TrackedLink> now;
+        for (std::size_t i = 0; i < now.size(); ++i)
+            now[i] = {state.links[i].inlet_psi, state.links[i].angle_rad, state.links[i].rate_rad_per_s};
+        const JointAngles angles = *joint_angles(machine.arm, reference.pose());
+        return asked_areas(machine, state.configuration, now, angles,
+                           joint_rates(machine.arm, angles, reference.velocity()));
+    };
+    const double lag = machine.links[0].spool_lag_per_s, late = std::exp(-lag * machine.dead_time_s),
+                 rest = std::exp(-lag * (machine.control_period_s - machine.dead_time_s));
+    PerLink<OrificeAreas> before;
+    before.fill({0, machine.bypass_rest_in2, 0});
+    double worst = 0, largest = 0;
+    for (std::size_t s = 0; s + 1 < states.size(); ++s) {
+        const PerLink<OrificeAreas> now = asked(states[s]);
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            const double start = states[s].links[i].areas.inlet_in2;
+            const double middle = before[i].inlet_in2 + (start - before[i].inlet_in2) * late;
+            const double end = now[i].inlet_in2 + (middle - now[i].inlet_in2) * rest;
+            worst = std::max(worst, std::abs(end - states[s + 1].links[i].areas.inlet_in2));
+            largest = std::max(largest, start);
+        }
+        before = now;
+        reference.advance(machine.control_period_s);
+    }
+    CHECK(largest > 0.05);
+    CHECK(worst < 1e-9);
+}
+
+TEST_CASE("the junctions' pressures are mostly those of the steady circuit, and the configuration follows from them") {
+    const MovingExcavator machine = moving_excavator(Parameters::excavator());
+    std::size_t near = 0, right = 0, count = 0;
+    Configuration seen = Configuration::a;
+    for (const MovingState& state : motion(machine, cycle())) {
+        PerLink<JunctionOpening> openings;
+        for (std::size_t i = 0; i < openings.size(); ++i)
+            openings[i] = {state.links[i].inlet_psi, state.links[i].areas.inlet_in2, state.links[i].areas.bypass_in2};
+        const BranchPressures steady = branch_pressures(state.configuration, openings, machine.flow);
+        auto close = [](double a, double b) { return std::abs(a - b) < 25 + 0.05 * b; };
+        near += close(state.branch.p13_psi, steady.p13_psi) && close(state.branch.p23_psi, steady.p23_psi);
+        seen = settled_configuration(seen, openings, machine.flow, machine.cross_over);
+        right += seen == state.configuration;
+        ++count;
+    }
+    CHECK(static_cast<double>(near) > 0.8 * static_cast<double>(count));
+    CHECK(static_cast<double>(right) > 0.98 * static_cast<double>(count));
+}
+
+TEST_CASE("a record without noise holds the motion's readings and its configurations") {
+    const MovingExcavator machine = moving_excavator(Parameters::excavator());
+    const std::vector<MovingState> states = motion(machine, cycle());
+    const Record record = measure_moving(machine, cycle(), no_noise, [] { return 0.5; });
+    REQUIRE(record.size() == states.size());
+    REQUIRE(record.configuration.size() == states.size());
+    CHECK(record.time_s.back() == doctest::Approx(cycle().duration_s()));
+    double worst_psi = 0, worst_deg = 0, worst_in2 = 0;
+    for (std::size_t s = 0; s < states.size(); ++s) {
+        CHECK(record.configuration[s] == name_of(states[s].configuration));
+        for (Link link : all_links) {
+            const MovingLink& now = states[s].links[index_of(link)];
+            auto off = [&](Sensor sensor, double value) { return std::abs(record.of(link, sensor)[s] - value); };
+            worst_psi = std::max(worst_psi, off(Sensor::inlet_pressure, now.inlet_psi));
+            worst_deg = std::max(worst_deg, off(Sensor::angle, now.angle_rad / rad));
+            worst_in2 = std::max({worst_in2, off(Sensor::inlet_area, now.areas.inlet_in2),
+                                  off(Sensor::bypass_area, now.areas.bypass_in2)});
+        }
+    }
+    CHECK(worst_psi <= pressure_resolution_psi);
+    CHECK(worst_deg <= 2 * angle_resolution_deg);
+    CHECK(worst_in2 <= area_resolution_in2);
 }
 
 TEST_CASE("half the integration step gives the same motion") {

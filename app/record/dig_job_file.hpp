@@ -1,0 +1,26 @@
+#pragma once
+
+#include "hydraulics/plant/dig_job.hpp"
+#include "hydraulics/plant/moving_excavator.hpp"
+
+#include <string>
+
+namespace placedpar {
+
+/// Reads what an operator does from a file of TOML:
+///
+///     about = "a trench"
+///     repeat = 3                                                          # the moves; 1 if not given
+///     start = {reach = 300, height = -20, pitch = -60, swing = 0}         # in, in, deg, deg
+///
+///     [[move]]
+///     seconds = 4
+///     reach = -25                                                         # in/s; what is not given is 0
+///     pitch = -4                                                          # deg/s
+///     soil = 1500                                                         # lbf
+///
+/// Throws RefusedInput, with lines, for a wrong key or value, for more than ten minutes, and for a move that leaves the
+/// arm's reach.
+hydraulics::DigJob load_dig_job(const std::string& path, const hydraulics::MovingExcavator&);
+
+} // namespace placedpar

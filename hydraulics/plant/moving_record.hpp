@@ -1,0 +1,14 @@
+#pragma once
+
+#include "hydraulics/data/record.hpp"
+#include "hydraulics/plant/measurement.hpp"
+#include "hydraulics/plant/moving_excavator.hpp"
+
+namespace placedpar::hydraulics {
+
+/// Simulates a job and reads inlet pressure, angle and the areas of inlet and bypass of every link at the controller's
+/// times, with noise, in this order, link after link. The record also holds the true configuration. Throws as
+/// simulate_moving() does.
+Record measure_moving(const MovingExcavator&, const DigJob&, const MeasurementNoise&, const UniformSource& uniform);
+
+} // namespace placedpar::hydraulics
