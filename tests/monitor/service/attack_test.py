@@ -88,7 +88,7 @@ class Flood(ServiceTest):
         self.assertEqual({client.welcome["type"] for client in strangers}, {"welcome"})
         self.assertIn("already has 4 clients", self.client(service, "one-more").welcome["wrong"])
         self.assertEqual(self.client(service, "known").welcome["samples"], KNOWN)
-        self.assertIn("a machine that is known", strangers[0].receive()["wrong"])
+        self.assertIn("a client of a known machine", strangers[0].receive()["wrong"])
 
     def test_known_machines_of_a_flooder_lock_nobody_out(self):
         path = str(self.folder / "socket")
@@ -203,7 +203,7 @@ class Files(ServiceTest):
         self.assertEqual(client.ask(**boom(20))["kept"], False)
         time.sleep(1.5)
         self.assertEqual(self.state.read_text(), "somebody else's")
-        self.assertIn("something else is in its place", service.said() + json.dumps(
+        self.assertIn("another file is in its place", service.said() + json.dumps(
             self.client(service, "digger", role="watch").receive()))
         self.state.unlink()
         client.receive_type("estimates")
@@ -300,7 +300,7 @@ class Logs(ServiceTest):
         log.rename(self.folder / "log.1")
         process.send_signal(signal.SIGHUP)
         end = time.monotonic() + SECONDS
-        while not log.exists() or "opened anew" not in log.read_text():
+        while not log.exists() or "the log was reopened" not in log.read_text():
             self.assertLess(time.monotonic(), end)
             time.sleep(0.02)
         self.client(service, "after")
@@ -324,7 +324,7 @@ class Logs(ServiceTest):
             self.assertEqual(self.client(service).ask(type="ping"), {"type": "pong"})
             said = service.stop()[1]
             self.assertIn(why, said)
-            self.assertEqual(said.count("systemd is not told"), 1)
+            self.assertEqual(said.count("to systemd: NOTIFY_SOCKET is"), 1)
 
 
 class Streams(ServiceTest):
