@@ -321,7 +321,7 @@ class Refused(Optimise):
         self.refuses('netlist = "small.cfs"\n[search]\nminimize = "time"\n', 'a search has no key "minimize"',
                      'did you mean "minimise"?')
         self.refuses(STUDY.format(minimise='"time"') + "[search]\n", "search")
-        self.refuses(STUDY.format(minimise='"time"').replace("[search]", "[[search]]"), "a study has one search")
+        self.refuses(STUDY.format(minimise='"time"').replace("[search]", "[[search]]"), "the search must be a single table")
         for size, message in (("population = 3", "at least 4"), ("population = 10001", "at most 10000"),
                               ("generations = 0", "at least 1"), ("generations = 1000001", "at most 1000000")):
             name = size.split(" = ", maxsplit=1)[0]

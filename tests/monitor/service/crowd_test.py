@@ -141,7 +141,7 @@ class Crowd(ServiceTest):
         client.ask(**CONFIGURATION)
         self.assertEqual(client.ask(**boom(0))["samples"], 1)
         self.assertIn("another program already listens on this socket", self.refusal("--unix", path))
-        self.assertIn("this is not a socket", self.refusal("--unix", self.token_file()))
+        self.assertIn("is not a socket", self.refusal("--unix", self.token_file()))
         self.assertIn("more than 107 bytes", self.refusal("--unix", "x" * 108))
         _, errors = service.stop(signal.SIGKILL)
         self.assertIn(f"of user {os.getuid()} is its control system", errors)
