@@ -23,20 +23,17 @@ namespace {
 constexpr std::size_t lengths[]{3, 5, 7, 10, 15, 20, 30, 60};
 constexpr std::size_t thesis_length = 3; // index of 10 in `lengths`
 
-/// A plant, the noise of its sensors, and the lengths whose error is expected to be below that of the thesis's length.
+/// A plant, and the noise of its sensors.
 struct WindowPlant {
     const char* name;
     BoomPlant plant;
     MeasurementNoise noise;
-    std::vector<std::size_t> better;
 };
 
-std::vector<WindowPlant> plants() {
-    return {{"simple plant, low noise", BoomPlant::simple, low_noise, {}},
-            {"measured machine, low noise", BoomPlant::measured, low_noise, {}},
-            {"measured machine, mid noise", BoomPlant::measured, mid_noise, {}},
-            {"measured machine, high noise", BoomPlant::measured, high_noise, {}}};
-}
+constexpr WindowPlant plants[]{{"simple plant, low noise", BoomPlant::simple, low_noise},
+                               {"measured machine, low noise", BoomPlant::measured, low_noise},
+                               {"measured machine, mid noise", BoomPlant::measured, mid_noise},
+                               {"measured machine, high noise", BoomPlant::measured, high_noise}};
 
 /// Returns the thesis's search with another window. A window longer than its 20 samples gets as many samples as it
 /// holds.
@@ -85,7 +82,7 @@ std::vector<double> excess(const std::vector<Figures>& runs, std::size_t window)
 }
 
 /// Tests "From trial and error in the experiments, 10 was found to be the best window size" (3.4): no other window has
-/// a smaller error at the same record.
+/// a smaller error at the same record. Longer windows are expected to have one.
 Comparison best_window_claims(const WindowPlant& plant, const std::vector<Figures>& runs) {
     std::vector<Claim> claims;
     for (std::size_t i = 0; i < std::size(lengths); ++i)
@@ -95,8 +92,7 @@ Comparison best_window_claims(const WindowPlant& plant, const std::vector<Figure
                               .values = excess(runs, i),
                               .at_least = 0,
                               .at_most = {},
-                              .expected = std::ranges::count(plant.better, lengths[i]) > 0 ? ClaimVerdict::fails
-                                                                                           : ClaimVerdict::holds});
+                              .expected = i > thesis_length ? ClaimVerdict::fails : ClaimVerdict::holds});
     return claims_comparison(fmt::format("the best window is 10, {}", plant.name), claims);
 }
 
@@ -113,7 +109,7 @@ Replay replay_windows(const ReplayContext& context) {
     panel.title = fmt::format("error of the compliance, median of {} records", context.seeds);
     panel.x = {"samples in the window", 0, 60};
     panel.y = {"error [%]", 0, 12};
-    for (const WindowPlant& plant : plants()) {
+    for (const WindowPlant& plant : plants) {
         auto runs = run_seeds(context, plant.name, [&](std::uint64_t seed) { return errors_of(plant, seed); });
         claims.push_back(best_window_claims(plant, runs));
         tables.push_back(errors_table(plant, runs));
