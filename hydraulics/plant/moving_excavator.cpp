@@ -110,7 +110,7 @@ private:
 class Digging {
 public:
     Digging(const MovingExcavator& machine, const DigJob& job)
-        : machine_(machine), job_(job), dynamics_(machine), reference_(job, machine.joystick_lag_s),
+        : machine_(machine), dynamics_(machine), reference_(job, machine.joystick_lag_s),
           start_(*joint_angles(machine.arm, job.start)),
           steps_(steps_in(machine.control_period_s, machine.integration_step_s)),
           late_(static_cast<std::size_t>(std::lround(machine.dead_time_s / machine.integration_step_s))) {
@@ -190,7 +190,6 @@ private:
     }
 
     const MovingExcavator& machine_;
-    const DigJob& job_;
     MovingDynamics dynamics_;
     TipReference reference_;
     JointAngles start_;
