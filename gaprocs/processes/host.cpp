@@ -63,8 +63,8 @@ private:
     std::size_t count_ = 0;
 };
 
-/// The host sends each sample to every master, as fast as they take them, and takes every estimate that comes back. The
-/// samples are those of the record or, if sensors are connected, those that come from the sensors.
+/// The host computer's process. It sends each sample to every master, as soon as the master takes it, and receives the
+/// estimates. The samples come from the record, or from the sensors if sensors are connected.
 class Host {
 public:
     Host(ProcessEnvironment& environment, const ProblemRegistry& problems)
@@ -173,8 +173,8 @@ private:
     Estimates estimates_;
     Stage from_sensors_, to_all_;
     std::vector<Time> read_at_; ///< of the sensors' samples
-    /// From the process that receives a search's estimates to the one that tells the alarm: the number of samples that
-    /// the search has answered. Empty without an alarm.
+    /// One channel for each search, empty without an alarm. The component that receives the estimates of the search
+    /// outputs the number of samples that the search has answered; tell_alarm() inputs it.
     std::deque<Channel<std::size_t>> answered_;
 };
 

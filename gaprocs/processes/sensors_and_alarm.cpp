@@ -15,8 +15,8 @@ namespace placedpar {
 
 namespace {
 
-/// Outputs the samples of a record at the instants at which they are read. A sample that is not taken in time waits in
-/// memory, and the next ones behind it.
+/// Outputs each sample of a record at the time at which the sensors read it. If the host is late, the sample and its
+/// successors wait in memory.
 void read_sensors(ProcessEnvironment& environment, const ProblemRegistry& problems) {
     const auto& record = problems.find(environment.text("problem")).record();
     const auto asked = static_cast<std::size_t>(environment.integer("samples"));
@@ -39,7 +39,7 @@ void read_sensors(ProcessEnvironment& environment, const ProblemRegistry& proble
     environment.measure("longest_wait", in_milliseconds(latest), "ms");
 }
 
-/// Raises the alarm when a parameter has exceeded its limit in so many findings in a row.
+/// Raises the alarm when the first parameter has exceeded the limit in `in_a_row` successive findings.
 void watch(ProcessEnvironment& environment) {
     auto host = environment.input<Finding>("from_host");
     const auto needed = environment.integer("in_a_row");
@@ -78,15 +78,15 @@ ProcessKind sensors_kind(const ProblemRegistry& problems) {
     using namespace description;
     return {.name = "ga.sensors",
             .about = "Reads the sensors of a machine: outputs a sample of the problem's record every period, or later "
-                     "if the host has not taken the one before.",
+                     "if the host has not taken the preceding sample.",
             .ports = {output<HostMessage>("to_host", "host message", "to a ga.host")},
             .parameters = {problem(),
                            integer("samples", {.unit = "samples", .by_default = 0, .least = 0, .most = 1e9},
-                                   "how many of the record are read; 0: all"),
+                                   "number of samples of the record that are read; 0: all"),
                            real("period", {.unit = "ms", .by_default = 20, .least = 0.001, .most = 1e6},
-                                "between two samples; the first is read after one period"),
+                                "time between two samples; the first sample is read after one period"),
                            bytes_in_message("sample_bytes", 16, "a sample in a message")},
-            .measurements = {{"samples", "", "how many were read"},
+            .measurements = {{"samples", "", "number of samples that were read"},
                              {"longest_wait", "ms", "the longest time from reading a sample until the host had it"}},
             .body = [&problems](ProcessEnvironment& environment) { read_sensors(environment, problems); },
             .is_determinate = always};
@@ -99,12 +99,12 @@ ProcessKind alarm_kind(const ProblemRegistry&) {
                      "times in a row.",
             .ports = {input<Finding>("from_host", "finding", "from a ga.host")},
             .parameters = {real("limit", {.by_default = 0.0099, .least = 0, .most = 1e9},
-                                "of the parameter, in its unit; 15 % above the boom's compliance"),
+                                "limit of the parameter, in its unit; the default is 15 % above the boom's compliance"),
                            integer("in_a_row", {.by_default = 5, .least = 1, .most = 1e6},
-                                   "findings above the limit that raise the alarm")},
-            .measurements = {{"findings", "", "how many came"},
-                             {"raised", "ms", "when the alarm was raised; \"no\" if it was not"},
-                             {"raised_after", "ms", "time from when the sensors read the last sample before"},
+                                   "number of successive findings above the limit that raise the alarm")},
+            .measurements = {{"findings", "", "number of findings that came from the host"},
+                             {"raised", "ms", "time at which the alarm was raised; \"no\" if it was not raised"},
+                             {"raised_after", "ms", "time from when the sensors read the sample that raised the alarm"},
                              {"sample", "", "the number of that sample"},
                              {"value", "", "the parameter in that finding"},
                              {"from_host", "ms", "mean time of a finding from the host"},

@@ -77,7 +77,8 @@ BothSearches search_both(const ReplayContext& context, const BoomData& data, Are
             search_on(context, {}, prepared, seed)};
 }
 
-/// Returns what a search found; `island`: nothing for the fittest at each sample.
+/// Returns what a search found: the answers of one island, or of the fittest island after each sample if `island` is
+/// empty.
 FoundInRecord found_by(const MachineSearch& run, std::optional<std::size_t> island, double truth) {
     const std::size_t trials = run.search.trials;
     auto answer = [&](std::size_t generation) {
@@ -179,14 +180,13 @@ std::string shown_by(const Cell& cell) {
     return meets ? "shown" : cell.within_tolerance() ? "undecided" : "refuted";
 }
 
-/// Adds the differences of one way and what they show. The answer of the PGA is its fittest; a single island is not
-/// judged.
+/// Adds the differences of one way and what they show. Only the fittest island is judged, as the answer of the PGA.
 void add_differences(Comparison& comparison, const BothFound& found, BoomWay way) {
     comparison.notes += fmt::format("{}:", names_of_boom_ways[way]);
     for (Cell& cell : cells_of_difference(found, names_of_boom_ways[way])) {
         comparison.notes += fmt::format(" {} {};", cell.row, shown_by(cell));
         if (way != pga_fittest)
-            cell.at_least.reset(), cell.at_most.reset();
+            cell.at_least = cell.at_most = std::nullopt;
         add_with_ends(comparison, std::move(cell));
     }
     comparison.notes.back() = '\n';
@@ -272,7 +272,8 @@ Plot plot_of_both(const ReplayContext& context, const ParallelExperiment& experi
     error.title = "d: Error of the best individual, rms over the window";
     const double from_s = both.natively.found.estimates.front().time_s - 0.02,
                  to_s = both.natively.samples.back().time_s + 0.02;
-    error.y.from = 0.1, error.y.to = 100;
+    error.y.from = 0.1;
+    error.y.to = 100;
     compliance.x.from = error.x.from = from_s;
     compliance.x.to = error.x.to = to_s;
     return plot;
