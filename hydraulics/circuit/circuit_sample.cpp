@@ -39,7 +39,7 @@ std::vector<OrificeAreas> areas_of(const Record& record, Link link, AreasFrom fr
     return areas;
 }
 
-/// The channels of one side of a link in the record.
+/// Names the channels of one side of a link in the record.
 struct LinkChannels {
     Side side;
     const std::vector<double>&psi, &angle_deg;

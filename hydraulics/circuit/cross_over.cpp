@@ -8,7 +8,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// Where the surplus of a branch goes.
+/// States where the surplus of a branch goes.
 enum class Surplus { to_tank, to_boom, to_stick };
 
 Surplus surplus_of(Configuration configuration) {

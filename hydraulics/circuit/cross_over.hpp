@@ -20,9 +20,9 @@ struct BranchPressures {
 /// The pressure differences at which the valves of the cross-over network move.
 ///
 /// Behind the boom and behind the stick, a valve leads the surplus flow to the tank, or to the other branch's second
-/// link. The branch whose P_n3 exceeds the other's by `shift_psi` gets the other's surplus. The valve goes back when
-/// the other branch's P_n3 exceeds this branch's by `release_psi`, because the other branch then works itself. Between
-/// the two it stays as it is.
+/// link. If P_n3 of a branch exceeds that of the other branch by `shift_psi`, the branch gets the surplus of the other.
+/// If P_n3 of the other branch is then higher by `release_psi`, the other branch works itself, and its valve goes back.
+/// Between these two limits the valve stays in its position.
 struct CrossOverLimits {
     double shift_psi;   ///< > 0
     double release_psi; ///< > 0
@@ -43,9 +43,8 @@ Configuration next_configuration(Configuration now, const BranchPressures&, cons
 /// Returns the pressures of the steady flow through the whole main valve in a configuration.
 BranchPressures branch_pressures(Configuration, const PerLink<JunctionOpening>&, const FlowConstants&);
 
-/// Returns the configuration in which the main valve's pressures call for no further change, from `now` on, with
-/// constant openings. If
-/// the valves would move for ever, returns the configuration after eight moves.
+/// Returns the configuration that the valves reach from `now` with constant openings. If they would move for ever,
+/// returns the configuration after eight moves.
 Configuration settled_configuration(Configuration now, const PerLink<JunctionOpening>&, const FlowConstants&,
                                     const CrossOverLimits&);
 

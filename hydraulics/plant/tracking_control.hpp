@@ -11,8 +11,8 @@ struct TrackedLink {
 };
 
 /// Returns the areas that the controller of 2.3.2 asks of the four valves. `angles` and `rates` are the reference. A
-/// link whose flow is below the least is held: its inlet and outlet are shut. Neither more flow
-/// than reaches a junction is asked for, nor a pressure at which the relief valve would open.
+/// link whose flow is below the least is held: its inlet and outlet are shut. The controller asks for at most the flow
+/// that reaches a junction, and for pressures below that of the relief valve.
 PerLink<OrificeAreas> asked_areas(const MovingExcavator&, Configuration, const PerLink<TrackedLink>&,
                                   const JointAngles& angles, const JointAngles& rates);
 
