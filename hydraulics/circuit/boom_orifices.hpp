@@ -9,7 +9,7 @@ struct OrificeAreas {
     double outlet_in2; ///< a_o, drain side of the cylinder to tank
 };
 
-/// HminSpool[1]: up to this position only the bypass is open.
+/// Up to this position only the bypass is open (HminSpool[1] in the thesis).
 inline constexpr double boom_dead_band_in = 0.188;
 /// From this position on the outlet opens more steeply.
 inline constexpr double boom_outlet_knee_in = 0.248;
@@ -20,7 +20,7 @@ inline constexpr double boom_bypass_shut_in = 0.376;
 /// in^2, due to the rounding of the print. The functions hold for raising only. REQUIRES: spool_in >= 0.
 OrificeAreas boom_orifices(double spool_in);
 
-/// Returns the index of the interval between knees in which the spool is; the functions are smooth within each.
+/// Returns the number of knees below the spool position. Within each interval between knees the functions are smooth.
 int boom_orifice_branch(double spool_in);
 
 } // namespace placedpar::hydraulics

@@ -12,7 +12,7 @@
 namespace placedpar::hydraulics {
 
 /// The five configurations of the main valve. They differ in the flows that the check valves of the cross-over network
-/// let through. We have the text of Figure 2.11 without its drawing, so this is our interpretation.
+/// let through. They are our interpretation of Figure 2.11, of which we have the text without the drawing.
 enum class Configuration : unsigned char { a, b, c, d, e };
 
 inline constexpr std::array<Configuration, 5> all_configurations{Configuration::a, Configuration::b, Configuration::c,

@@ -34,7 +34,7 @@ std::vector<OrificeAreas> areas_of(const Record& record, Link link, AreasFrom fr
                                     ? record.of(link, Sensor::spool)
                                     : spool_by_voltage(record, link, calibration.constants.spool_lag_per_s);
     std::vector<OrificeAreas> areas;
-    for (double spool_in : spool) // sensor noise may make it slightly negative
+    for (double spool_in : spool) // sensor noise may make spool_in slightly negative
         areas.push_back(boom_orifices(std::max(spool_in - calibration.spool_offset_in, 0.0)));
     return areas;
 }

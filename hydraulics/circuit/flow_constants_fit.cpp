@@ -44,7 +44,7 @@ struct SpoolResiduals : Eigen::DenseFunctor<double> {
     double relief_psi;
 };
 
-/// Returns the standard deviations of the fitted constants: the inverse of the normal matrix times the residual
+/// Returns the standard deviations of the fitted constants, from the inverse of the normal matrix times the residual
 /// variance.
 FlowConstants deviation_of(const Eigen::VectorXd& x, const Eigen::NumericalDiff<SpoolResiduals>& problem,
                            double squares) {

@@ -37,12 +37,12 @@ PerLink<LinkConstants> link_constants(const Parameters& parameters);
 /// Everything that converts the readings of one link to flows and areas.
 struct LinkCalibration {
     LinkConstants constants;
-    double spool_offset_in = 0;         ///< amount by which the spool's readings, or A.1, are too high
+    double spool_offset_in = 0;         ///< the spool's readings, or the spool by A.1, are too high by this offset
     std::optional<AreasFrom> from = {}; ///< nullopt: the first of the three sources that the record has
 };
 using LinkCalibrations = PerLink<LinkCalibration>;
 
-/// Returns link_constants(), without an offset.
+/// Returns the calibrations with link_constants() and without an offset.
 LinkCalibrations link_calibrations(const Parameters& parameters);
 /// Returns the calibrations of the outlet sides. Only the boom's outlet side is described (boom.outlet_area); the other
 /// links keep the constants of their inlet sides.

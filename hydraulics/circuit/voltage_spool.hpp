@@ -34,8 +34,8 @@ struct DriftedVoltageSpool {
 };
 
 /// The dynamics of the spool, A.2: a first-order lag, exact for a command that is held over each sampling period.
-/// Spool(k) = Desired(k-1) (1 - e) + e Spool(k-1) with e = exp(-a_0 T). The thesis prints k in place of both k-1. With
-/// Desired(k) the spool would move one period early, and an identified compliance would be wrong by 17 %.
+/// Spool(k) = Desired(k-1) (1 - e) + e Spool(k-1) with e = exp(-a_0 T). The thesis prints k instead of k-1 in both
+/// terms. With Desired(k) the spool would move one period early, and an identified compliance would be wrong by 17 %.
 class SpoolLag {
 public:
     /// Throws std::invalid_argument unless lag and period are above 0.
@@ -59,8 +59,8 @@ private:
 std::vector<double> spool_from_volts(std::span<const double> volts, double lag_per_s, double period_s,
                                      const DriftedVoltageSpool& = {});
 /// Returns the spool position at instants that are whole numbers of periods apart, as in a record. Over a gap the last
-/// command before the gap is held, which is exact if it was constant. REQUIRES: as many instants as voltages, in rising
-/// order.
+/// command before the gap is held, which is exact if the command was constant. REQUIRES: one instant for each voltage,
+/// in rising order.
 std::vector<double> spool_from_volts(std::span<const double> volts, std::span<const double> time_s, double lag_per_s,
                                      double period_s, const DriftedVoltageSpool& = {});
 

@@ -6,13 +6,13 @@ namespace placedpar::hydraulics {
 
 /// Hydraulic oil with free air, as in Figure 2.3 of the thesis. The air never dissolves.
 struct AirOilMixture {
-    double air_fraction;        ///< x_0, of the volume at atmospheric pressure
+    double air_fraction;        ///< x_0, share of the volume at atmospheric pressure
     double polytropic_exponent; ///< N: 1 isothermal, 1.4 adiabatic
     double oil_modulus_psi;     ///< B_0
     double atmospheric_psia;    ///< P_0
 };
 
-/// Returns the oil of the rows oil.bulk_modulus and oil.atmospheric_pressure with this fraction of air.
+/// Returns a mixture with this fraction of air, from the rows oil.bulk_modulus and oil.atmospheric_pressure.
 AirOilMixture air_oil_mixture(double air_fraction, double polytropic_exponent = 1,
                               const Parameters& parameters = Parameters::excavator());
 
@@ -25,7 +25,7 @@ double bulk_modulus_psi(const AirOilMixture& mixture, double psia);
 /// is softer. REQUIRES: 0 < air_fraction < 1, 0 < share < 1.
 double psia_at_modulus(const AirOilMixture& mixture, double share);
 
-/// Equation 2.2: C_fluid = V / beta.
+/// Returns the compliance of a fluid by equation 2.2: C_fluid = V / beta.
 inline double fluid_compliance_in3_per_psi(double volume_in3, double modulus_psi) { return volume_in3 / modulus_psi; }
 
 } // namespace placedpar::hydraulics

@@ -31,7 +31,7 @@ struct RecordScenario {
     bool (*uses)(std::string_view parameter);
     /// Simulates and measures. Throws UnfitScenario (requirement.hpp) if a parameter is out of its range.
     Record (*make)(const Parameters& parameters, const LinksInMotion& moving, const UniformSource& uniform);
-    /// Whether the scenario can move any links in any configuration; a scenario that cannot ignores `moving`.
+    /// true: the scenario can move any links in any configuration; false: it ignores `moving`
     bool any_links = false;
 };
 
@@ -39,7 +39,7 @@ struct RecordScenario {
 /// excavator, the measured machine.
 std::span<const RecordScenario> record_scenarios();
 
-/// Returns the scenario in which an excavator does a job. It is not among record_scenarios(), since it takes the job.
+/// Returns the scenario in which an excavator does a job. It is not among record_scenarios(), since it needs a job.
 const RecordScenario& digging_scenario();
 
 /// Returns null if there is no such scenario.
