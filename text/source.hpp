@@ -29,8 +29,8 @@ private:
 };
 
 /// A place in a source. Lines and columns count from 1; a column counts bytes. Line 0 means the source as a whole. A
-/// location without a file is a place in a text whose name only the caller knows; if its line is 0, it is no place at
-/// all.
+/// location without a file is a place in a text whose name only the caller knows; if its line is 0 as well, the
+/// location is empty.
 struct Location {
     std::shared_ptr<const SourceFile> file;
     std::size_t line = 0;
