@@ -15,7 +15,7 @@ namespace placedpar::identification {
 struct Question {
     hydraulics::Configuration configuration = hydraulics::Configuration::a;
     hydraulics::LinkSet links = {hydraulics::Link::boom};
-    std::optional<double> spool_offset_in;                ///< offset of the boom's spool, subtracted from its readings
+    std::optional<double> spool_offset_in; ///< offset that is subtracted from the readings of the boom's spool
     std::optional<hydraulics::AreasFrom> areas_from = {}; ///< nullopt: the first source that the record has
     hydraulics::Side side = hydraulics::Side::inlet;
 };
@@ -31,8 +31,9 @@ struct ComplianceSearch {
 /// Returns the resolution of the spool's sensor.
 double spool_sensor_step_in(const hydraulics::Parameters& machine);
 
-/// Throws UserError if the links do not belong to one coupled group of the configuration, or if the question is about
-/// an outlet side other than the boom's. Throws UnfitRecord if the record lacks a channel.
+/// Prepares a search from the record's usable samples. Throws UserError if the links do not belong to one coupled group
+/// of the configuration, or if the question is about an outlet side other than the boom's. Throws UnfitRecord if the
+/// record lacks a channel.
 ComplianceSearch prepare(const hydraulics::Record& record, const hydraulics::Parameters& machine,
                          const Question& question, const IdentificationWay& way);
 
