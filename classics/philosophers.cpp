@@ -51,7 +51,7 @@ void serve_as_fork(ProcessEnvironment& environment) {
         alt(std::span<const Input<Signal>>(hands), [&](std::size_t hand, Signal) { hands[hand].input(); });
 }
 
-/// Returns the guards: standing philosophers may sit down while a seat is free; seated ones may get up.
+/// Returns the guards: standing philosophers may sit down while a seat is free; seated philosophers may get up.
 std::vector<Guard> guards_of(const std::vector<Input<Signal>>& philosophers, const std::vector<bool>& sits,
                              std::int64_t seats) {
     bool seat_free = std::ranges::count(sits, true) < seats;

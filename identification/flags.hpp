@@ -23,8 +23,8 @@ void add_flags(Identified& identified, const CircuitProblem& problem, const hydr
                std::span<const hydraulics::CircuitSample> samples, std::span<const hydraulics::CircuitSample> window,
                std::span<const hydraulics::CircuitSample> halved, const IdentificationWay& way);
 
-/// Flags each link of which a reading stands out from its neighbours (spike.hpp). Only readings that the samples use
-/// are checked.
+/// Flags each link if one of its readings stands out from the neighbouring readings (spike.hpp). Only readings that the
+/// samples use are checked.
 void flag_spikes(Identified& identified, const hydraulics::Record& record,
                  std::span<const hydraulics::CircuitSample> samples);
 

@@ -16,7 +16,7 @@ namespace placedpar::identification {
 struct TransientEstimate {
     std::size_t index; ///< index of the sample in the record
     double time_s;
-    bool frozen;            ///< whether the gate was shut; if so, the compliance is that of the previous estimate
+    bool frozen;            ///< whether the gate was shut; if so, the compliance is unchanged
     double error_in3_per_s; ///< rms error of the best individual over the window
     std::vector<double> compliance_in3_per_psi;
 };

@@ -45,8 +45,8 @@ bool dashes_have_a_meaning(const Panel& panel) {
     return false;
 }
 
-/// Returns whether the curve needs no symbols. This is so if it has no intervals, and is the only series, has points of
-/// its colour, or is the only dashed curve of its colour.
+/// Returns whether the curve needs no symbols: it has no intervals, and it is the only series, has points of its
+/// colour, or is the only dashed curve of its colour.
 bool needs_no_symbols(const Panel& panel, std::size_t place) {
     const std::size_t number = colour_number(panel, place);
     if (!panel.series[place].intervals.empty())
@@ -55,8 +55,7 @@ bool needs_no_symbols(const Panel& panel, std::size_t place) {
            (panel.series[place].stroke == Stroke::dashes && !dashes_have_a_meaning(panel));
 }
 
-/// Returns whether lines of this colour are solid. This is so if no line has another colour, or if dashes have a
-/// meaning.
+/// Returns whether lines of this colour are solid: no line has another colour, or dashes have a meaning.
 bool needs_no_dashes(const Panel& panel, std::size_t number) {
     bool alone = true;
     for (std::size_t other = 0; other < colours.size(); ++other)

@@ -103,7 +103,7 @@ namespace {
 LoadedSource read_source(std::istream& in, const std::string& shown_path) {
     std::string text;
     std::array<char, 1 << 16> piece;
-    while (text.size() <= largest_source_bytes + 3 && in) { // three bytes more, for a byte order mark
+    while (text.size() <= largest_source_bytes + 3 && in) { // 3 bytes more, since a byte order mark does not count
         in.read(piece.data(), piece.size());
         text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
     }

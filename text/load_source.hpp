@@ -25,7 +25,7 @@ LoadedSource load_source(const std::filesystem::path& path);
 /// Does what load_source() does, but "-" is standard input (text/standard_streams.hpp). Standard input is read once;
 /// later calls return the same text.
 LoadedSource load_input(const std::filesystem::path& path);
-/// Makes the checks of load_source() on a text, or a piece of a text, that is already in memory.
+/// Checks a text in memory, or a piece of a text, as load_source() checks a file.
 LoadedSource check_source(std::string shown_path, std::string text, std::size_t first_line = 1);
 /// Returns "" if the path can be opened as a file or a pipe, else the reason why it cannot.
 std::string why_not_a_file(const std::filesystem::path& path);

@@ -12,7 +12,7 @@
 namespace placedpar::hydraulics {
 
 /// The five configurations of the main valve. They differ in the flows that the check valves of the cross-over network
-/// let through. They are our interpretation of Figure 2.11, of which we have the text without the drawing.
+/// let through. We have the text of Figure 2.11 without its drawing, so the five are our interpretation.
 enum class Configuration : unsigned char { a, b, c, d, e };
 
 inline constexpr std::array<Configuration, 5> all_configurations{Configuration::a, Configuration::b, Configuration::c,
@@ -43,7 +43,7 @@ struct Junction {
 using Circuit = std::vector<Junction>;
 
 /// Returns the links of a configuration in groups that are hydraulically coupled, ordered by their first link. A search
-/// for the compliance of one link must find the compliances of the link's whole group at once.
+/// for the compliance of one link must find the compliances of the link's whole group together.
 std::vector<LinkSet> coupled_groups(Configuration);
 
 /// Returns the circuit of the active links of one group. An inactive link is left out: its spool rests, its inlet is

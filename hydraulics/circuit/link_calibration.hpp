@@ -48,8 +48,8 @@ LinkCalibrations link_calibrations(const Parameters& parameters);
 /// links keep the constants of their inlet sides.
 LinkCalibrations drain_calibrations(const Parameters& parameters);
 
-/// Returns `asked`; if it is nullopt, the first AreasFrom source whose channels are in `there`. No sensor reads the
-/// area of an outlet.
+/// Returns `asked`; if it is nullopt, returns the first source of areas, spool and servo whose channels are in `there`.
+/// No sensor reads the area of an outlet.
 AreasFrom areas_from(const ChannelSet& there, Link link, std::optional<AreasFrom> asked, Side side = Side::inlet);
 
 /// Returns the channels from which the flows and areas of one side of a link are computed: the side's pressure, the

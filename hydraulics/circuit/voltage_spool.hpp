@@ -15,8 +15,8 @@ double desired_spool_in(double volts);
 /// Throws std::invalid_argument if the spool is below 0 or not finite.
 double servo_volts(double spool_in);
 
-/// An offset that grows with time. It comes from a worn spool, the servo-valve's pressure regulation, or the sensors
-/// that measured spool and voltage (2.3.2). With rate 0 the offset is constant.
+/// An offset that grows with time. Causes are a worn spool, the servo-valve's pressure regulation, or the sensors that
+/// measured spool and voltage (2.3.2). With rate 0 the offset is constant.
 struct OffsetDrift {
     double at_start = 0;   ///< in the unit of the quantity to which it is added
     double rate_per_s = 0; ///< in the unit of at_start, per second

@@ -19,7 +19,7 @@ struct Sampling {
     static Sampling of(double reading_s);
 
     double period_s() const { return reading_s * static_cast<double>(readings); }
-    /// Returns the number of samples whose duration is nearest to this time, at least one.
+    /// Returns the number of samples that last about `duration_s`, at least one.
     std::size_t samples_in(double duration_s) const;
 };
 

@@ -26,12 +26,12 @@ LinkCalibrations boom_calibrations(const LinkMechanics& boom);
 void add_servo_voltage(Record& record, const ExcavatorScenario& scenario, double offset_in = 0);
 
 /// Simulates a scenario of the boom alone (single_boom_scenario), measures it with noise at the thesis's period, and
-/// returns the usable samples, as plain numbers in the order of LinkSample.
+/// returns the usable samples. Each sample is a list of numbers in the order of LinkSample.
 std::vector<std::vector<double>> boom_record(const ExcavatorScenario& scenario, const MeasurementNoise& noise,
                                              const UniformSource& uniform, const UsableSamples& usable = {});
-/// Measures a motion that has been simulated already, and returns the usable samples, with the orifices' areas from the
-/// measured spool (thesis 3.1.3, experiment 1) or from the servo-valve's voltage (experiment 2). REQUIRES: `motion` is
-/// a simulation of `scenario`.
+/// Returns the usable samples of a motion that has been simulated already. The orifices' areas come from the measured
+/// spool (thesis 3.1.3, experiment 1) or from the servo-valve's voltage (experiment 2). REQUIRES: `motion` is a
+/// simulation of `scenario`.
 std::vector<std::vector<double>> boom_record(const ExcavatorMotion& motion, const ExcavatorScenario& scenario,
                                              const MeasurementNoise& noise, const UniformSource& uniform,
                                              const UsableSamples& usable = {}, AreasFrom from = AreasFrom::spool);

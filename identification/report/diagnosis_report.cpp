@@ -45,7 +45,7 @@ double compliance_error(const WholeMovement& whole) {
     return whole.units.compliance_in3_per_psi * whole.deviation.standard_error(FaultHypothesis::compliance);
 }
 
-/// Returns the result of the whole movement, printed below that of the search.
+/// Returns the result of the whole movement, which is printed below the result of the search.
 std::string print_whole(const WholeMovement& whole) {
     return fmt::format("{}{}  leak {} in^3/(s psi){}\n", no_times,
                        print_compliance("  whole", whole.compliance_in3_per_psi, compliance_error(whole)),

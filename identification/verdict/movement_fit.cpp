@@ -25,7 +25,7 @@ constexpr std::size_t fewest_at_rest = 4;
 constexpr double least_variance_moving = 0.001, least_variance_at_rest = 0.05;
 /// The relative error of the estimated noise of the slopes. The estimate is a median over about 50 readings.
 constexpr double noise_known_within = 0.3;
-/// The greatest difference between the compliances at rest and during the movement, in units; it is 5 % of the
+/// The greatest difference between the compliances at rest and during the movement, in units: 0.25 units are 5 % of the
 /// compliance.
 constexpr double compliance_at_rest_within = 0.25;
 /// The greatest share by which a leak at rest after a movement is smaller than during the movement. The pressure behind
@@ -272,7 +272,8 @@ void add_moving(Equations& equations, const MovingRows& moving) {
     equations.noise = noise / scale;
 }
 
-/// Limits the accuracy of a leak that the movement's flow determines to leak_by_flow_within, if there may be an offset.
+/// Adds the uncertainty leak_by_flow_within to a leak that follows from the movement's flow. There may be an offset
+/// instead.
 void limit_leak(Equations& equations, Eigen::Index leak) {
     MatrixXd information = equations.information;
     information.diagonal() -= equations.noise;
@@ -322,7 +323,7 @@ std::optional<std::vector<Deviation>> solve(const Equations& equations) {
     return parts(by, inverse * pulls * inverse);
 }
 
-/// Limits the accuracy of a leak that the rest after the movement determines to leak_after_within, and adjusts the
+/// Adds the uncertainty leak_after_within to a leak that follows from the rest after the movement, and to the
 /// deviations that are correlated with this leak.
 void add_unread_pressure(Deviation& deviation) {
     const Eigen::Index leak = row_of(FaultHypothesis::leak);

@@ -90,9 +90,9 @@ public:
     const State& state() const { return state_; }
     friend bool operator==(const LinkJudge&, const LinkJudge&) = default;
 
-    /// Returns whether a movement determines a link's deviations, assuming a steady leak. It does not if one of them is
-    /// uncertain by more than most_uncertain units (half of the compliance, a leak of 12 %, 1/80 in of spool). Then the
-    /// pressure hardly moved, and the samples are mostly noise of unknown size.
+    /// Returns whether a movement determines a link's deviations, assuming a steady leak. A movement does not if a
+    /// deviation is uncertain by more than most_uncertain units (half of the compliance, a leak of 12 %, 1/80 in of
+    /// spool). In such a movement the pressure hardly moves, and the samples are mostly noise of unknown size.
     static bool is_evidence(const Deviation& movement, hydraulics::AreasFrom valve);
     /// Adds a finished movement. A movement with impossible readings or without excitation is ignored.
     void take(const Deviation& movement, hydraulics::AreasFrom valve);

@@ -8,7 +8,7 @@ namespace placedpar {
 
 namespace {
 
-/// A plant problem that also knows the plant's parameters at the end of its record.
+/// A plant problem together with the plant's parameters at the end of its record.
 template <class Problem>
 struct PlantThatEnds : Problem {
     double a1;

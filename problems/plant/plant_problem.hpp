@@ -120,7 +120,7 @@ private:
     ParameterCoding coding_;
 };
 
-/// A PlantProblem whose error is that of a simulation. The two outputs before the first sample of a window are
+/// A PlantProblem whose error comes from a simulation. The two outputs before the first sample of a window are
 /// measured; later outputs are the simulated plant's own y-hat.
 class SimulatedPlantProblem : public PlantProblem {
 public:
