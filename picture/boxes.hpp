@@ -10,7 +10,8 @@
 
 namespace placedpar::picture {
 
-/// The unit of the drawing's raster, in pixels. The borders of boxes lie on the raster, and so do wires with corners.
+/// The unit of the drawing's raster, in pixels. The borders of boxes lie on the raster, and so do wires that turn
+/// corners.
 inline constexpr double pitch = 8;
 
 /// The heights of letters, in pixels.

@@ -56,7 +56,7 @@ public:
     }
     /// Returns whether the point is on the visible side of this end.
     bool is_inside(const Point& point) const { return std::isfinite(value(point)) && !beyond(value(point)); }
-    /// Returns the position along the edge at which the drawn line between the two points crosses it.
+    /// Returns the position along the edge at which the drawn line between the two points crosses the edge.
     double crossing(const Point& inside, const Point& outside) const {
         const double from = scale_.place(value(inside)), to = scale_.place(value(outside));
         const double share = (scale_.place(*at()) - from) / (to - from);

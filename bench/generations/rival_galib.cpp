@@ -1,5 +1,5 @@
 // This rival is GAlib 2.4 (M. Wall, MIT): GASimpleGA on the same strings of 37 bits, with the same rates and an elite
-// of one. Its stochastic remainder selection is the most similar to our universal sampling.
+// of one. It uses stochastic remainder selection, which is the most similar to our universal sampling.
 
 #include "bench/generations/contest.hpp"
 

@@ -54,7 +54,7 @@ struct Transient {
 
 struct Answer {
     double compliance; // of the best individual in the last generation; for the service, the median that it reports
-    std::uint64_t error_evaluations; // an evaluation is of one individual at one sample; 0: not counted
+    std::uint64_t error_evaluations; // each of one individual at one sample; 0: not counted
 };
 
 struct Contestant {

@@ -151,7 +151,7 @@ std::vector<Result> contest(std::span<const Transient> transients, int rounds) {
     return results;
 }
 
-/// Returns the first result of the same algorithm (Contestant::way).
+/// Returns the first result with the algorithm of `result` (Contestant::way).
 const Result& first_of_way(std::span<const Result> results, const Result& result) {
     return *std::ranges::find_if(results,
                                  [&](const Result& each) { return each.contestant.way == result.contestant.way; });

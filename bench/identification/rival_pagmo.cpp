@@ -1,6 +1,6 @@
 // These rivals are two algorithms of pagmo 2.18 (ESA): its genetic algorithm, which works on real numbers, and its
-// differential evolution. Debian's pagmo is built with Boost 1.74. Only this file includes these headers of Boost, so
-// it is compiled to a shared library that exports pagmo() alone.
+// differential evolution. Debian's pagmo is built with Boost 1.74, whose headers only this file includes. Therefore
+// this file is compiled to a shared library that exports pagmo() alone.
 
 #include "bench/identification/contest.hpp"
 

@@ -11,7 +11,8 @@ template <class Who>
 class LeastQueue {
 public:
     void make_ready(Who who) { ready_.push_back(who); }
-    /// Returns the next process. If none is ready, advances the time to the earliest waiting process.
+    /// Returns the next process. If none is ready, advances the time to that of the first waiting process, and returns
+    /// it.
     Who take() {
         if (ready_.empty()) {
             Delay next = future_.top();

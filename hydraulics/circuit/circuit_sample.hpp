@@ -30,9 +30,9 @@ struct CircuitSample {
 std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& circuit,
                                            const LinkCalibrations& calibrations);
 
-/// Returns whether flow enters every link, and would do so if each link's pressure were `margin_psi` higher. Uses the
-/// steady flow of the circuit (junction_flow.hpp). On an outlet side, returns whether flow leaves the link, and would
-/// do so if its pressure were `margin_psi` lower.
+/// Returns whether flow enters every link, and would still enter it if each link's pressure were `margin_psi` higher.
+/// Uses the steady flow of the circuit (junction_flow.hpp). On an outlet side, returns whether flow leaves the link,
+/// and would still leave it if its pressure were `margin_psi` lower.
 bool all_open(const Circuit& circuit, std::span<const LinkSample> links, const FlowConstants& flow, double margin_psi);
 
 /// Returns the rms slope of the pressure of one link. REQUIRES: there is a sample.
@@ -42,7 +42,7 @@ double excitation_psi_per_s(std::span<const CircuitSample> samples, std::size_t 
 struct UsableSamples {
     double open_by_psi = 25;            ///< at the first sample all links must be open by this margin ...
     double first_slope_psi_per_s = 150; ///< ... and every pressure must rise faster than this
-    std::size_t skipped = 0;            ///< number of usable samples to leave out from the first sample on
+    std::size_t skipped = 0;            ///< number of usable samples to leave out at the beginning
     std::size_t count = 20;             ///< greatest number of samples; 20 samples last 0.4 s (thesis 4.4)
     bool rising = false;                ///< whether to stop at the first falling pressure (thesis 3.1.3)
 };

@@ -25,7 +25,7 @@ struct JunctionFlow {
 
 /// Solves a circuit's steady flow. At every junction the flow from pumps and upstream bypasses leaves through the
 /// inlet, the bypass and the relief valve. Each flow is k a sqrt(drop), and a check valve prevents backward flow. These
-/// are equations B.3 and B.4 with the load check valves, which the equations leave out.
+/// are equations B.3 and B.4 with load check valves added.
 ///
 /// The flow through a bypass falls as the pressure beyond it rises. The pressure of each junction is therefore the only
 /// root of a decreasing function, inflow minus outflow; the last junction is solved first. To evaluate the function at

@@ -10,7 +10,7 @@ struct PistonLeak {
     double start_s = 0;
 };
 
-/// Returns the flow across a worn piston seal, from the pump side to the drain side, which is laminar.
+/// Returns the laminar flow across a worn piston seal, from the pump side to the drain side.
 inline double leakage_in3_per_s(double leak_in3_per_s_psi, double inlet_psi, double outlet_psi) {
     return leak_in3_per_s_psi * (inlet_psi - outlet_psi);
 }

@@ -48,7 +48,7 @@ LinkCalibrations link_calibrations(const Parameters& parameters);
 /// links keep the constants of their inlet sides.
 LinkCalibrations drain_calibrations(const Parameters& parameters);
 
-/// Returns `asked`; if it is nullopt, returns the first source of areas, spool and servo whose channels are in `there`.
+/// Returns `asked`; if it is nullopt, returns the first of `areas`, `spool` and `servo` whose channels are in `there`.
 /// No sensor reads the area of an outlet.
 AreasFrom areas_from(const ChannelSet& there, Link link, std::optional<AreasFrom> asked, Side side = Side::inlet);
 

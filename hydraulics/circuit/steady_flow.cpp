@@ -12,8 +12,8 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// Returns the central difference with a fixed step. The relative error is about (step / L)^2, where `f` curves over a
-/// length L.
+/// Returns the central difference with a fixed step. Its relative error is about (step / L)^2, where L is the scale on
+/// which `f` curves.
 template <class Function>
 double slope(const Function& f, double at, double step) {
     return (f(at + step) - f(at - step)) / (2 * step);

@@ -29,7 +29,7 @@ struct DriftedVoltageSpool {
     OffsetDrift volts;
     OffsetDrift spool_in;
 
-    /// Returns the spool position, which is never below 0, where we assume that the spool's travel ends.
+    /// Returns the spool position. It is at least 0, where we assume that the spool's travel ends.
     double desired_spool_in(double volts_commanded, double time_s) const;
 };
 

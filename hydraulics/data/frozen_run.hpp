@@ -6,7 +6,7 @@
 
 namespace placedpar::hydraulics {
 
-/// The lowest possible gauge pressure: vacuum at sea level (the row oil.atmospheric_pressure, negative).
+/// The lowest possible gauge pressure: vacuum at sea level (minus the row oil.atmospheric_pressure).
 inline constexpr double vacuum_psi = -14.7;
 
 /// Samples in which a sensor repeats a single reading. After them the reading jumps to the true value.
@@ -21,7 +21,7 @@ struct FrozenRun {
 std::size_t fewest_frozen(double period_s);
 inline constexpr double least_jump_psi = 40, least_jump_deg = 0.5;
 
-/// Returns the first frozen run. `fewest` is the number of equal readings, from fewest_frozen().
+/// Returns the first frozen run. `fewest` is the least number of equal readings, from fewest_frozen().
 std::optional<FrozenRun> frozen_run(std::span<const double> readings, double least_jump, std::size_t fewest);
 
 } // namespace placedpar::hydraulics

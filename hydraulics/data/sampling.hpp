@@ -10,7 +10,7 @@ namespace placedpar::hydraulics {
 inline constexpr double method_period_s = 0.020;
 
 /// States how readings become the samples for identification. Each sample is the mean of `readings` successive
-/// readings. The time between samples is a whole number of readings, about method_period_s.
+/// readings. The period of the samples is a multiple of the readings' period, near method_period_s.
 struct Sampling {
     double reading_s = method_period_s; ///< time between two readings
     std::size_t readings = 1;           ///< number of readings per sample

@@ -9,8 +9,8 @@
 
 namespace placedpar::hydraulics {
 
-/// A time during which the joysticks are held. They demand a velocity of the bucket's tip (2.1), and the soil opposes
-/// the motion with a force.
+/// A time during which the joysticks are held. The joysticks demand a velocity of the bucket's tip (2.1), and the soil
+/// opposes the motion with a force.
 struct JoystickMove {
     double seconds;   ///< > 0
     TipPose velocity; ///< change of the pose per second

@@ -17,7 +17,8 @@ struct DigJob; // hydraulics/plant/dig_job.hpp
 struct LinksInMotion {
     Configuration configuration = Configuration::a;
     LinkSet links;
-    const DigJob* job = nullptr; ///< not null for digging_scenario(), whose links and configurations follow from it
+    const DigJob* job =
+        nullptr; ///< not null for digging_scenario(), where links and configurations follow from the job
 };
 
 /// A motion of a simulated machine that can be recorded.

@@ -12,7 +12,7 @@
 namespace placedpar::identification {
 
 enum class AlarmKind : unsigned char {
-    compliance,     ///< a changed compliance, such as by air in the oil or a softer hose
+    compliance,     ///< a changed compliance, for example because of air in the oil or a softer hose
     leak,           ///< a leak from a hose or past a piston
     offset,         ///< the spool is not at the position that its sensor reads
     drift,          ///< the spool is not at the position that the servo-valve's voltage demands

@@ -107,12 +107,13 @@ public:
     /// Returns the most informative verdict of all sets. A fault is preferred to no fault; among equals, the set with
     /// the most judged movements is preferred.
     LinkVerdict verdict(hydraulics::Link link) const;
-    /// Returns the compliance with which the link is compared, from its own first movements, or else for its kind.
+    /// Returns the compliance with which the link is compared: the value from its own first movements, or else for its
+    /// kind.
     double baseline_in3_per_psi(hydraulics::Link link) const;
 
     /// Records that a control system has connected, so the time of its samples may restart.
     void connected() { state_.time_may_restart = true; }
-    /// Changes configuration and active links. If both are unchanged it does nothing; otherwise the windows restart.
+    /// Changes configuration and active links. Does nothing if both are unchanged; otherwise the windows restart.
     void change(const ConfigurationChange& change);
     /// Sets compliances of healthy links and forgets the judgements of these links. Returns the alarms raised or
     /// cleared.

@@ -19,8 +19,8 @@ namespace placedpar::identification {
 
 /// A population with its estimates. Population and estimates outlive changes of configuration.
 ///
-/// Its random numbers depend on the seed, the names of excavator and set, and the number of samples seen. Its results
-/// are therefore a function of its own samples. Other sets and a restart of the program do not change them.
+/// The random numbers depend on the seed, the names of excavator and set, and the number of samples seen. The results
+/// are therefore a function of the set's own samples; other sets and a restart of the program do not change them.
 class PopulationSet {
 public:
     /// Holds everything that is needed to restore the object.

@@ -17,7 +17,7 @@ constexpr double least_inflow_in3_per_s = 1;
 
 /// A greater flow into the cylinder, including the oil that the hose takes up, shows that oil drives the piston (ours).
 constexpr double driven_in3_per_s = 10;
-/// The longest time in which a swinging boom swings back after its valve has shut.
+/// Within this time a boom that swings after its valve has shut swings back.
 constexpr double longest_swing_s = 0.5;
 
 /// Returns whether the movement determines the size of this deviation. A steady movement hardly determines any.

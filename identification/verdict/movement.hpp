@@ -36,8 +36,8 @@ public:
     };
 
     /// The number of samples left out where the valve changes. A slope uses five samples, which must not span two
-    /// states of the valve. One more sample is left out, since the path to a cylinder opens between samples and is
-    /// judged by readings.
+    /// states of the valve. One more sample is left out, since the path to a cylinder opens between two samples, and
+    /// readings have noise.
     static constexpr std::size_t slope_reach = 3;
     static constexpr std::size_t slope_ahead = 2; ///< samples by which slopes reach beyond the end of a movement
     static constexpr double rest_s = 1;           ///< length of rest that is kept

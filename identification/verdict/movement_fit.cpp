@@ -168,7 +168,7 @@ void add_valve_noise(NoisyRows& rows, const Balance& balance, const MovementSamp
     }
 }
 
-/// Sets the columns of a link: the effect of one unit of each hypothesis. A leak past the piston of k_l P acts as extra
+/// Sets the columns of a link: the effect of one unit of each hypothesis. A leak of k_l P past the piston acts as extra
 /// flow into the cylinder.
 void set_slopes(NoisyRows& rows, const Balance& balance, const MovementSamples& movement, std::size_t junction,
                 const MatrixXd& by_flow) {
@@ -217,7 +217,7 @@ MovingRows moving_rows(const Balance& balance, const MovementSamples& movement,
 
 /// Returns the equations at rest. The inlet is shut, so A v + C dP/dt + k_l P = 0, regardless of the spool's reading.
 /// Alone, these equations determine only the ratio of leak and compliance. Therefore the compliance at rest is assumed
-/// to be that of the movement, within compliance_at_rest_within.
+/// to equal the compliance during the movement, within compliance_at_rest_within.
 NoisyRows rows_at_rest(const Balance& balance, const std::vector<JunctionSamples>& samples, std::size_t junction,
                        FaultHypothesis leak, const ReadingNoise& noise) {
     const Eigen::Index column = row_of(junction);
@@ -272,8 +272,8 @@ void add_moving(Equations& equations, const MovingRows& moving) {
     equations.noise = noise / scale;
 }
 
-/// Adds the uncertainty leak_by_flow_within to a leak that follows from the movement's flow. There may be an offset
-/// instead.
+/// Adds the uncertainty leak_by_flow_within to a leak that follows from the movement's flow, which an offset may
+/// explain as well.
 void limit_leak(Equations& equations, Eigen::Index leak) {
     MatrixXd information = equations.information;
     information.diagonal() -= equations.noise;

@@ -26,9 +26,9 @@ struct Suspicion {
 /// Tests movement by movement whether a link deviates, with Page's cumulative sums (Biometrika 41, 1954). There is a
 /// sum for each suspicion. Each movement adds the logarithm of the likelihood ratio of the suspected deviation to no
 /// deviation; the sum is never below 0. One movement adds at most `most_of_one`, because real errors have longer tails
-/// than the normal distribution, and its information is reduced in proportion. Therefore a report needs at least two
-/// movements. After movements of information I, a sum s counts as s / (1 + I b), where b is the variance of the link's
-/// reference.
+/// than the normal distribution; the movement's information is reduced in proportion. Therefore a report needs at least
+/// two movements. After movements of information I, a sum s counts as s / (1 + I b), where b is the variance of the
+/// link's reference.
 class SequentialTest {
 public:
     static constexpr std::array<Suspicion, 6> suspicions{{{LinkFault::compliance, 1},

@@ -64,10 +64,10 @@ class LinkJudge {
 public:
     /// The number of movements whose weighted mean is the healthy reference of the link.
     static constexpr std::size_t movements_of_baseline = 3;
-    /// The deviation from its kind that is suspected in a link, in units. Healthy machines deviate by up to one unit.
+    /// The suspected deviation of a link from its kind, in units. Healthy machines deviate by up to one unit.
     static constexpr double units_beyond_kind = 2;
-    /// The compliance's deviation from the kind that is suspected if the spool is computed from the voltage, in units.
-    /// The valve's unknown dead time then makes the compliance half a unit too great.
+    /// The suspected deviation of the compliance, in units, if the spool is computed from the voltage. The valve's
+    /// unknown dead time then makes the compliance half a unit too great.
     static constexpr double servo_units_beyond_kind = 3;
     /// The greatest accepted standard error, in units. Usual movements determine each deviation to a unit or better;
     /// steady movements leave one deviation almost undetermined.

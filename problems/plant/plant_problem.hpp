@@ -60,8 +60,7 @@ using PoleZeroPlant = PoleZeroPlantOf<double>;
 std::vector<double> parameters_of(const Plant& plant);
 
 /// Identification of a PoleZeroPlant as a search problem. The string d | alpha | beta | gamma | delta | b0 has 37 bits
-/// (Table 5.1). The error is y(k) - y-hat(k), predicted from measured past outputs. Samples are those of
-/// plant_record().
+/// (Table 5.1). The error is y(k) - y-hat(k), predicted from measured past outputs. Samples come from plant_record().
 class PlantProblem {
 public:
     PlantProblem();
