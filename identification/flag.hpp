@@ -38,8 +38,8 @@ struct Flag {
 /// The result of least squares on a set of samples.
 struct LeastSquares {
     double compliance_in3_per_psi = 0;
-    double standard_error =
-        std::numeric_limits<double>::infinity(); ///< infinite if the samples do not determine the compliance
+    /// Infinite if the samples do not determine the compliance.
+    double standard_error = std::numeric_limits<double>::infinity();
 
     friend bool operator==(const LeastSquares&, const LeastSquares&) = default;
 };

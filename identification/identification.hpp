@@ -20,10 +20,10 @@ struct LinkIdentified {
     hydraulics::Link link;
     double compliance_in3_per_psi = 0;
     double standard_error = 0; ///< standard error of least squares on the last window
-    std::optional<LeastSquares> of_all_samples =
-        {}; ///< least squares over all samples; identify() sets it only for several links
-    std::optional<double> optimum =
-        {}; ///< best of all codes on the last window; nullopt if the string is longer than exhaustive_bits
+    /// Least squares over all samples; identify() sets it only for several links.
+    std::optional<LeastSquares> of_all_samples = {};
+    /// The best of all codes on the last window; nullopt if the string is longer than exhaustive_bits.
+    std::optional<double> optimum = {};
     std::optional<double> codes_from_optimum = {}; ///< distance of the answer from `optimum`, in codes
     std::vector<Flag> flags = {};                  ///< empty if nothing is unusual
 

@@ -31,8 +31,8 @@ Identified identify_whole(const ComplianceSearch& prepared, const WholeWay& whol
 
 /// The work of a search, and its time on T800s of 20 MHz.
 struct SearchCost {
-    double individuals,
-        errors; ///< numbers of evaluated individuals and of errors; an error is of one individual at one sample
+    /// The numbers of evaluated individuals and of errors; an error is of one individual at one sample.
+    double individuals, errors;
     double seconds, seconds_on_16; ///< on one T800, and on the 16 of Figure E.2 without communication
 };
 

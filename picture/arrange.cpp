@@ -16,8 +16,8 @@ namespace {
 
 /// The approximate size of a node's box, in cells.
 constexpr double box_width = 0.7, box_height = 0.6;
-constexpr double across_a_box = 6,
-                 diagonal = 0.5; ///< terms that are added to the square of a wire's length to give its cost
+/// Terms that are added to the square of a wire's length to give its cost.
+constexpr double across_a_box = 6, diagonal = 0.5;
 
 /// Stores the placed nodes by cell, so that the nodes near a place are found quickly.
 class NodeGrid {

@@ -62,10 +62,10 @@ public:
         std::vector<std::size_t> above(nodes_.size(), no_node);
         std::vector<std::size_t> reached{root()};
         std::set<std::size_t> seen{root()};
+        // Several wires may join a node to its parent.
         for (std::size_t next = 0; next < reached.size(); ++next)
             for (auto other : inside(reached[next]))
-                if (other != above[reached[next]] &&
-                    above[other] != reached[next]) { // several wires may join a node to its parent
+                if (other != above[reached[next]] && above[other] != reached[next]) {
                     if (!seen.insert(other).second)
                         return {};
                     above[other] = reached[next];

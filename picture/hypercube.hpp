@@ -26,8 +26,8 @@ struct DrawnHypercube {
     std::string title;
     std::size_t dimensions = 4;             ///< 1 to 4
     std::vector<DrawnVertex> vertices = {}; ///< vertices that are not listed are drawn as `empty`
-    std::vector<VertexPair> spanned =
-        {}; ///< opposite corners of smaller hypercubes, such as two parents; the links of these hypercubes are thick
+    /// Opposite corners of smaller hypercubes, such as two parents. The links of these hypercubes are thick.
+    std::vector<VertexPair> spanned = {};
     std::vector<VertexPair> moves = {};  ///< arrows
     std::vector<std::string> lines = {}; ///< lines of text below the drawing
 };

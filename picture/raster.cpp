@@ -206,15 +206,15 @@ private:
         return path;
     }
 
-    using Entry =
-        std::tuple<unsigned, std::size_t, State>; ///< lower bound of the whole cost, order of insertion, state
+    /// Lower bound of the whole cost, order of insertion, state.
+    using Entry = std::tuple<unsigned, std::size_t, State>;
 
     Raster& r_;
     Box goal_;
-    std::map<std::size_t, Way>
-        entries_; ///< points at which the search may end, and the direction in which the path must arrive there
-    std::vector<unsigned>&
-        costs_; ///< owned by the raster, so that a search spends no time on points that it does not reach
+    /// The points at which the search may end, and the direction in which the path must arrive there.
+    std::map<std::size_t, Way> entries_;
+    /// Owned by the raster, so that a search spends no time on points that it does not reach.
+    std::vector<unsigned>& costs_;
     std::vector<unsigned char>& before_;
     std::vector<State> reached_;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;

@@ -71,8 +71,8 @@ std::string nearest_name(std::string_view wanted, const std::vector<std::string>
         return grouped;
     auto wanted_lower = lower_case(wanted);
     std::string best;
-    std::pair best_distance(most_edits(wanted) + 1,
-                            std::size_t{0}); // the second number also counts differences of case
+    // The second number of a distance also counts differences of case.
+    std::pair best_distance(most_edits(wanted) + 1, std::size_t{0});
     for (const auto& candidate : candidates) {
         if (candidate.size() > longest_word || candidate == wanted)
             continue;

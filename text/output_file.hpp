@@ -35,8 +35,8 @@ private:
 
     std::filesystem::path name_;        ///< the path that the user gave
     std::filesystem::path destination_; ///< the file that gets the content at the end
-    std::optional<TemporaryFile>
-        temporary_; ///< the file that gets the content first, unless the destination is a device or a pipe
+    /// The file that gets the content first, unless the destination is a device or a pipe.
+    std::optional<TemporaryFile> temporary_;
     std::FILE* file_ = nullptr;
     int error_ = 0;
 };

@@ -52,8 +52,8 @@ Answer genetic(const Chase& chase) {
 }
 
 Answer differential_evolution(const Chase& chase) {
-    return follow(chase, pagmo::de(generations, 0.8, 0.9, 2, 0,
-                                   0)); // tolerances of 0: the search never ends early, so the budget is the same
+    // With tolerances of 0 the search never ends early, so the budget is the same.
+    return follow(chase, pagmo::de(generations, 0.8, 0.9, 2, 0, 0));
 }
 
 } // namespace

@@ -60,8 +60,8 @@ struct Answer {
 struct Contestant {
     std::string name;
     Answer (*identify)(const Transient&);
-    int way =
-        -1; // contestants with the same number use the same algorithm and random stream, and must give the same bits
+    // Contestants with the same number use the same algorithm and random stream, and must give the same bits.
+    int way = -1;
 };
 
 std::vector<Contestant> ours();

@@ -16,8 +16,8 @@ using namespace hydraulics;
 
 namespace {
 
-constexpr const char* stream =
-    "search"; // name of the random stream, which is the same for all, so that the answers agree
+/// The name of the random stream, which is the same for all contestants, so that their answers agree.
+constexpr const char* stream = "search";
 
 std::uint64_t all_evaluations(const Transient& transient) {
     std::uint64_t samples = 0;

@@ -51,8 +51,8 @@ Answer genetic(const Transient& transient) {
 }
 
 Answer differential_evolution(const Transient& transient) {
-    return identify(transient,
-                    pagmo::de(generations, 0.8, 0.9, 2, 0, 0)); // tolerances of 0: the search never ends early
+    // With tolerances of 0 the search never ends early.
+    return identify(transient, pagmo::de(generations, 0.8, 0.9, 2, 0, 0));
 }
 
 } // namespace

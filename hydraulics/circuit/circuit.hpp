@@ -34,8 +34,8 @@ struct Junction {
     Link link;
     int pumps; ///< number of pumps, each of constant flow: 0 to 2
     Through through;
-    std::size_t next =
-        0; ///< index of the junction to which the bypass leads, if any; INVARIANT: higher than this junction's index
+    /// The index of the junction to which the bypass leads, if any. INVARIANT: higher than this junction's index.
+    std::size_t next = 0;
     Side side = Side::inlet; ///< the side of the link whose compliance is at this junction
 };
 

@@ -49,8 +49,8 @@ public:
             flows.inlet[i] = one_way(part(state, i, inlet_area), psi - part(state, i, inlet_psi));
             flows.bypass[i] = one_way(part(state, i, bypass_area), psi - beyond_psi(state, i));
             flows.outlet[i] = one_way(part(state, i, outlet_area), part(state, i, inlet_psi) - machine_.flow.tank_psi);
-            flows.relief[i] =
-                std::max(psi - machine_.flow.relief_psi, 0.0); // 1 in^3/s per psi above the relief pressure
+            // The relief valve passes 1 in^3/s per psi above the relief pressure.
+            flows.relief[i] = std::max(psi - machine_.flow.relief_psi, 0.0);
         }
         return flows;
     }

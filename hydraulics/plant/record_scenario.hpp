@@ -17,8 +17,8 @@ struct DigJob; // hydraulics/plant/dig_job.hpp
 struct LinksInMotion {
     Configuration configuration = Configuration::a;
     LinkSet links;
-    const DigJob* job =
-        nullptr; ///< not null for digging_scenario(), where links and configurations follow from the job
+    /// Not null for digging_scenario(), where links and configurations follow from the job.
+    const DigJob* job = nullptr;
 };
 
 /// A motion of a simulated machine that can be recorded.

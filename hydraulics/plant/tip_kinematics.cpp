@@ -45,8 +45,8 @@ TipPose tip_pose(const ArmLengths& lengths, const JointAngles& angles) {
 
 std::optional<JointAngles> joint_angles(const ArmLengths& lengths, const TipPose& pose, double margin_rad) {
     const InPlane bucket_at = along(lengths.bucket_in, pose.pitch_rad);
-    const double out = pose.reach_in - bucket_at.out,
-                 up = pose.height_in - bucket_at.up; // position of the bucket's joint
+    // The position of the bucket's joint.
+    const double out = pose.reach_in - bucket_at.out, up = pose.height_in - bucket_at.up;
     const double a = lengths.boom_in, b = lengths.stick_in;
     const double cosine = (out * out + up * up - a * a - b * b) / (2 * a * b);
     if (!(std::abs(cosine) <= 1))

@@ -23,8 +23,8 @@ namespace placedpar::identification {
 /// The deviations of the links of a set in a single movement, in the order of links_of().
 struct JudgedMovement {
     hydraulics::LinkSet set;
-    std::vector<Deviation>
-        links; ///< deviations from a healthy link: one with the healthy compliance, no leak and no offset
+    /// Deviations from a healthy link, which has the healthy compliance, no leak and no offset.
+    std::vector<Deviation> links;
 };
 
 /// The readings of a sample that is not complete yet.
@@ -50,8 +50,8 @@ struct DiagnosisState {
     std::optional<double> sample_s; ///< middle of the last complete sample since the windows began
     hydraulics::PerLink<LinkTrack> tracks;
     std::map<hydraulics::LinkSet, PopulationSet::State> sets; ///< all sets ever used
-    hydraulics::PerLink<double>
-        health_in3_per_psi{}; ///< healthy compliances: set by the control system, or else typical of the machine's kind
+    /// Healthy compliances, set by the control system, or else typical of the machine's kind.
+    hydraulics::PerLink<double> health_in3_per_psi{};
     hydraulics::PerLink<FrozenWatch> pressures, angles;
     std::map<hydraulics::LinkSet, SetWatch::State> watches; ///< one for each set ever used
     bool judged = false;       ///< whether a verdict may have changed since the alarms were last determined

@@ -22,8 +22,8 @@ public:
     struct State {
         std::vector<double> recent_in3_per_psi; ///< compliances of the last generations' best individuals, oldest first
         std::vector<double> settled_in3_per_psi; ///< one value for each of the last settled transients
-        double standard_error_in3_per_psi =
-            0; ///< standard error of the newest estimate, by least squares on its window; 0: none yet
+        /// The standard error of the newest estimate, by least squares on its window; 0: none yet.
+        double standard_error_in3_per_psi = 0;
         double settled_error_in3_per_psi = 0; ///< standard error of the newest settled value
         double time_s = 0;                    ///< time of the sample that last changed the estimate
         double settled_time_s = 0;            ///< time of the sample that last changed the newest settled value

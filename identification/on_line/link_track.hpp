@@ -29,8 +29,8 @@ public:
     /// Each list holds the last samples, oldest first.
     struct State {
         std::vector<double> inlet_psi, angle_deg, inlet_in2, bypass_in2;
-        std::optional<double> spool_in,
-            desired_in; ///< actual and desired position of a spool that is computed from its voltage
+        /// The actual and the desired position of a spool that is computed from its voltage.
+        std::optional<double> spool_in, desired_in;
         Sums sums;
 
         friend bool operator==(const State&, const State&) = default;

@@ -24,9 +24,9 @@ struct LinkFinding {
     hydraulics::Link link;
     std::optional<double> compliance_in3_per_psi; ///< nullopt: the pressure never moved enough
     double standard_error_in3_per_psi = 0;        ///< standard error of least squares on the window of the estimate
-    std::pair<double, double>
-        spread_in3_per_psi;  ///< least and greatest compliance of the last generations' best individuals
-    std::vector<Flag> flags; ///< empty if nothing is unusual
+    /// The least and the greatest compliance of the last generations' best individuals.
+    std::pair<double, double> spread_in3_per_psi;
+    std::vector<Flag> flags;                 ///< empty if nothing is unusual
     std::optional<WholeMovement> whole = {}; ///< nullopt: too few samples
 };
 

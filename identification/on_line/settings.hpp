@@ -20,10 +20,10 @@ struct DiagnosisSettings {
     std::size_t bits = 10;                    ///< bits per compliance; not printed in the thesis
     ExcitationGate gate;                      ///< shut while the excitation is too low; the estimate is then frozen
     std::size_t skipped = 2;                  ///< usable samples left out after the path to a cylinder has opened; ours
-    std::size_t median_over =
-        25; ///< number of generations; the estimate is the median of their best individuals; ours
-    double settled_within =
-        0.2; ///< limit of (greatest - least) / median of these individuals for a settled estimate; ours
+    /// The number of generations over whose best individuals the estimate is the median; ours.
+    std::size_t median_over = 25;
+    /// The limit of (greatest - least) / median of these individuals for a settled estimate; ours.
+    double settled_within = 0.2;
     double inconsistent_over = 0.3; ///< limit of (greatest - least) / median between population sets; ours
     double stale_after_s = 600;     ///< estimates older than this are left out of cross-checks; ours
 

@@ -27,8 +27,8 @@ class Movement {
 public:
     struct State {
         MovementSamples samples;
-        std::vector<JunctionSamples>
-            shut; ///< the newest samples with shut valves; a sample is rest if three more such samples follow
+        /// The newest samples with shut valves. A sample is rest if three more such samples follow.
+        std::vector<JunctionSamples> shut;
         std::size_t opened = 0; ///< number of samples since the valves opened
         std::size_t closed = 0; ///< number of samples, after a movement, in which not all valves are open
 

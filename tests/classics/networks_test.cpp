@@ -71,8 +71,8 @@ TEST_CASE("a sieve with more processes than primes ends, and one with fewer pass
     CHECK(more.result.ending == Ending::completed);
     CHECK(more.measured("sieve[3]", "prime") == 7);
     CHECK(more.measured("sieve[4]", "prime") == 0);
-    CHECK(run_example("csp/sieve/sieve.cfs", {{"primes", "4"}}).measured("sieve[3]", "passed") ==
-          21); // the primes above 7
+    // There are 21 primes above 7.
+    CHECK(run_example("csp/sieve/sieve.cfs", {{"primes", "4"}}).measured("sieve[3]", "passed") == 21);
 }
 
 TEST_CASE("the mesh multiplies vectors by its matrix") {

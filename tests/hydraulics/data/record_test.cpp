@@ -205,8 +205,8 @@ TEST_CASE("jittering times are resampled to whole periods, but not across a gap"
     std::vector<int> off{0, 1, -1, 1, 0, -1, 1, -1, 0, 0}; // ms
     for (int i = 0; i < 10; ++i) {
         int time = 20 * (i < 6 ? i : i + 3) + off[static_cast<std::size_t>(i)];
-        text += fmt::format("{},{}\n", time,
-                            time < 110 ? time / 4.0 : 300 - time / 4.0); // after the gap the angle follows another line
+        // After the gap the angle follows another line.
+        text += fmt::format("{},{}\n", time, time < 110 ? time / 4.0 : 300 - time / 4.0);
     }
     ReadRecord read = read_record(text);
     REQUIRE(read.record);

@@ -110,8 +110,8 @@ TEST_CASE("a leak starts at its time and slows the boom") {
     excavator.leak.start_s = 2.005;
     std::vector<MeasuredState> motion = simulate_measured_excavator(excavator);
     CHECK(motion.at(20000).leak_in3_per_s == 0);
-    CHECK(motion.at(20060).leak_in3_per_s ==
-          doctest::Approx(6.9).epsilon(0.05)); // k_l times a pressure difference of about 1740 psi is 6.97
+    // k_l times a pressure difference of about 1740 psi is 6.97.
+    CHECK(motion.at(20060).leak_in3_per_s == doctest::Approx(6.9).epsilon(0.05));
     CHECK(motion.back().velocity_in_per_s < 0.95 * tight);
 }
 

@@ -53,8 +53,8 @@ TEST_CASE("fitness agrees with the circuit's error for any order of junctions") 
             Circuit circuit = circuit_of(configuration, group);
             std::vector<SetSample> window{random_set_sample(links.size(), random),
                                           random_set_sample(links.size(), random)};
-            std::vector<Genome> strings =
-                random_population(19, problem.bits(), random); // not a multiple of a vector's width
+            // 19 is not a multiple of a vector's width.
+            std::vector<Genome> strings = random_population(19, problem.bits(), random);
             std::vector<double> fitness = problem.fitness(strings, problem.prepared(window), 400);
             for (std::size_t i = 0; i < strings.size(); ++i) {
                 double sum = 0;
