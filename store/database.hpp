@@ -15,7 +15,7 @@ struct sqlite3_stmt;
 namespace placedpar::store {
 
 /// An error with SQLite's message and, if there is one, the operating system's. `damage()` returns whether the file is
-/// damaged or not a database.
+/// damaged, or is not a database.
 class DatabaseError : public UserError {
 public:
     DatabaseError(const std::string& what, bool damage) : UserError(what), damage_(damage) {}

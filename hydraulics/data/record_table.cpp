@@ -205,7 +205,7 @@ void RecordReader::forget_told(std::vector<Diagnostic>& faults) {
     told_ = std::move(now);
 }
 
-/// Reads the lines into table_, and the header of the first piece. Returns false if there is nothing to read.
+/// Reads the lines into table_, and the header of the first piece. Returns false if nothing can be read.
 bool RecordReader::read_table(std::string_view lines, std::vector<Diagnostic>& faults) {
     table_.rows.clear();
     line_ = append_lines(table_, lines, line_, faults);

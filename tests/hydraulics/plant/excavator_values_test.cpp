@@ -116,7 +116,7 @@ TEST_CASE("scenario B rises from 1524 to 2070 psi in .52 s and settles at 1835 p
     CHECK(std::abs(peak->time_s - rises->time_s - 0.52) < 0.05);
 }
 
-TEST_CASE("an impossible scenario is refused with the reason") {
+TEST_CASE("an impossible scenario of the boom is refused with the reason") {
     ExcavatorScenario scenario = single_boom_scenario();
     scenario.links[0].mechanics.inlet_compliance_in3_per_psi = 0;
     CHECK_THROWS_WITH_AS(simulate_boom(scenario),
