@@ -27,7 +27,6 @@ struct Figures {
 
 constexpr double processes = 17; ///< the host, four masters, twelve slaves
 
-/// Makes the runs of the study on one core.
 Figures run_all(const Study& study) {
     const StudyMeasure generations("sum(master.generations)");
     const double before = resident_bytes();

@@ -31,9 +31,8 @@ struct ComplianceSearch {
 /// Returns the resolution of the spool's sensor.
 double spool_sensor_step_in(const hydraulics::Parameters& machine);
 
-/// Prepares a search from the record's usable samples. Throws UserError if the links do not belong to one coupled group
-/// of the configuration, or if the question is about an outlet side other than the boom's. Throws UnfitRecord if the
-/// record lacks a channel.
+/// Throws UserError if the links do not belong to one coupled group of the configuration, or if the question is about
+/// an outlet side other than the boom's. Throws UnfitRecord if the record lacks a channel.
 ComplianceSearch prepare(const hydraulics::Record& record, const hydraulics::Parameters& machine,
                          const Question& question, const IdentificationWay& way);
 

@@ -15,7 +15,6 @@
 
 namespace placedpar::identification {
 
-/// The identified compliance of one link.
 struct LinkIdentified {
     hydraulics::Link link;
     double compliance_in3_per_psi = 0;

@@ -21,7 +21,6 @@ struct TransientEstimate {
     std::vector<double> compliance_in3_per_psi;
 };
 
-/// The result of one search.
 struct SearchRun {
     std::vector<TransientEstimate> estimates;
     std::uint64_t generations = 0;

@@ -20,7 +20,7 @@ constexpr std::size_t most_in_column = 8, longest_text = 26;
 double round_up(double length, double unit) { return std::ceil(length / unit) * unit; }
 double to_raster(double length) { return std::round(length / pitch) * pitch; }
 
-/// Shortens a long text, and marks the end of the shortened text by "..".
+/// Shortens a long text so that it ends in "..".
 std::string shortened(const std::string& text) {
     return text.size() <= longest_text ? text : text.substr(0, longest_text - 2) + "..";
 }

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-// This header declares the task and the results of every contestant. It does not include the headers of processes,
-// which include Boost, since a rival may use another version of Boost.
+// This header declares the task and the results of every contestant. The only Boost headers that it includes are
+// containers, since a rival may use another version of Boost.
 
 namespace placedpar {
 

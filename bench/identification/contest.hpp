@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-// This header declares the task and the results of every contestant. It does not include Boost, since a rival may use
-// another version of Boost.
+// This header declares the task and the results of every contestant. The only Boost headers that it includes are
+// containers, since a rival may use another version of Boost.
 
 namespace placedpar {
 

@@ -16,7 +16,7 @@ using namespace hydraulics;
 
 namespace {
 
-/// The name of the random stream, which is the same for all contestants, so that their answers agree.
+/// All contestants use the same random stream, so that their answers agree.
 constexpr const char* stream = "search";
 
 std::uint64_t all_evaluations(const Transient& transient) {

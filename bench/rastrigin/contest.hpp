@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-// This header declares the task of every contestant. It does not include the headers of processes, which include Boost,
-// since a rival may use another version of Boost.
+// This header declares the task of every contestant. It does not include Boost, since a rival may use another version
+// of Boost.
 
 namespace placedpar {
 

@@ -14,7 +14,7 @@ namespace placedpar {
 
 namespace {
 
-/// The problem in the form of pagmo. It holds a pointer to the valley, since pagmo copies problems.
+/// Holds a pointer to the valley, since pagmo copies problems.
 struct ValleyProblem {
     Valley* valley = nullptr;
 

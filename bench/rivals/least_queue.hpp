@@ -11,8 +11,7 @@ template <class Who>
 class LeastQueue {
 public:
     void make_ready(Who who) { ready_.push_back(who); }
-    /// Returns the next process. If none is ready, advances the time to that of the first waiting process, and returns
-    /// it.
+    /// Returns the next ready process. If there is none, returns the first waiting process and advances the time.
     Who take() {
         if (ready_.empty()) {
             Delay next = future_.top();

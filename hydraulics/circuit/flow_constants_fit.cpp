@@ -26,7 +26,6 @@ FlowConstants unscaled(const Eigen::VectorXd& x, double relief_psi) {
     return {x[0] * flow_scale, x[1] * flow_scale, x[2] * tank_scale, relief_psi};
 }
 
-/// The residuals that Eigen's solver minimises.
 struct SpoolResiduals : Eigen::DenseFunctor<double> {
     SpoolResiduals(std::span<const SteadyFlowPoint> points, double relief)
         : DenseFunctor(3, static_cast<int>(points.size())), table(points), relief_psi(relief) {}

@@ -18,7 +18,6 @@ struct SteadyFlowPoint {
 /// pressure.
 std::span<const SteadyFlowPoint> table_2_6();
 
-/// Constants fitted to a table, with their residuals.
 struct FlowConstantsFit {
     FlowConstants constants;
     FlowConstants deviation;          ///< standard deviation of each constant, computed from the residuals

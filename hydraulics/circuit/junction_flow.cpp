@@ -134,10 +134,9 @@ private:
         return psi_at(below + (above - below) / 2);
     }
 
-    /// Adds the flow left over by rounding to the outlet whose pressure drop it changes least. The drop is flow^2 /
-    /// conductance^2, so this is the outlet with the greater conductance^2 / flow. An outlet without flow gets nothing.
-    /// If neither outlet has flow, the rest is too small to affect the pressure and goes to the outlet with the lowest
-    /// pressure.
+    /// Adds the flow left over by rounding to the outlet whose pressure drop, flow^2 / conductance^2, it changes least:
+    /// the outlet with the greater conductance^2 / flow. An outlet without flow gets nothing. If neither outlet has
+    /// flow, the rest is too small to affect the pressure and goes to the outlet with the lowest pressure.
     static void give_rest(const Outlets& outlets, double rest, double& in, double& by) {
         double a = outlets.inlet.conductance, b = outlets.bypass.conductance;
         bool to_inlet = a * a * by >= b * b * in;

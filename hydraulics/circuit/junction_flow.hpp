@@ -15,7 +15,6 @@ struct JunctionOpening {
     double bypass_in2; ///< a_e >= 0; ignored where the circuit keeps the bypass shut
 };
 
-/// The flow at one junction.
 struct JunctionFlow {
     double psi;              ///< pressure of the junction: P_11, ...
     double inlet_in3_per_s;  ///< Q_i >= 0, into the link

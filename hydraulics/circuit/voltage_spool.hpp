@@ -41,7 +41,6 @@ public:
     /// Throws std::invalid_argument unless lag and period are above 0.
     SpoolLag(double lag_per_s, double period_s, double spool_in);
 
-    /// Returns the present spool position.
     double spool_in() const { return spool_in_; }
     /// Advances by one period, or several, with the command `desired_in`.
     void hold(double desired_in, double periods = 1) {

@@ -17,7 +17,6 @@ namespace {
 constexpr std::array<std::string_view, 5> columns{"name", "value", "unit", "mark", "source"};
 constexpr std::array<std::string_view, 4> marks{"thesis", "fitted", "ours", "measured"};
 
-/// The cells of a row by column.
 struct NamedCells {
     const TextCell &name, &value, &unit, &mark, &source;
 };

@@ -97,7 +97,6 @@ public:
 /// finite.
 inline constexpr double largest_reading = 1e12;
 
-/// One value of a record.
 struct SensorReading {
     Link link;
     Sensor sensor;

@@ -12,7 +12,7 @@
 
 namespace placedpar::hydraulics {
 
-/// read_record uses these checks of the measurements. There is one function for each common fault of loggers.
+/// read_record() makes these checks, one for each common fault of loggers.
 
 /// The position of a channel's name in the text.
 struct HeaderPlace {

@@ -25,7 +25,7 @@ double bulk_modulus_psi(const AirOilMixture& mixture, double psia);
 /// is softer. REQUIRES: 0 < air_fraction < 1, 0 < share < 1.
 double psia_at_modulus(const AirOilMixture& mixture, double share);
 
-/// Returns the compliance of a fluid by equation 2.2: C_fluid = V / beta.
+/// Returns the compliance of a fluid, C_fluid = V / beta (2.2).
 inline double fluid_compliance_in3_per_psi(double volume_in3, double modulus_psi) { return volume_in3 / modulus_psi; }
 
 } // namespace placedpar::hydraulics

@@ -17,7 +17,6 @@ struct JoystickMove {
     double soil_lbf;  ///< >= 0
 };
 
-/// A start pose, and the moves of the joysticks one after the other.
 struct DigJob {
     std::string name;  ///< name of the job's file
     std::string about; ///< description; may be empty
@@ -27,8 +26,8 @@ struct DigJob {
     double duration_s() const;
 };
 
-/// The reference trajectory of the tip. The velocity approaches the joysticks' velocity with an error like exp(-t /
-/// lag). The pose is the exact integral of the velocity.
+/// The reference trajectory of the tip. The error of its velocity falls like exp(-t / lag); its pose is the exact
+/// integral of the velocity.
 class TipReference {
 public:
     /// REQUIRES: the job has moves and outlives this object; lag_s > 0.

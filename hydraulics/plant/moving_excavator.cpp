@@ -28,7 +28,6 @@ double part(const MachineState& state, std::size_t link, Part which) { return st
 double& part(MachineState& state, std::size_t link, Part which) { return state[link * parts + which]; }
 double junction_psi(const MachineState& state, std::size_t link) { return state[junctions + link]; }
 
-/// The flows of the main valve.
 struct ValveFlows {
     PerLink<double> inlet, bypass, outlet, relief;
 };
@@ -140,7 +139,6 @@ public:
         return now;
     }
 
-    /// Advances by one control period.
     void advance() {
         const auto next = controlled();
         set_loads();

@@ -65,7 +65,6 @@ double stability_margin(const PdLoop& loop);
 /// (matrix exponential).
 std::vector<double> step_response(const PdLoop& loop, double step_s, std::size_t count);
 
-/// Figures of a step response.
 struct StepFigures {
     double overshoot_percent; ///< relative to the final value 1; 0 if never exceeded
     double peak_time_s;       ///< time of the greatest value

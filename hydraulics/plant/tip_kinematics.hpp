@@ -29,7 +29,6 @@ struct TipPose {
 /// as the arm folds inwards and down, which is the direction in which the pump moves the links.
 using JointAngles = PerLink<double>;
 
-/// Returns the pose of the tip.
 TipPose tip_pose(const ArmLengths&, const JointAngles&);
 
 /// Returns the angles for a pose, with the stick's bend from 0 to pi. Returns nullopt if boom and stick do not reach

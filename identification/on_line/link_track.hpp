@@ -29,7 +29,7 @@ public:
     /// Each list holds the last samples, oldest first.
     struct State {
         std::vector<double> inlet_psi, angle_deg, inlet_in2, bypass_in2;
-        /// The actual and the desired position of a spool that is computed from its voltage.
+        /// The actual and the desired spool position, if computed from the voltage.
         std::optional<double> spool_in, desired_in;
         Sums sums;
 

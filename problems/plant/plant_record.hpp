@@ -25,10 +25,10 @@ struct Pole {
 };
 Pole pole_of(double a1, double a2);
 
-/// The change of a1 during an experiment, from 1.5 in a straight line. The default follows Table 5.4, which prints a1 =
-/// -1.5 + 1.0 (gen - 200). This sign belongs to the coefficient in A(q^-1), and with this slope the plant would be
-/// unstable from the second generation on. Here the change takes the time of the table: a1 = 1.5 - (gen - 200) / 200
-/// until generation 400.
+/// The change of a1 during an experiment, from 1.5 in a straight line. The default follows Table 5.4, which prints the
+/// change as a1 = -1.5 + 1.0 (gen - 200). This sign belongs to the coefficient in A(q^-1), and with this slope the
+/// plant would be unstable from the second generation on. Here the change takes the time of the table: a1 = 1.5 - (gen
+/// - 200) / 200 until generation 400.
 struct PlantChange {
     double a1 = 0.5;    ///< value at the end
     double from = 200;  ///< generation at which the change begins
