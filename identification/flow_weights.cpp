@@ -8,8 +8,8 @@ namespace {
 
 using Square = PerJunction<PerJunction<double>>;
 
-/// The least scatter of each flow, about the resolution of the readings. Without it, records without noise would give
-/// some directions unlimited weight.
+/// The least scatter of each flow, about the resolution of the readings. Without this limit, records without noise
+/// would give some directions unlimited weight.
 constexpr double least_scatter_in3_per_s = 0.1;
 /// With few samples, the scatter in some direction looks too small. Therefore shrinkage * mean * junctions / samples^2
 /// is added to the scatter of each flow, where `mean` is the mean scatter of the flows.

@@ -20,7 +20,6 @@ const TransientEstimate& last_live(std::span<const TransientEstimate> estimates)
     return *std::ranges::find(estimates.rbegin(), estimates.rend(), false, &TransientEstimate::frozen);
 }
 
-/// Returns the samples of an estimate's window.
 std::span<const CircuitSample> last_window(std::span<const CircuitSample> samples, const TransientEstimate& last,
                                            std::size_t length) {
     auto end = std::ranges::find(samples, last.index, &CircuitSample::index) + 1;

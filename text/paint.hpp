@@ -12,7 +12,7 @@ enum class Paint { error, warning, note, place, caret, heading, success, failure
 enum class PaintedStream { errors, output };
 
 /// Turns colours on the stream on or off; they are off until the first call. Only the main program calls this function,
-/// once at its start. A test, or a program that uses a room, gets plain text.
+/// once at its start.
 void set_painted(PaintedStream, bool painted);
 
 /// Returns the text between marks of the colour if its stream is painted, otherwise the text alone. Final newlines, and

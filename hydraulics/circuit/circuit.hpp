@@ -32,7 +32,7 @@ enum class Through : unsigned char {
 /// arrives from pumps and from the bypasses that lead to this junction.
 struct Junction {
     Link link;
-    int pumps; ///< number of pumps, each of constant flow: 0 to 2
+    int pumps; ///< 0 to 2 pumps, each of constant flow
     Through through;
     /// The index of the junction to which the bypass leads, if any. INVARIANT: higher than this junction's index.
     std::size_t next = 0;

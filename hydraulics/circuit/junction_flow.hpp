@@ -31,10 +31,10 @@ struct JunctionFlow {
 /// a trial pressure, the junctions upstream are solved for that pressure. A junction fed only by pumps is solved in
 /// closed form. There is a solution for all areas and pressures.
 ///
-/// A junction that no flow reaches has the highest pressure of the junctions whose open bypasses lead to it. Without
-/// such junctions it has the lowest pressure beyond its own open orifices, or the tank's pressure if all its orifices
-/// are shut. INVARIANT of the result: flow is conserved at every junction to 1e-9 of a pump's flow. REQUIRES: one
-/// opening and one result per junction; pump flow > 0, relief pressure finite.
+/// A junction that no flow reaches has the highest pressure of the junctions whose open bypasses lead to it. If there
+/// are none, it has the lowest pressure beyond its own open orifices, or the tank's pressure if all its orifices are
+/// shut. INVARIANT of the result: flow is conserved at every junction to 1e-9 of a pump's flow. REQUIRES: one opening
+/// and one result per junction; pump flow > 0, relief pressure finite.
 void solve_junctions(const Circuit&, std::span<const JunctionOpening>, const FlowConstants&, std::span<JunctionFlow>);
 
 std::vector<JunctionFlow> solve_junctions(const Circuit&, std::span<const JunctionOpening>, const FlowConstants&);

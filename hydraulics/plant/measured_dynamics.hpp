@@ -47,9 +47,9 @@ public:
     explicit MeasuredDynamics(const MeasuredExcavator& excavator) : excavator_(excavator) { hold(0); }
 
     State at_rest() const;
-    /// Keeps the command, delayed by the dead time, and the drift constant at their values at `time_s`.
+    /// Fixes the drift, and the command delayed by the dead time, at their values at `time_s`.
     void hold(double time_s);
-    /// Keeps the voltage `volts` instead of the command, and the drift constant at its value at `time_s`.
+    /// Fixes the voltage at `volts`, and the drift at its value at `time_s`.
     void hold(double volts, double time_s);
     /// Computes the derivative, and returns the mode in which the derivative is valid.
     Mode rate(const State& state, State& derivative, double time_s) const;

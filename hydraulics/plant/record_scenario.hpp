@@ -36,8 +36,8 @@ struct RecordScenario {
     bool any_links = false;
 };
 
-/// Returns the scenarios: scenario-a and scenario-b of the simple plant, two-links and links of appendix B, and
-/// excavator, the measured machine.
+/// Returns "scenario-a" and "scenario-b" (the simple plant), "two-links" and "links" (appendix B), and "excavator" (the
+/// measured machine).
 std::span<const RecordScenario> record_scenarios();
 
 /// Returns the scenario in which an excavator does a job. It is not among record_scenarios(), since it needs a job.

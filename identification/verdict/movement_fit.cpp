@@ -119,7 +119,6 @@ private:
     std::vector<WayUnits> units_;
 };
 
-/// The standard deviations of one link's readings.
 struct ReadingNoise {
     double psi, slope_psi_per_s, flow_in3_per_s, inlet_in2, bypass_in2, spool_in;
 };

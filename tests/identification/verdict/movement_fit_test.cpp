@@ -175,8 +175,7 @@ TEST_CASE("the uncertainty of the compliance at rest makes the leak uncertain by
     MovementSamples movement = moved({"scenario-a", "low"}, {}, 1);
     movement.at_rest.clear();
     constexpr double psi = 1000, slope_psi_per_s = -1000, compliance = 0.0086; // the fit assumes no leak
-    for (double noise = 0.22; movement.at_rest.size() < 100;
-         noise = -noise) // in^3/s, the least noise that the fit assumes
+    for (double noise = 0.22; movement.at_rest.size() < 100; noise = -noise)   // the least noise that the fit assumes
         movement.at_rest.push_back({{psi, slope_psi_per_s, -compliance * slope_psi_per_s + noise, 0, 0.03}});
     movement.rest_after.clear();
     const Deviation found =
