@@ -32,7 +32,6 @@ struct DrawnHypercube {
     std::vector<std::string> lines = {}; ///< lines of text below the drawing
 };
 
-/// Explains the meaning of each look.
 using VertexLegend = std::vector<std::pair<VertexLook, std::string>>;
 
 /// Draws hypercubes in rows of `columns` hypercubes, as SVG. The same input gives the same bytes. REQUIRES: vertices

@@ -38,7 +38,6 @@ std::size_t letters(const std::string& utf8) {
 
 bool has_bars(const Series& series) { return !series.intervals.empty() || !series.x_intervals.empty(); }
 
-/// Returns the text of the series in the legend.
 std::string legend_of(const Series& series, const Panel& panel) {
     return series.name.empty() ? "" : series.name + text_of(cut_offs(series, panel));
 }

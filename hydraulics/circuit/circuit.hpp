@@ -49,7 +49,6 @@ std::vector<LinkSet> coupled_groups(Configuration);
 /// Returns the circuit of the active links of one group. An inactive link is left out: its spool rests, its inlet is
 /// shut and its bypass is wide open. REQUIRES: `active` is a non-empty part of one coupled group.
 Circuit circuit_of(Configuration, LinkSet active);
-/// Returns the circuit of the boom alone, fed by its pump.
 Circuit boom_circuit();
 /// Returns the drain side of a link as a circuit (equation 3.4): a junction without a pump, at the pressure of the
 /// cylinder. The piston supplies its flow, and the outlet orifice takes the place of the bypass to the tank.

@@ -8,7 +8,6 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// States where the surplus of a branch goes.
 enum class Surplus { to_tank, to_boom, to_stick };
 
 Surplus surplus_of(Configuration configuration) {

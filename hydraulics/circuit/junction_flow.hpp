@@ -8,7 +8,6 @@
 
 namespace placedpar::hydraulics {
 
-/// The open orifices at a junction and the pressure of its link.
 struct JunctionOpening {
     double link_psi;   ///< P_i of the junction's link
     double inlet_in2;  ///< a_i >= 0

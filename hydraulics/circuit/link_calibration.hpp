@@ -10,8 +10,6 @@ namespace placedpar::hydraulics {
 
 class Parameters; // hydraulics/data/parameters.hpp
 
-/// This file converts sensor readings to flows and areas.
-
 /// Returns the volume that the pump side of a link takes per radian of its joint, in in^3/rad: A_i times the moment
 /// arm. For the swing this volume is the displacement of its motor.
 constexpr double piston_in3_per_rad(double inlet_area_in2, double moment_arm_in) {

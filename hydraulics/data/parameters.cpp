@@ -32,7 +32,6 @@ void refuse(std::vector<Diagnostic>& faults, std::size_t line, const TextCell& c
     faults.push_back(error_at(line, cell.column, std::move(message), std::move(hint)));
 }
 
-/// Reads the text that defines all parameters.
 std::vector<Parameter> parameters_of(std::string_view text) {
     std::vector<Diagnostic> faults;
     TextTable table = split_table(text, faults);

@@ -28,7 +28,6 @@ inline constexpr std::array<Sensor, 7> all_sensors{Sensor::inlet_pressure, Senso
                                                    Sensor::spool,          Sensor::servo,           Sensor::inlet_area,
                                                    Sensor::bypass_area};
 
-/// Returns the sensor of the pressure on one side of a link.
 constexpr Sensor pressure_sensor(Side side) {
     return side == Side::inlet ? Sensor::inlet_pressure : Sensor::outlet_pressure;
 }

@@ -60,7 +60,6 @@ public:
     std::vector<Diagnostic> finish() const;
 
 private:
-    /// A column of the text.
     struct Column {
         std::size_t index;
         std::size_t at; ///< position of the column's name in the header's line

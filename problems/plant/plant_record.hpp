@@ -53,7 +53,6 @@ struct PlantExperiment {
 
     /// Returns the number of samples that arrive from generation 0 on. REQUIRES: per_sample > 0.
     std::size_t samples() const { return (generations + per_sample - 1) / per_sample; }
-    /// Returns the number of samples in the whole record.
     std::size_t record_length() const { return window - 1 + samples(); }
 };
 
