@@ -80,7 +80,7 @@ Cell judged_by(Judge, Cell);
 
 /// Number of standard deviations that a figure which scatters with the seed may deviate. A replay judges about ten such
 /// figures. The known figures are samples, too, and may be wrong by up to two of their own standard deviations; with
-/// the remaining two, a replay fails for less than one seed in a hundred (experiments/README.md has the counts).
+/// the remaining two, a replay fails for less than one seed in a hundred (docs/reference/hydraulics.md has the counts).
 inline constexpr double deviations_allowed = 4;
 
 /// Returns the tolerance, in percentage points, for the difference between two shares, each of n records. The standard
