@@ -31,15 +31,15 @@ struct RecordedRun {
 bool is_determinate(const Network&, const Catalogue&);
 
 /// Repeats a recorded run with another seed without simulating the machine. The processes compute with the numbers of
-/// the new seed, and all times are taken from the recorded run. If a process behaves differently from the recorded run,
-/// for example computes longer, the run is not repeated.  REQUIRES: the network is that of the recorded run, and
-/// determinate. All three arguments outlive this object.
+/// the new seed, and all times are taken from the recorded run. The run cannot be repeated if a process behaves
+/// differently, for example computes longer. REQUIRES: the network is that of the recorded run, and determinate. All
+/// three arguments outlive this object.
 class RepeatedRun {
 public:
     RepeatedRun(const Network&, const Catalogue&, std::uint64_t seed, const RecordedRun&);
 
-    /// Returns the report that a run on the machine would give, equal to the last bit; the report of an interrupted run
-    /// contains only this ending. Returns nothing if the run would take another course or would not complete.
+    /// Returns the report that a run on the machine would give, identical to the last bit. The report of an interrupted
+    /// run contains only this ending. Returns nothing if the run would behave differently or would not complete.
     std::optional<RunReport> run();
     Simulation& simulation() { return simulation_; }
 

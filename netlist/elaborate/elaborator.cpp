@@ -12,7 +12,7 @@ namespace placedpar {
 Elaborator::Elaborator(const Catalogue& catalogue, const Statements& overrides, Reporter& reporter)
     : catalogue_(catalogue), reporter_(reporter), scopes_(catalogue), evaluator_(scopes_, reporter),
       overrides_(overrides) {
-    // a printed network uses predefined names, so nothing else may have them when the text is read again
+    // the predefined names are reserved, since a printed network uses them
     claimed_.insert("HIGH");
     for (const auto& [name, type] : catalogue.node_types())
         claimed_.insert(type.preset.type);

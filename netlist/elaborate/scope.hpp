@@ -15,8 +15,8 @@
 
 namespace placedpar {
 
-/// Describes a declared thing or array. Its elements are numbers first, first + 1, ... in the draft; the last subscript
-/// varies fastest.
+/// Describes a declared thing or array. Its elements have the indices first, first + 1, ... in the draft; the last
+/// subscript varies fastest.
 struct DeclaredThings {
     enum class Category { node, connection, edge_channel, process };
     Category category;
@@ -69,7 +69,7 @@ public:
 
     /// Sets the statements of this block that follow the current statement. REQUIRES: they outlive the block.
     void set_ahead(std::span<const Statement> statements) { ahead_.back() = statements; }
-    /// Returns where a name that is not known yet is declared further on, in this block or in an enclosing block.
+    /// Returns where an unknown name is declared later, in this block or in an enclosing block.
     std::optional<Location> declared_later(std::string_view name) const;
 
     std::vector<std::string> names() const;
@@ -84,7 +84,8 @@ public:
 
 private:
     std::vector<std::map<std::string, Symbol, std::less<>>> scopes_;
-    std::vector<std::span<const Statement>> ahead_ = std::vector<std::span<const Statement>>(2); ///< by open block
+    std::vector<std::span<const Statement>> ahead_ = std::vector<std::span<const Statement>>(2); ///< for each open
+                                                                                                 ///< block
     std::set<std::string> poisoned_;
 };
 

@@ -32,7 +32,7 @@ struct LinkUse {
 struct BusMasterUse {
     std::string name;
     int level;
-    std::uint64_t words, bytes; ///< words moved, registers accessed
+    std::uint64_t words, bytes; ///< words moved over the bus; bytes accessed in registers
     std::uint64_t grants, bus_errors;
     Time waited, longest_wait; ///< waiting times for the bus
 };

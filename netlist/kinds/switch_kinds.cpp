@@ -56,7 +56,7 @@ std::vector<Complaint> check_place_of_logic(const Network& network, std::size_t 
     return {};
 }
 
-/// Connects one link of a switch with other links of it, one after the other.
+/// Connects one link of a switch with some of the other links, one after another.
 class Setter {
 public:
     explicit Setter(ProcessEnvironment& environment)

@@ -15,7 +15,7 @@ inline constexpr int vme_slots = 21;
 /// level.
 bool can_be_attached(const Attached&, const BusAttachment&);
 /// Returns the ways over the bus, for Medium::ways: from each master to the memory of each bus master, and from the
-/// master that uses a link adapter to the processor at the other end of its link.
+/// master that uses a link adapter to the processor at the other end of the adapter's link.
 std::vector<BusWay> ways_over_bus(const Attached&, std::size_t bus);
 
 /// Makes the bus of a run, for DeviceKind::make.
@@ -23,7 +23,7 @@ std::unique_ptr<MachineNode> make_vme(MachineParts&, std::size_t node);
 
 /// Returns whether the arbiter of the bus supports level 3 only.
 bool has_single_level(const Node& bus);
-/// Returns the highest empty slot after the highest `taken` empty slots have been used; less than 1 if there is none.
+/// Returns the highest empty slot, after the `taken` highest empty slots are skipped; less than 1 if no slot is left.
 int free_slot(const Network&, std::size_t bus, std::size_t taken);
 
 } // namespace placedpar

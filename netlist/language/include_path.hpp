@@ -10,7 +10,7 @@ namespace placedpar {
 /// Converts a DOS file name for this system: `\` separates folders.
 std::string without_backslashes(std::string name);
 
-/// Returns whether the name is an include file of the toolset. If that file is missing, its declarations are
+/// Returns whether the name is an include file of the INMOS toolset. The declarations of a missing toolset file are
 /// predefined.
 bool is_of_the_toolset(const std::string& name);
 
