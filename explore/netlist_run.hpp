@@ -29,7 +29,7 @@ private:
 /// The settings of a run.
 struct RunSettings {
     std::uint64_t seed = 1;
-    Time until = Time::max(); ///< time at which the run ends at the latest
+    Time until = Time::max(); ///< latest end of the run
     std::optional<std::uint64_t> shuffle =
         {};                     ///< runs ready processes in an order drawn from this seed; none: in the usual order
     TraceSink* trace = nullptr; ///< none: no trace
@@ -44,8 +44,8 @@ RunReport run_netlist(const Network&, const ProblemRegistry&, const RunSettings&
 /// Runs the network with the kinds of a catalogue. These kinds already have their observer, so the settings' observer
 /// is ignored.
 RunReport run_netlist(const Network&, const Catalogue&, const RunSettings&);
-/// Repeats a recorded run without the machine, several times as fast, if the processes communicate as in the record.
-/// Returns nothing if they communicate otherwise, or if the run cannot be repeated. If the run is interrupted, the
+/// Repeats a recorded run without simulating the machine, which is several times faster. Returns nothing if the
+/// processes communicate otherwise than in the record, or if the run cannot be repeated. If the run is interrupted, the
 /// report contains only this ending. REQUIRES: the record was made of this network, which is determinate; the settings
 /// have no trace, shuffle or record.
 std::optional<RunReport> repeat_netlist(const Network&, const Catalogue&, const RecordedRun&, const RunSettings&);

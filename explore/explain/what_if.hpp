@@ -11,8 +11,8 @@
 
 namespace placedpar {
 
-/// Reads the netlist with these settings. Throws UserError if the netlist is refused. May be called by several threads
-/// at once.
+/// Reads the netlist with these settings. Throws UserError if the netlist is refused. Several threads may call it at
+/// the same time.
 using ChangedNetlist = std::function<Network(const Overrides&)>;
 
 /// The result of the run with a change.

@@ -32,7 +32,7 @@ public:
     Overrides fixed() const;
 
     std::size_t bits() const { return coding_.bits(); }
-    /// REQUIRES: a string of bits().
+    /// REQUIRES: the genome has bits() bits.
     std::uint64_t machine_of(const Genome&) const;
 
 private:

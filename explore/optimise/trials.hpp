@@ -58,7 +58,7 @@ private:
     Interruption& interruption_;
     std::vector<StudyMeasure> costs_;
     std::map<std::uint64_t, Trial> trials_;
-    std::vector<bool> found_;         ///< by cost: whether some run had this measure
+    std::vector<bool> found_;         ///< for each cost: whether some run had this measure
     std::optional<StudyFigures> any_; ///< figures of some completed run
 };
 

@@ -53,7 +53,7 @@ struct StudyAxis {
 /// Reads an axis such as "slaves=0..7,10". Commas separate its parts, except within quotes, parentheses or braces.
 /// Throws UserError.
 StudyAxis read_axis(const std::string& text);
-/// Reads the parts after the `=`; a single value that is equal to an earlier one is left out. Throws UserError, which
+/// Reads the parts after the `=`; a single value that is equal to an earlier value is left out. Throws UserError, which
 /// names the axis.
 std::vector<StudyValues> read_values(const std::string& name, const std::string& text);
 

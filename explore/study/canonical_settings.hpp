@@ -26,9 +26,9 @@ private:
 
     StudyResults& results_;
     const Study* study_;
-    std::map<std::string, std::map<std::string, std::string>> known_, ///< by name and text
-        of_runs_;                                                     ///< by name and meaning
-    bool differ_ = false;                                             ///< whether the spelling of some run differs
+    std::map<std::string, std::map<std::string, std::string>> known_, ///< chosen spelling; keys: name, then text
+        of_runs_;                                                     ///< chosen spelling; keys: name, then meaning
+    bool differ_ = false; ///< whether some run has a spelling that was not chosen
 };
 
 } // namespace placedpar

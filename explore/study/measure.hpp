@@ -76,7 +76,7 @@ private:
     void add(const ProcessInstance&, const std::string& described, const ProblemRegistry&);
 
     std::set<std::string> names_;   ///< without subscripts
-    std::set<std::string> unknown_; ///< "column.": processes with measurements that their kind does not name
+    std::set<std::string> unknown_; ///< "column.": processes with measurements that their kind does not describe
 };
 
 } // namespace placedpar

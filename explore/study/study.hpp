@@ -65,7 +65,7 @@ struct Study {
     std::optional<StudySearch> search = {}; ///< none: the study is only swept
     std::vector<StudyTable> tables = {};    ///< tables of figures beside known figures
     std::vector<std::string> figures = {};  ///< measures that occur in the tables
-    std::string notes = "";                 ///< for people, below the tables
+    std::string notes = "";                 ///< text printed below the tables
 
     /// Returns the number of runs, including those for which the condition does not hold. Throws UserError if this
     /// number or the last seed exceeds 64 bits; the message names the cause.
@@ -73,7 +73,7 @@ struct Study {
     /// Returns a run; nothing if the condition does not hold for it. The seed varies fastest. REQUIRES: index <
     /// count().
     std::optional<StudyRun> at(std::uint64_t index) const;
-    /// Returns whether the study has runs with these settings and any others; conditions are ignored.
+    /// Returns whether some combination of the study includes these settings; ignores conditions.
     bool has_some(const Overrides&) const;
     /// Returns the names of all settings of the study.
     std::vector<std::string> names() const;

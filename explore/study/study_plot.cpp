@@ -78,7 +78,7 @@ bool is_drawn_by_decades(const StudySummary& summary, std::size_t over) {
     return least > 0 && greatest / least > wide && median < crowded * greatest;
 }
 
-/// The curves of one measure, by name in the order of the lines.
+/// The curves of one measure, in the order of the lines.
 class PanelOfMeasure {
 public:
     PanelOfMeasure(const StudySummary& summary, std::size_t measure, std::size_t over)

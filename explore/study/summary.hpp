@@ -27,10 +27,10 @@ private:
 /// The runs of one combination.
 struct StudyLine {
     std::vector<std::string> values; ///< values of the axes; "" for an axis that this combination does not set
-    std::uint64_t runs = 0;          ///< all
+    std::uint64_t runs = 0;          ///< number of all runs
     std::map<std::string, std::uint64_t> ended; ///< number of runs that did not complete, by how they ended
     std::string refused = "";                   ///< first line of the reason for a refusal
-    std::vector<StudyCell> cells;               ///< by measure
+    std::vector<StudyCell> cells;               ///< for each measure
 };
 
 /// The statistics of a study's runs.
@@ -42,7 +42,7 @@ struct StudySummary {
         {}; ///< each figure is divided by the figure of the run with these settings; none: figures are absolute
     std::uint64_t unrelated = 0; ///< number of runs with figures but without such a reference run
     std::vector<std::string> measures = {}, units = {};
-    std::vector<StudyLine> lines = {}; ///< in the order of the values, numbers as numbers
+    std::vector<StudyLine> lines = {}; ///< sorted by the values; numbers are sorted by size
 
     std::uint64_t runs() const;
     /// Returns the names of all settings of the runs.

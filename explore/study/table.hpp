@@ -34,7 +34,8 @@ struct StudyRow {
     std::vector<StudyTolerance> tolerances = {};
     std::vector<Origin> origins = {};
     std::optional<Judge> judge = {}; ///< empty: the judge that the table's `against` names
-    Overrides relative_to = {};      ///< measures are divided by those of the otherwise same run with these settings
+    Overrides relative_to = {};      ///< each measure is divided by the measure of the run that differs only by these
+                                     ///< settings
 };
 
 /// A table of a study's figures beside known figures, with a cell for each row and column.

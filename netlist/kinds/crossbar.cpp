@@ -46,7 +46,7 @@ private:
     hardware::Crossbar& crossbar_;
 };
 
-/// Returns a track for each output of a switch that a program sets. The track shows the bytes that the output repeats.
+/// Returns a track for each output of a switch that a program sets. The track shows which input the output repeats.
 std::vector<std::string> tracks_of_outputs(const Network& network, std::size_t node) {
     if (!is_set_at_run_time(network, node))
         return {};
