@@ -50,7 +50,7 @@ const ExcavatorMotion& motion_of_boom(bool leaking) {
 }
 
 /// Adds the boom of chapter 3 in the motion of scenario A, measured with the lowest of the noise levels studied. The
-/// valve stays open to the end of the motion, so that all its samples are usable.
+/// valve stays open to the end of the motion, so that the record has the usual number of samples.
 void add_boom(ProblemRegistry& problems, std::uint64_t seed, const char* name, AreasFrom from, bool leaking) {
     ExcavatorScenario scenario = boom_of_chapter_3(leaking);
     SimulatedCircuit boom{CircuitProblem(boom_circuit(), scenario.flow),

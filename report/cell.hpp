@@ -23,7 +23,7 @@ inline constexpr std::array every_origin{Origin::outcome, Origin::calibrated, Or
 
 const char* name_of(Origin);
 
-/// States whose figure or bound judges a cell.
+/// States the origin of the figure or bound that judges a cell.
 enum class Judge {
     thesis,    ///< a figure, an equation or a claim of the thesis
     published, ///< a figure that others have published
@@ -37,10 +37,9 @@ const char* name_of(Judge);
 /// A simulated figure beside a known figure, and how far apart the two may be.
 struct Cell {
     std::string row, column, unit = {};
-    std::optional<double> reference = {}; ///< the known figure: Comparison::against names its source
-    double simulated = 0;                 ///< NaN if there is no figure; NaN meets no tolerance
-    std::optional<double> tolerance_percent =
-        {}; ///< in percent of the reference; empty: the cell is printed, but not judged by it
+    std::optional<double> reference = {};         ///< the known figure: Comparison::against names its source
+    double simulated = 0;                         ///< NaN if there is no figure; NaN meets no tolerance
+    std::optional<double> tolerance_percent = {}; ///< in percent of the reference; empty: no such tolerance
     Origin origin = Origin::outcome;
     std::optional<double> tolerance = {}; ///< in the cell's unit; replaces tolerance_percent
     int decimals = 2;                     ///< number of decimals that are printed
@@ -49,7 +48,8 @@ struct Cell {
     std::optional<double> reference_to = {}; ///< upper bound of a claim with two bounds, which is only printed
     std::string source = {}; ///< source of the known figure, if the figures of a comparison have several sources
     std::optional<Judge> judge = {};       ///< empty: the judge that Comparison::against names
-    std::optional<Interval> interval = {}; ///< 95 % interval of a simulated share: all of it must miss a bound
+    std::optional<Interval> interval = {}; ///< 95 % interval of a simulated share; the cell misses a bound only if the
+                                           ///< whole interval does
 
     /// Returns the deviation of the simulated figure from the reference, in percent of the reference; 0 if both are 0;
     /// nothing without a reference.

@@ -30,7 +30,7 @@ std::string print_policies();
 /// with its numbers, its spelling in a netlist and its source. A name may have several such meanings. Throws UserError
 /// for a policy with numbers that it does not take; the message says which numbers are allowed. REQUIRES: is_policy().
 std::string print_policy(const Catalogue&, const std::string& name);
-/// Returns all that print_policy() prints. Throws as print_policy(). REQUIRES: is_policy().
+/// Returns all that print_policy() prints. Throws as print_policy() does. REQUIRES: is_policy().
 boost::json::array policies_json(const Catalogue&, const std::string& name);
 
 /// Prints the numbers of a policy, or of a family of problems: a line for each, under a heading; "" if there are none.

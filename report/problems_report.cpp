@@ -71,7 +71,8 @@ std::string print_fields(const std::vector<StringField>& fields) {
     return out;
 }
 
-/// Returns the parameters' names with units, such as "C_BUi in^3/psi"; of more than four, the first two and the last.
+/// Returns the parameters' names with units, such as "C_BUi in^3/psi"; if there are more than four, the first two and
+/// the last.
 std::string print_names(const SearchProblem& problem) {
     auto names = problem.parameter_names(), units = problem.parameter_units();
     for (std::size_t i = 0; i < names.size(); ++i)

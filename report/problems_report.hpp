@@ -18,7 +18,7 @@ std::string print_problems(const ProblemRegistry&);
 /// Throws UserError as ProblemRegistry::find().
 std::string print_problem(const ProblemRegistry&, const std::string& name);
 
-/// Returns all that print_problem() prints; an unknown optimum is null. Throws as print_problem().
+/// Returns all that print_problem() prints; an unknown optimum is null. Throws as print_problem() does.
 boost::json::object problem_json(const ProblemRegistry&, const std::string& name);
 /// Returns problem_json() of each problem.
 boost::json::array problems_json(const ProblemRegistry&);

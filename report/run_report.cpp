@@ -54,7 +54,7 @@ std::string print_set(const Network& network) {
     return out;
 }
 
-/// Prints a time in the largest unit that it contains: "12.345 us".
+/// Prints a time in the largest unit that is not longer than the time: "12.345 us".
 std::string print_time(Time time) {
     constexpr std::pair<Time, const char*> units[] = {{std::chrono::seconds{1}, "s"},
                                                       {std::chrono::milliseconds{1}, "ms"},
@@ -99,8 +99,7 @@ Table processors_of(const RunReport& report) {
     });
 }
 
-/// Returns a table of these links. Columns are as wide as for all links of the report, although a text lists only used
-/// links.
+/// Returns a table of these links. The columns are wide enough for all links of the report.
 Table links_of(const RunReport& report, const std::vector<LinkUse>& links) {
     std::size_t width = 13;
     for (const LinkUse& each : report.links)
@@ -217,7 +216,7 @@ std::string print_hit(const FaultUse::Hit& hit) {
                        hit.channel);
 }
 
-/// Prints the fault's effects, with its first and last loss. If a loss caused a deadlock, it is the last one.
+/// Prints the fault's effects, with its first and last loss. If a loss caused a deadlock, it is the last loss.
 std::string print_effect(const FaultUse& fault) {
     std::vector<std::string> said;
     if (fault.last)

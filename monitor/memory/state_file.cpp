@@ -132,9 +132,9 @@ void StateFile::require_in_place() const {
         throw store::DatabaseError("the file was removed or replaced", false);
 }
 
-/// Opens the file again. If it was removed, a copy takes its place, locked before it gets its name. If the file is
-/// removed once more meanwhile, the next attempt can still succeed. A file that another program has put there is left
-/// alone.
+/// Opens the file again. If the file was removed, a copy replaces it; the copy is locked before it gets the file's
+/// name. If the file is removed once more meanwhile, the next attempt can still succeed. A file that another program
+/// has put there is not changed.
 void StateFile::renew() {
     const bool gone = !fs::exists(fs::symlink_status(given_)) && !fs::exists(path_);
     if (!gone && !lock_->is_at(given_))

@@ -46,8 +46,8 @@ public:
     ~StateFile();
 
     /// Writes all transactions in one SQLite transaction. Throws UserError (DatabaseError is a subclass) if they may be
-    /// lost. After that, or if StateContent::trouble was not empty, the next transaction must have `all_anew_at`. Such
-    /// a transaction also recreates a file that was removed, with its history.
+    /// lost. After such an error, or if StateContent::trouble was not empty, the next transaction must have
+    /// `all_anew_at`. Such a transaction also recreates a file that was removed, with its history.
     void commit(std::span<const Transaction> transactions);
     /// Throws DatabaseError if the file is not open because it could not be recreated.
     History& history();

@@ -16,7 +16,8 @@ struct LoadRates {
     double samples_per_s = 0;
     double generations_per_s = 0;
     double work_of_core = 0; ///< time spent on messages, as a fraction of one core
-    double cpu_of_core = 0;  ///< processor time of the service's thread, the network's share included
+    double cpu_of_core = 0; ///< processor time of the service's thread, including network traffic, as a fraction of one
+                            ///< core
 };
 struct Load {
     LoadRates rates;

@@ -49,7 +49,7 @@ public:
     void hold(std::ptrdiff_t bytes);
     /// Ends the time limit hello_s.
     void greeted() { greeted_ = true; }
-    /// Closes the connection at once.
+    /// Closes the connection immediately.
     void close();
 
     /// Returns whether the connection takes and sends no more lines.

@@ -356,7 +356,7 @@ void Dispatcher::answer(Client& client, const Shelve& order, std::string_view) {
                  order.for_s > 0 ? fmt::format("shelved for {} s", order.for_s) : "no longer shelved");
 }
 
-/// Answers with all active alarms.
+/// Stores the change of an alarm, and answers with all active alarms.
 void Dispatcher::change_alarm(Client& client, const AlarmName& name, std::optional<Entry> change,
                               const std::string& what) {
     client.greeted();
@@ -431,7 +431,8 @@ void Dispatcher::tick() {
     meter_.count_turn(LoadMeter::Clock::now() - begin);
 }
 
-/// Sends at once, past the outbox: the message is about whether data is stored, so it cannot wait for that.
+/// Sends immediately, past the outbox: the message says whether data is stored, so it must not wait until data is
+/// stored.
 void Dispatcher::tell_kept(Client& client) {
     if (std::exchange(client.told_kept, persistence_.well()) != persistence_.well())
         client.send(kept_line(persistence_.well(), persistence_.trouble()));

@@ -135,7 +135,7 @@ private:
     beast::basic_stream<boost::asio::generic::stream_protocol> stream_;
     Caller caller_;
     std::chrono::steady_clock::time_point since_;
-    bool guessed_ = false; ///< it has sent a wrong token; each guess costs a connection
+    bool guessed_ = false; ///< the client has sent a wrong token; each guess costs a connection
     beast::flat_buffer buffer_{most_header_bytes};
     std::optional<http::request_parser<http::empty_body>> parser_;
     http::response<http::string_body> response_;

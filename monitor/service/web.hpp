@@ -24,7 +24,7 @@ struct WebAnswer {
 class Web {
 public:
     using Reply = std::function<void(WebAnswer)>;
-    /// Receives a path and its query, such as "/history" and "machine=digger-7", and replies at once or later.
+    /// Receives a path and its query, such as "/history" and "machine=digger-7", and replies immediately or later.
     /// `trusted` states that the client has sent the token or that none is required.
     using Handler = std::function<void(const std::string& path, const std::string& query, bool trusted, Reply reply)>;
 

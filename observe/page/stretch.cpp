@@ -12,7 +12,7 @@ namespace placedpar::page {
 
 namespace {
 
-/// Returns the text of a slice: its subject, or for a wait a line for each channel, with the partner behind a tab.
+/// Returns the text of a slice: its subject, or for a wait a line for each channel, with the partner after a tab.
 std::string note_of(const Slice& slice) {
     std::string note = slice.subject;
     for (const Awaited& each : slice.awaited)

@@ -18,7 +18,7 @@ void require_trace_format(const std::filesystem::path&);
 /// A pipe or device without an ending gets JSON; standard output, "-", gets JSON, too.
 class TraceFile {
 public:
-    /// Throws UserError as require_trace_format(), and if the file cannot be written or the window is empty. The
+    /// Throws UserError as require_trace_format() does, and if the file cannot be written or the window is empty. The
     /// network is used only by the constructor.
     TraceFile(const std::filesystem::path&, const Network&, const TraceWindow&);
 
