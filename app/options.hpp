@@ -45,11 +45,11 @@ struct DeclaredOption {
 struct DeclaredCommand {
     std::string name, about, footer;
     std::vector<DeclaredOption> options;
-    std::vector<DeclaredCommand> commands; ///< of the program
+    std::vector<DeclaredCommand> commands; ///< commands of the program; a command has none
 
     std::vector<std::string> names_of_commands() const;
     std::vector<std::string> names_of_options() const;
-    // These return null if there is none.
+    // These functions return null if there is no such command or option.
     const DeclaredCommand* command(const std::string& called) const;
     const DeclaredOption* option(const std::string& typed) const;
 };

@@ -109,7 +109,7 @@ void write_output(const Explanation& explanation, const Network& network, const 
         write_whole(options.json, print_pretty(explanation_json(explanation, network)));
 }
 
-/// Returns "" if they can be compared.
+/// Returns why a run with this ending cannot be compared with changed runs; "" if it can.
 std::string why_not_compared(Ending ending) {
     return ending == Ending::completed
                ? ""
@@ -135,7 +135,7 @@ void add_answers(Explanation& explanation, const Network& network, const Explain
     explanation.left_out = changes.size() - explanation.answers.size();
 }
 
-/// Returns the exit code of an interruption if changes were left untried; the rest is complete.
+/// Returns the exit code of an interruption if changes were left untried; otherwise the exit code of the run.
 ExitCode exit_code_of(const Explanation& explanation) {
     return explanation.left_out > 0 ? exit_code_of(Ending::interrupted)
                                     : exit_code_of(explanation.report.result.ending);

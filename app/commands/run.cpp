@@ -107,7 +107,7 @@ FinishedRun run_seed(const Network& network, const RunOptions& options, std::uin
     return {std::move(report), std::move(searches)};
 }
 
-/// Asks the user to confirm very many runs, when the first has shown how long one takes.
+/// If there are very many runs, asks the user to confirm them after the first run, which shows how long a run takes.
 bool others_are_meant(const RunOptions& options, std::chrono::steady_clock::time_point begun,
                       const Interruption& interruption) {
     if (options.seeds <= most_unasked || options.yes)
@@ -184,8 +184,8 @@ void write_files(const Network& network, std::span<const FinishedRun> runs, std:
         write_whole(options.convergence, draw_svg(convergence_plot(network.source_path, logs)));
 }
 
-/// Returns the exit code of the first run that did not end well. An interruption between runs ends no run, so the
-/// number of runs is compared too.
+/// Returns the exit code of the first run that is not a success. An interruption between runs ends no run, so the
+/// number of runs is compared, too.
 ExitCode exit_code_of(std::span<const FinishedRun> runs, std::size_t asked) {
     for (const FinishedRun& run : runs)
         if (ExitCode code = exit_code_of(run.report.result.ending); code != ExitCode::success)

@@ -23,7 +23,7 @@ using namespace identification;
 
 namespace {
 
-constexpr std::size_t most_columns = 8; ///< of searches, so that a line of the table fits a screen
+constexpr std::size_t most_columns = 8; ///< number of searches in a table, so that its lines fit a screen
 
 double seconds(Time time) { return in_milliseconds(time) / 1000; }
 

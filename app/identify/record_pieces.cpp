@@ -35,7 +35,7 @@ int opened(const std::filesystem::path& path) {
     return descriptor;
 }
 
-/// Waits briefly for input or its end, because a read from a pipe could block. Returns whether there is some.
+/// Waits briefly for input or its end, because a read from a pipe could block. Returns whether a read would not block.
 bool readable(int descriptor) {
     constexpr int patience_ms = 200;
     pollfd asked{descriptor, POLLIN, 0};

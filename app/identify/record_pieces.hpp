@@ -21,7 +21,7 @@ public:
     static constexpr std::size_t piece_bytes = 1 << 20; ///< length of a piece, extended to the end of its line
 
     /// Throws RefusedInput if the file cannot be read. `stop` is called before every read and while a pipe is empty;
-    /// the record ends when it returns true.
+    /// the record ends when `stop` returns true.
     RecordPieces(const std::filesystem::path& path, hydraulics::RecordNeeds needs, WarningSink warn,
                  std::function<bool()> stop = {});
     ~RecordPieces();
