@@ -103,7 +103,7 @@ class Traces(unittest.TestCase):
         for name, intervals in executed.items():
             computed = [(s.begin, s.end) for s in trace.of_category(name, "compute")]
             self.assertEqual(measure(intervals + computed), measure(intervals), name)
-            # The rest is the time to interrupt another process, during which this one still waits.
+            # The rest is the time to interrupt another process, during which this process still waits.
             waited = [(s.begin, s.end) for s in trace.of_category(name, "wait")]
             self.assertEqual(measure(intervals + computed + waited), measure(computed + waited), name)
             self.assertLess(measure(intervals) - measure(computed), 0.1 * measure(intervals), name)

@@ -22,7 +22,7 @@ Catalogue kinds_of_switches() {
     return catalogue;
 }
 
-/// A root that visits three others through one of its links, with additional statements.
+/// A root that visits three other processors through one of its links, with additional statements.
 std::string visits(const std::string& more = "") {
     return R"(T800 root, w[3]; C004 sw; connection (length = 2) cable[4];
         connect root.link[3] to sw.config;
@@ -93,7 +93,7 @@ TEST_CASE("a program visits its partners over one switched link, and the switch 
     CHECK(report.measured("visitor", "wrong_answers") == 0);
     REQUIRE(report.switches.size() == 1);
     CHECK(report.switches[0].name == "sw");
-    CHECK(report.switches[0].commands == 5 * 3 * 4 - 1); // the last is acknowledged early
+    CHECK(report.switches[0].commands == 5 * 3 * 4 - 1); // the last command is acknowledged early
     CHECK(report.switches[0].connections == 5 * 3 * 2);
     CHECK(report.switches[0].losses.empty());
     for (const LinkUse& link : report.links) {

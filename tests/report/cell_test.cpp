@@ -7,7 +7,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("a cell with a tolerance is judged, one without is not") {
+TEST_CASE("a cell with a tolerance is judged, a cell without a tolerance is not") {
     CHECK(judged_cell("C", "spool", "in^3/psi", 0.0086, 0.0090, 0.0005, 5).within_tolerance());
     CHECK_FALSE(judged_cell("C", "spool", "in^3/psi", 0.0086, 0.0092, 0.0005, 5).within_tolerance());
     CHECK(compared_cell("C", "spool", "in^3/psi", 0.0086, 0.0200, 5).within_tolerance());
@@ -31,9 +31,10 @@ TEST_CASE("a share misses a bound only if its whole interval does, for few runs 
     CHECK(at_most(1, share_cell("alarms", "low", 1, 12)).within_tolerance());        // .2 to 38.5 %
     CHECK_FALSE(at_most(1, share_cell("alarms", "low", 2, 12)).within_tolerance());  // 2.1 to 48.4 %
     CHECK(at_most(1, share_cell("alarms", "low", 2, 200)).within_tolerance());
-    CHECK_FALSE(at_most(1, share_cell("alarms", "low", 17, 200)).within_tolerance()); // as many in a hundred as 1 in 12
+    CHECK_FALSE(at_most(1, share_cell("alarms", "low", 17, 200)).within_tolerance()); // about the same share as 1 of 12
     CHECK_FALSE(at_least(90, share_cell("found", "low", 150, 200)).within_tolerance());
-    for (std::size_t runs : {12, 50, 200, 1000}) { // what is as required stays so, and what is far from it does not
+    for (std::size_t runs : {12, 50, 200, 1000}) { // a share that meets the bound always meets it; a share far below
+                                                   // the bound never does
         CHECK(at_least(90, share_cell("found", "low", runs * 9 / 10, runs)).within_tolerance());
         CHECK_FALSE(at_least(90, share_cell("found", "low", runs / 2, runs)).within_tolerance());
     }

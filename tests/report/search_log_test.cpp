@@ -100,6 +100,6 @@ TEST_CASE("searches of the same problem in the same coding are compared") {
     network.processes[2].parameters["problem"] = Value(std::string("plant"));
     CHECK_FALSE(log_of(network).compares());
     network.processes[2] = search("b", "boom");
-    network.processes[0].kind = "ga.coarse"; // its strings are read differently from its partner's
+    network.processes[0].kind = "ga.coarse"; // its strings are read differently from those of b
     CHECK_FALSE(log_of(network).compares());
 }

@@ -106,7 +106,7 @@ TEST_CASE("the report says that a change was refused or did not complete") {
     CHECK(says(explanation, "refused  bytes none"));
 }
 
-TEST_CASE("the report begins with the best changes of everything, of a part and of the links, by gain") {
+TEST_CASE("the report begins with the best change of everything, of a part and of the links, the greatest gain first") {
     Explanation explanation = half_busy();
     explanation.path = {{Activity::computing, "p on t[0]", "t[0]", Time{0}, Time{7ms}},
                         {Activity::carrying, "p.out -> q.in", "", Time{7ms}, Time{10ms}}};

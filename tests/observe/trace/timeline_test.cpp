@@ -97,7 +97,7 @@ TEST_CASE("a PAR in a loop reuses its tracks, which follow their parent") {
     CHECK(traced.notes.about("p:").size() == 5); // p waits for its components
 }
 
-TEST_CASE("a wait has its cause") {
+TEST_CASE("a wait shows its channels, its partner and its timer") {
     Traced traced({"p", "q"});
     Channel<int> c("c"), d("d");
     traced.simulation.process("p", [&] {
@@ -167,7 +167,7 @@ TEST_CASE("at a deadlock, at the limit of time and at the end of the window the 
         traced.simulation.process("p", [&] { c.in().input(); });
         CHECK(traced.run().lines == Lines{"p: inputs 0 to the end, c with ", "0 to 0: deadlock"});
     }
-    SUBCASE("who has stopped") {
+    SUBCASE("stopped process") {
         Traced traced({"p"});
         traced.simulation.process("p", [] { wait_for(1us), stop(); });
         traced.simulation.process("q", [] { wait_for(9us); });
