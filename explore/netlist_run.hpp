@@ -32,11 +32,11 @@ struct RunSettings {
     Time until = Time::max(); ///< latest end of the run
     std::optional<std::uint64_t> shuffle =
         {};                     ///< runs ready processes in an order drawn from this seed; none: in the usual order
-    TraceSink* trace = nullptr; ///< none: no trace
-    SearchObserver* observer = nullptr; ///< none: the searches are not observed
+    TraceSink* trace = nullptr; ///< null: no trace
+    SearchObserver* observer = nullptr; ///< null: the searches are not observed
     Interruption* interruption =
-        nullptr;                   ///< none: nothing ends the run early. An interruption serves one run at a time
-    RecordedRun* record = nullptr; ///< none: the run is not recorded. REQUIRES: empty
+        nullptr;                   ///< null: nothing ends the run early. An interruption serves one run at a time
+    RecordedRun* record = nullptr; ///< null: the run is not recorded. REQUIRES: empty
 };
 
 /// Runs the network. Throws what the processes throw.

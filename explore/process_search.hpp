@@ -43,8 +43,8 @@ struct ProcessSearch {
 /// numbers of identify(). Several searches divide the population as the netlist says, and each search has its own
 /// random numbers. The processes handle neither gaps nor the gate, so they get only the samples before the gate froze
 /// the search for good. Throws UserError if the netlist cannot make the search: no process searches, a searching
-/// process is one of a pair, the populations do not add up, the output is an included file, the netlist fixes a setting
-/// to another value, or the record has a gap.
+/// process is one of a pair, or the populations do not add up. Also throws UserError if the output is an included file,
+/// the netlist fixes a setting to another value, or the record has a gap.
 ProcessSearch search_by_processes(const NetlistAsked& netlist, const identification::ComplianceSearch& prepared,
                                   const identification::IdentificationWay& way, const WarningSink&);
 

@@ -37,7 +37,7 @@ struct ReadOptions {
 };
 
 /// Holds the syntax of a netlist and of the files that it includes, before overrides are applied. It is read and parsed
-/// once for any number of networks. It is immutable: copies are cheap, and several threads may use it at once.
+/// once for any number of networks. It is immutable: copies are cheap, and several threads may use it at the same time.
 class ParsedNetlist {
 public:
     /// Reads the file; "-" is standard input, whose `#include` is relative to the working directory. Errors in the text

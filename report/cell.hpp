@@ -79,15 +79,16 @@ Cell share_cell(std::string row, std::string column, std::size_t successes, std:
 Cell judged_by(Judge, Cell);
 
 /// Number of standard deviations that a figure which scatters with the seed may deviate. A replay judges about ten such
-/// figures. The known figures are samples, too, and may be wrong by up to two of their own standard deviations; with
-/// the remaining two, a replay fails for less than one seed in a hundred (docs/reference/hydraulics.md has the counts).
+/// figures. The known figures are samples, too, and may be wrong by up to two of their own standard deviations. With
+/// the remaining two standard deviations, a replay fails for less than one seed in a hundred
+/// (docs/reference/hydraulics.md has the counts).
 inline constexpr double deviations_allowed = 4;
 
 /// Returns the tolerance, in percentage points, for the difference between two shares, each of n records. The standard
 /// deviation is sqrt(2 p (1 - p) / n). To estimate p, two successes and two failures are added (Agresti and Coull), so
 /// that a share of 0 or 100 % scatters, too. A known share from 50 to 300 seeds counts as n records.
 double share_tolerance(double known_percent, std::size_t records);
-/// Returns how far the standard deviation of n Gaussian values may be from a known standard deviation:
+/// Returns how far the standard deviation of n Gaussian values may be from a known standard deviation. The result is
 /// deviations_allowed times the scatter of the values' standard deviation, plus `rounding`, the largest rounding error
 /// of the known figure.
 double deviation_tolerance(double known, std::size_t records, double rounding);

@@ -21,7 +21,7 @@ inline constexpr std::string_view policies_group = "policies";
 std::vector<std::string> policy_names();
 /// Returns whether the name stands for a policy, form or decision: one of policy_names(), in upper or lower case and
 /// with blanks for hyphens; a policy with its numbers; another word for a decision (Noun::also_called); or a parameter
-/// that decides it.
+/// that selects the policy.
 bool is_policy(const Catalogue&, const std::string& name);
 
 /// Prints all policies, a line for each.

@@ -99,7 +99,7 @@ boost::json::value value_or_null(std::optional<double> value) {
     return value ? boost::json::value(*value) : boost::json::value();
 }
 
-/// Prints a line of two columns. A name that is too long for its column gets a line of its own.
+/// Prints a line of two columns. A name that is too long for its column gets a separate line.
 std::string in_two_columns(const std::string& name, const std::string& about) {
     constexpr std::size_t width = 42;
     return fmt::format("  {:<{}}{}{}\n", name, width + 1, name.size() > width ? fmt::format("\n{:45}", "") : "", about);

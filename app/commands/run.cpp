@@ -116,7 +116,7 @@ bool others_are_meant(const RunOptions& options, std::chrono::steady_clock::time
     return are_meant({options.seeds, true, 1, taken.count()}, interruption);
 }
 
-/// Runs the seeds until one is interrupted. Returns none if the runs are not confirmed.
+/// Runs the seeds until one is interrupted. Returns no runs if the user does not confirm them.
 std::vector<FinishedRun> run_seeds(const Network& network, const RunOptions& options, TraceSink* trace) {
     InterruptedBySignals interruption;
     std::optional<ProgressLine> progress; // a watch would be disturbed by the line

@@ -20,7 +20,7 @@ public:
     /// machines than 64 bits can count. REQUIRES: the study outlives this object, and has a product.
     explicit MachineSpace(const Study&);
 
-    /// Counts all machines, including those for which the study's condition does not hold.
+    /// Counts all machines, including machines for which the study's condition does not hold.
     std::uint64_t count() const { return count_; }
     /// Returns whether the study's condition holds for the machine.
     bool holds(std::uint64_t machine) const { return product_.where.holds(settings(machine)); }

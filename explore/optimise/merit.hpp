@@ -9,7 +9,7 @@ namespace placedpar {
 /// The merit of a machine in a search.
 struct Merit {
     bool feasible = false;
-    std::vector<double> costs; ///< costs to be minimised; each feasible machine has the same number
+    std::vector<double> costs; ///< costs to be minimised; all feasible machines have the same number of costs
 };
 
 /// Returns whether the first merit dominates the second. A feasible machine dominates every infeasible machine (K. Deb,

@@ -48,7 +48,7 @@ public:
 
     /// Returns the name of the measured quantity: "master.T_exe" for "max(master[0].T_exe)".
     std::string name_without_subscripts() const;
-    /// Returns its name in the figures of tables: "T_exe".
+    /// Returns the measure's name in the figures of tables: "T_exe".
     std::string last_name() const;
 
 private:

@@ -47,7 +47,7 @@ private:
         std::size_t operator()(const Genome&) const;
     };
 
-    /// Returns one problem for each coding, which remembers its own strings.
+    /// Returns the only problem of this coding, which remembers its own strings.
     std::shared_ptr<const SearchProblem> coded_plainly(Coding) const override;
     std::size_t bytes_of_one() const;
     void forget() const;

@@ -78,7 +78,7 @@ public:
     const std::filesystem::path& path() const { return path_; }
 
 private:
-    /// The data of the file other than the runs, and the checks of the runs.
+    /// The data of the file besides its runs, with the number of runs and the sum of their checksums.
     struct Head {
         StudySource source;
         std::string version, measures;
@@ -90,7 +90,7 @@ private:
 
     void open(const StudySource&, bool of_any_version);
     void make(const StudySource&);
-    /// Returns whether the file has content; throws if the content is not that of a file of results.
+    /// Returns whether the file has content; throws if the file is not a file of results.
     bool is_ours();
     void read_head();
     void write_head();

@@ -20,8 +20,8 @@ struct StudyProduct {
     std::vector<StudyAxis> axes;
     StudyExpression where{""};
 
-    /// Returns the number of combinations, including those for which the condition does not hold. Throws UserError if
-    /// this number exceeds 64 bits; the message names the cause.
+    /// Returns the number of combinations, including combinations for which the condition does not hold. Throws
+    /// UserError if this number exceeds 64 bits; the message names the cause.
     std::uint64_t count() const;
     /// REQUIRES: index < count().
     Overrides at(std::uint64_t index) const;
@@ -47,8 +47,8 @@ struct StudySearch {
     std::uint64_t seed = 1;            ///< seed of the search's random numbers
 };
 
-/// A function that is run in place of a netlist. It is called from several threads at once. REQUIRES: its figures are
-/// finite.
+/// A function that is run in place of a netlist. Several threads may call it at the same time. REQUIRES: its figures
+/// are finite.
 using StudyFunction = std::function<StudyFigures(const StudyRun&)>;
 
 /// The runs to be made of a netlist or of a function, and the measures to be reported.
@@ -67,7 +67,7 @@ struct Study {
     std::vector<std::string> figures = {};  ///< measures that occur in the tables
     std::string notes = "";                 ///< text printed below the tables
 
-    /// Returns the number of runs, including those for which the condition does not hold. Throws UserError if this
+    /// Returns the number of runs, including runs for which the condition does not hold. Throws UserError if this
     /// number or the last seed exceeds 64 bits; the message names the cause.
     std::uint64_t count() const;
     /// Returns a run; nothing if the condition does not hold for it. The seed varies fastest. REQUIRES: index <

@@ -107,7 +107,7 @@ private:
         curves_[curve].intervals.push_back(interval_of(cell));
     }
 
-    /// Returns the interval; none if all runs have the same value.
+    /// Returns the interval; NaN if all runs have the same value.
     static Interval interval_of(const StudyCell& cell) {
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
         const double half = cell.half_width > 0 ? cell.half_width : none;

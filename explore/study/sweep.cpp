@@ -55,8 +55,8 @@ public:
         : seeds_(study.seeds), runs_(study), netlist_(study.netlist, study.read) {}
     NetworkReader(const NetworkReader&) = delete; // not copied: the kinds refer to the problems
 
-    /// Returns the network; nothing if the condition does not hold for the combination, or if it is refused, which is
-    /// noted in `refusals`.
+    /// Returns the network; nothing if the condition does not hold for the combination. If the network is refused, adds
+    /// the refusal to `refusals` and returns nothing.
     std::optional<Network> at(std::uint64_t combination, Refusals& refusals) const {
         std::optional<StudyRun> run = runs_.at(combination * seeds_);
         try {
@@ -101,7 +101,7 @@ private:
     std::uint64_t count_, step_ = 1, at_ = 0, given_ = 0;
 };
 
-/// Calls `look` with networks of the study until it returns true: with all of them, or, if there are very many, with
+/// Calls `look` with networks of the study until it returns true. If there are very many networks, calls it only with
 /// some that are spread over the study.
 void look_at_networks(const Study& study, const std::function<bool(const Network&)>& look) {
     const NetworkReader reader(study);

@@ -27,10 +27,9 @@ Network readable_network(const Study&);
 /// combinations spread over the study. `network` is a network of the study.
 void require_possible(const std::vector<std::string>& measures, const Study&, const Network&);
 
-/// Makes runs of a study, one after the other. Data that runs share are made once: the kinds; the parsed netlist; for
-/// the runs of one combination, the network, and the events on the machine if they do not depend on the seed
-/// (RecordedRun); for the runs of one seed, the records of measurement; and the fitness of strings of objective
-/// problems.
+/// Makes runs of a study, one after the other. Data that runs share are made once: the kinds and the parsed netlist;
+/// for each combination, the network and, if they do not depend on the seed, the events on the machine (RecordedRun);
+/// for each seed, the records of measurement. The fitness of a string of an objective problem is computed once, too.
 class StudyWorker {
 public:
     /// REQUIRES: the study outlives this object.

@@ -25,7 +25,7 @@ struct StudyTolerance {
 struct StudyRow {
     StudyVariant runs;
     std::string measure =
-        ""; ///< measure whose value is the row's figure, as the study names it; "": `figure` gives the figure
+        ""; ///< measure that is the row's figure, named as in the study; "": `figure` gives the figure
     StudyExpression figure{
         ""}; ///< expression of the settings, the measures by their last names, and the rows above by their names
     std::string unit = "";

@@ -134,8 +134,7 @@ void create_state_file(const fs::path& path, const std::string& settings) {
     fs::path made = begin_file(path);
     try {
         store::Database database(made);
-        database.run("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF"); // publish() syncs the file before the file
-                                                                             // gets its name
+        database.run("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF"); // publish() syncs the file later
         database.run(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", application_id, file_version));
         database.run(schema());
         store::Statement(database, "INSERT INTO ledger VALUES(1, ?1, 0, 0, 0, ?2)")

@@ -79,7 +79,7 @@ void Dispatcher::require_place(Client& client, const Hello& hello) {
     const std::string& peer = client.caller.peer;
     bool control = hello.role == Role::control;
     const Client* held = control ? clients_.control_of(hello.machine) : nullptr;
-    if (held && held->caller.peer == peer) { // it takes the place of a connection of its own peer
+    if (held && held->caller.peer == peer) { // the client replaces a connection of its own peer
         client.keeps_place = held->keeps_place;
         return;
     }

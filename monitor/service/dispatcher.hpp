@@ -31,7 +31,7 @@ public:
     /// most such clients.
     void enter(Client& client);
     void leave(Client& client);
-    /// Processes a line from the client. Answers go to the client and to the others that watch its machine.
+    /// Processes a line from the client. Answers go to the client and to other clients that watch its machine.
     void take(Client& client, std::string_view line);
     /// Sends load reports when they are due, and tells clients whether everything is stored. Must be called a few times
     /// a second.

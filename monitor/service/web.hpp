@@ -32,8 +32,8 @@ public:
     Web(Token token, HostNames names, Handler handler, std::function<void(const std::string&)> say)
         : token_(std::move(token)), names_(std::move(names)), handler_(std::move(handler)), say_(std::move(say)) {}
 
-    /// Accepts a connection. If there are too many connections, closes the connection that has waited longest among
-    /// those of the peer with most connections.
+    /// Accepts a connection. If there are too many connections, the peer with the most connections loses the connection
+    /// that has waited longest.
     void welcome(Listener::Socket socket, const Caller& caller);
     /// Closes all connections.
     void close();

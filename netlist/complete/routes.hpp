@@ -11,10 +11,10 @@
 
 namespace placedpar {
 
-/// The cost of a route. Comparison is by the members in their order: the sum of the attribute `routecost` of the
-/// processors passed through, the number of wires, and the number of channels that these wires already carry in the
-/// same direction. If costs are equal, the search compares the links by which the routes leave their processors, from
-/// the first processor on, and takes the route with the lower link.
+/// The cost of a route. Comparison is by the members in their order: first the sum of the attribute `routecost` of the
+/// processors passed through, then the number of wires, then the number of channels that these wires already carry in
+/// the same direction. If costs are equal, the search compares the links by which the routes leave their processors,
+/// from the first processor on, and takes the route with the lower link.
 struct RouteCost {
     std::int64_t processors = 0;
     std::size_t hops = 0;

@@ -58,7 +58,7 @@ struct FaultKind {
     std::vector<AttributeDescription> attributes = {}; ///< times in ns
     bool silences_links = false;                       ///< for a device: its links send nothing after the fault begins
     /// Returns why the device cannot have this fault although each attribute by itself is valid; "" if the fault is
-    /// possible. An empty function means that it always is.
+    /// possible. An empty function means that the fault is always possible.
     std::function<std::string(const Network&, const Fault&)> why_not = {};
 
     /// Returns the attribute of this name; null if there is none.

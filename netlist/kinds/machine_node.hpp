@@ -44,8 +44,8 @@ struct CarrierPair {
 using FaultEffects = std::function<void(FaultUse&)>;
 
 /// A node of the network in a run, made by its DeviceKind. The base class does nothing; a device overrides the
-/// functions that it needs. A device that takes time adds processes and hardware to the simulation. It outlives the
-/// simulation.
+/// functions that it needs. A device that takes time adds processes and hardware to the simulation. All devices outlive
+/// the simulation.
 class MachineNode {
 public:
     /// REQUIRES: the parts outlive this object.

@@ -57,7 +57,7 @@ struct ProcessKind {
     std::vector<std::vector<std::string>> together = {};
     /// Checks one process of the kind, in a network that has passed all other checks. May be empty.
     std::function<std::vector<Complaint>(const Network&, std::size_t process)> check = {};
-    /// Returns whether all actions and messages of a process of the kind follow from its messages, its parameters, its
+    /// Returns whether the actions and outputs of a process of the kind depend only on its inputs, its parameters, its
     /// random streams, the choices of its ALTs and the readings of its clock. Variables that are shared by the
     /// components of its PARs, for example, are not allowed. Runs of such processes with other seeds need not be
     /// simulated on the machine (repeated_run.hpp). An empty function means no.

@@ -14,8 +14,8 @@ inline constexpr int vme_slots = 21;
 /// Checks an attachment, for Medium::takes: a slot holds at most one master, and the arbiter must support the master's
 /// level.
 bool can_be_attached(const Attached&, const BusAttachment&);
-/// Returns the ways over the bus, for Medium::ways: from each master to the memory of each bus master, and from the
-/// master that uses a link adapter to the processor at the other end of the adapter's link.
+/// Returns the ways over the bus, for Medium::ways. A way leads from a master to the memory of a bus master, or from
+/// the master that uses a link adapter to the processor at the other end of the adapter's link.
 std::vector<BusWay> ways_over_bus(const Attached&, std::size_t bus);
 
 /// Makes the bus of a run, for DeviceKind::make.

@@ -64,7 +64,7 @@ struct Expression {
     int height = 1; ///< height of the tree, limited so that walking it cannot exhaust the stack
 };
 
-/// `name[1][2].field[3]`: something declared, or a part of it.
+/// `name[1][2].field[3]`: a declared thing, or a part of it.
 struct Reference {
     Location at;
     std::string name;

@@ -31,9 +31,9 @@ struct Node {
     std::shared_ptr<const DeviceKind> kind;               ///< never null in a Network
     std::map<std::string, Value, std::less<>> attributes; ///< every attribute of the kind
     bool overlapped_acknowledge = true;                   ///< its links acknowledge a byte while the byte comes in
-    bool floating_point_unit = true;               ///< the processor computes with real numbers as fast as a T800
-    std::set<std::string, std::less<>> given = {}; ///< names of the attributes that the netlist gives
-    std::map<std::string, Value> other;            ///< attributes of the INMOS tool, not used by a simulation
+    bool floating_point_unit = true;                      ///< the processor has a floating-point unit, as a T800 has
+    std::set<std::string, std::less<>> given = {};        ///< names of the attributes that the netlist gives
+    std::map<std::string, Value> other;                   ///< attributes of the INMOS tool, not used by a simulation
     Location declared;
 
     /// REQUIRES: the kind has an integer attribute of this name; throws std::logic_error otherwise.

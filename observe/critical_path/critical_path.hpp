@@ -17,10 +17,10 @@
 
 namespace placedpar {
 
-/// Records the critical path of a run during the run. Each event is stored with the event that caused it: for a
-/// message, the arrival of the later of the two processes at the channel; for a turn on a processor, the end of the
-/// preceding turn; for the end of a PAR, the end of its last component. The causes lead from the end of the run to its
-/// beginning without a gap, since each activity begins when its cause ends.
+/// Records the critical path of a run during the run. Each event is stored with its cause. The cause of a message is
+/// the arrival of the later of its two processes at the channel. The cause of a turn on a processor is the end of the
+/// preceding turn; the cause of the end of a PAR is the end of its last component. The causes lead from the end of the
+/// run to its beginning without a gap, since each activity begins when its cause ends.
 class CriticalPath final : public ActivityLog<CriticalPath> {
 public:
     /// If the path exceeds `most_points`, it is discarded, and the rest of the run takes no further memory.

@@ -42,7 +42,7 @@ void Stretch::add(const MessageArrow& arrow) {
                        texts_.number_of(arrow.channel), arrow.left, arrow.arrived});
 }
 
-/// Clears the vectors instead of making new ones, so that they keep their memory.
+/// Clears the vectors instead of making new vectors, so that they keep their memory.
 PackedStretch Stretch::pack() {
     std::string texts = as_json(boost::json::serialize(texts_.json())), bytes;
     append_number(bytes, texts.size());

@@ -247,8 +247,8 @@ void Timeline::place(const MessageEnd& end, std::size_t track, Time at) {
     messages_.erase(found);
 }
 
-/// Places messages with which the process ended at the end of its last slice. A process without any slice took no time,
-/// and its messages cannot be shown.
+/// Places the last messages of a process that has ended, at the end of its last slice. A process without any slice took
+/// no time, and its messages cannot be shown.
 void Timeline::give_up(Lane& lane) {
     for (const MessageEnd& message : std::exchange(lane.here, {}))
         if (lane.last_end)

@@ -110,7 +110,7 @@ private:
     TraceWriter& writer_;
     std::map<std::uint32_t, Lane> lanes_; ///< key: ordinal of a process that exists
     std::map<std::size_t, Use> uses_;     ///< for each track: the present use, or the last use if the track is idle
-    std::map<std::uint64_t, Message> messages_; ///< messages of which an end is not known yet
+    std::map<std::uint64_t, Message> messages_; ///< messages with an end that is not known yet
     std::uint64_t message_count_ = 0;
     std::size_t entries_ = 0;
     std::optional<Time> full_at_;

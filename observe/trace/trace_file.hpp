@@ -11,7 +11,7 @@
 
 namespace placedpar {
 
-/// Throws UserError if the ending of the name is not that of a trace format.
+/// Throws UserError unless the name has the ending of a trace format.
 void require_trace_format(const std::filesystem::path&);
 
 /// A trace file. The ending of its name selects the format: .json (PerfettoTrace), .vcd (VcdTrace) or .svg (SvgTrace).

@@ -162,7 +162,7 @@ TEST_CASE("a stream with time-outs survives a fault that stops a stream without 
 
 namespace {
 
-/// Two bus masters, one of which writes to the other, with additional statements.
+/// A bus master that writes to another bus master, with additional statements.
 std::string bus_of_two(const std::string& more, const std::string& arbiter = "PRI") {
     return "VME (arbiter = \"" + arbiter + R"(") vme; BBKV2 a, b; connect a.bus[0] to vme.slot[1];
         connect b.bus[0] to vme.slot[21];

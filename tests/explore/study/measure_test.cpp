@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Returns a run of 10 ms on two processors, the first of which computed for a quarter of the time.
+/// Returns a run of 10 ms on two processors. The first processor computed for a quarter of the time.
 RunReport quarter_busy() {
     RunReport report;
     report.result.ending = Ending::completed;
