@@ -15,7 +15,7 @@ std::optional<Constant> constant_of_setting(const std::string& text);
 /// for a text.
 std::optional<double> number_of_setting(const std::string& text);
 
-/// Returns whether the name names a clock or the speed of a link: "t.clock".
+/// Returns whether the setting of this name is a clock or the speed of a link: "t.clock".
 bool is_frequency(const std::string& name);
 
 /// A value of --set, compared by its meaning: 8 equals 8.0, a text equals the same text in quotes, and for a clock or

@@ -31,7 +31,7 @@ void publish(const std::filesystem::path& made, const std::filesystem::path& pat
 /// still exists.
 void require_path_of_file(const std::filesystem::path& path);
 
-/// The two versions differ in more than one bit, so that no flipped bit turns one into the other.
+/// The two versions differ in more than one bit, so that no flipped bit turns one version into the other.
 inline constexpr std::uint32_t file_version = 4, earlier_file_version = 2;
 
 /// Returns the version of a state file, one of the two above, by its first bytes. Throws OtherFile if the file belongs

@@ -77,7 +77,7 @@ struct DraftProcess {
     std::map<std::string, Value> other;
     std::shared_ptr<const Interface> interface; ///< null if the netlist declares no interface
     std::vector<SharedSettings> settings;       ///< statement by statement
-    std::vector<Setting> overrides;             ///< settings by options, which replace the netlist's
+    std::vector<Setting> overrides; ///< settings by options, which replace the netlist's settings
     std::string kind;
     std::optional<Location> used; ///< place of the `use` that names its program
     std::size_t node = nowhere;
@@ -134,7 +134,7 @@ struct DraftConnectionPlacement {
 
 struct Draft {
     std::vector<Node> nodes;
-    std::vector<int> links; ///< number of links, by node
+    std::vector<int> links; ///< number of links of each node
     std::vector<DraftConnection> connections;
     std::vector<DraftEdgeChannel> edge_channels;
     std::vector<DraftProcess> processes;
