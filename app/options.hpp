@@ -25,7 +25,7 @@ public:
     Option one_of(const std::vector<std::string>& words); ///< accepts these words only, which help lists
     Option required();
     Option show_default();                    ///< help shows the option's present value
-    Option group(const std::string& heading); ///< a group of options in help
+    Option group(const std::string& heading); ///< heading of the option's group in help
     Option needs(Option other);               ///< the option is refused unless the other is typed, too
 
 private:

@@ -19,7 +19,7 @@ struct RecordedRun {
     std::optional<RunReport> report; ///< empty if the run was refused
     std::uint64_t events = 0;        ///< fingerprint of the events
     ReplaySession course;
-    std::list<ReplayLog> histories; ///< by process of the network
+    std::list<ReplayLog> histories; ///< one for each process of the network
 
     /// Returns whether the run has completed and its processes did only what can be repeated.
     bool can_be_repeated() const;

@@ -78,7 +78,7 @@ Cell at_most(double bound, Cell cell);
 Cell share_cell(std::string row, std::string column, std::size_t successes, std::size_t runs);
 Cell judged_by(Judge, Cell);
 
-/// Number of standard deviations that a figure which scatters with the seed may deviate. A replay judges about ten such
+/// Allowed deviation of a figure that scatters with the seed, in standard deviations. A replay judges about ten such
 /// figures. The known figures are samples, too, and may be wrong by up to two of their own standard deviations. With
 /// the remaining two standard deviations, a replay fails for less than one seed in a hundred
 /// (docs/reference/hydraulics.md has the counts).

@@ -26,7 +26,7 @@ struct Comparison {
     Judge judge_of(const Cell&) const;
 };
 
-/// The number of cells by what judges them.
+/// The numbers of cells, by the origin of the figure that judges them.
 struct JudgedCells {
     std::size_t thesis = 0;
     std::size_t set_from_thesis = 0; ///< cells of `thesis` from which constants were set: they test nothing
@@ -49,8 +49,8 @@ bool is_any_judged(const std::vector<Comparison>&);
 JudgedCells count_judged(const std::vector<Comparison>&);
 /// Prints for people, on one line, the number of cells that are judged against the thesis, and against other figures.
 std::string print_judged(const JudgedCells&);
-/// Prints for people whether all judged cells are within their tolerances. The first of several tables is `called` the
-/// first reading, or the first table.
+/// Prints for people whether all judged cells are within their tolerances. If there are several tables, `called` is the
+/// word for a table: the first reading, or the first table.
 std::string print_verdict(const std::vector<Comparison>&, const std::string& called = "reading");
 /// Prints for people how far the outcomes are from the known figures; only cells in the unit of the first cell count.
 std::string print_fit(const std::vector<Cell>&);

@@ -11,8 +11,8 @@
 
 namespace placedpar {
 
-// Functions that describe the decisions about a genetic algorithm (gaprocs/policies/nouns.hpp), the policies for each,
-// and the parameters of the catalogue's processes that select them.
+// Functions that describe the decisions about a genetic algorithm (gaprocs/policies/nouns.hpp), the policies for each
+// decision, and the parameters of the catalogue's processes that select policies.
 
 /// The name that stands for all policies in place of a kind's name.
 inline constexpr std::string_view policies_group = "policies";

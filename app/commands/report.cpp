@@ -23,7 +23,7 @@ namespace placedpar {
 namespace {
 
 struct ReportOptions {
-    std::string study; ///< a file of results, or the study or netlist after which they are named
+    std::string study; ///< a file of results, or the study or netlist that gives the file its name
     std::vector<std::string> measures, relative_to;
     std::string over;           ///< axis of the plot; "": the axis with the most numbers
     std::string csv, svg, page; ///< files; "": not written

@@ -119,7 +119,7 @@ bool others_are_meant(const RunOptions& options, std::chrono::steady_clock::time
 /// Runs the seeds until one is interrupted. Returns no runs if the user does not confirm them.
 std::vector<FinishedRun> run_seeds(const Network& network, const RunOptions& options, TraceSink* trace) {
     InterruptedBySignals interruption;
-    std::optional<ProgressLine> progress; // a watch would be disturbed by the line
+    std::optional<ProgressLine> progress; // not with --watch, which the line would disturb
     if (options.seeds > 1 && !options.watch)
         progress.emplace();
     std::vector<FinishedRun> runs;

@@ -30,7 +30,7 @@ std::vector<std::string> walk_functions();
 
 /// The random numbers of a pair of mates and their effect.
 struct Mating {
-    double drawn; ///< below the crossover probability, the pair is crossed
+    double drawn; ///< random number; if it is below the crossover probability, the pair is crossed
     bool crossed;
     std::size_t cut; ///< number of leading characters that are exchanged, if the pair is crossed
 };
@@ -43,7 +43,7 @@ struct WalkedGeneration {
     std::vector<double> spins = {};        ///< positions of the roulette, 0 to 1; empty if no fitness is positive
     std::vector<std::size_t> parents = {}; ///< indices in the population; empty if no fitness is positive
     std::vector<Genome> reproduced = {};
-    std::vector<Mating> matings = {}; ///< of strings 0 and 1, 2 and 3, ...
+    std::vector<Mating> matings = {}; ///< mating of strings 0 and 1, of strings 2 and 3, ...
     std::vector<Genome> crossed = {}, mutated = {};
 };
 

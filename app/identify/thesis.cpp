@@ -59,7 +59,7 @@ bool uses_spool(const Record& record, const Question& question) {
 struct Case {
     Parameters machine;
     LoadedRecord loaded;
-    Sampling sampling; ///< of the record as read
+    Sampling sampling; ///< sampling of the record as read
     IdentificationWay way;
     Question question;
     bool calibrates = false;                ///< whether --offset auto was given and has an effect

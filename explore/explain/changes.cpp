@@ -20,7 +20,7 @@ namespace placedpar {
 namespace {
 
 constexpr std::int64_t fastest = 1'000'000'000; ///< greatest speed that the language accepts
-constexpr std::size_t most_alone = 10;          ///< number of single things of each kind that are varied
+constexpr std::size_t most_alone = 10;          ///< largest number of single parts of each kind that are varied
 
 /// Attributes of a bus that cost time. The time-out is left out: it only matters if a device does not respond.
 constexpr std::array bus_times{"cycle", "bytecycle", "grant"};

@@ -23,7 +23,7 @@ struct Wires {
 
 /// The end of a wire to the host.
 struct HostWires {
-    std::string loop; ///< "" for one wire
+    std::string loop; ///< "" if there is only one wire
     std::string sun;  ///< the link of the workstation, "0"
     std::string at;   ///< the subscripts of the processor
     std::string link; ///< an expression, "dimensions"

@@ -32,7 +32,7 @@ struct StudySource {
     std::string netlist;                                    ///< path as typed by the user; it is not compared
     std::vector<std::pair<std::string, std::string>> texts; ///< path and text of the netlist and its included files
     std::string options; ///< JSON of everything else that determines a run, such as faults; for a function, its owner
-    std::string named_by = " with --results"; ///< how to name another file, for the text of a refusal
+    std::string named_by = " with --results"; ///< text for a refusal: how to name another file
 
     /// Compares all but the paths of the files.
     bool operator==(const StudySource& other) const;
@@ -105,7 +105,7 @@ private:
     auto parsed(Read read);
 
     std::filesystem::path path_;
-    std::optional<store::FileLock> lock_; ///< none: the file is only read
+    std::optional<store::FileLock> lock_; ///< empty: the file is only read
     std::optional<store::Database> database_;
     std::optional<store::Statement> has_, find_, insert_, update_;
     Head head_;

@@ -54,15 +54,15 @@ using StudyFunction = std::function<StudyFigures(const StudyRun&)>;
 /// The runs to be made of a netlist or of a function, and the measures to be reported.
 struct Study {
     std::string netlist;         ///< path of the netlist
-    StudyFunction function = {}; ///< none: the netlist is run
+    StudyFunction function = {}; ///< empty: the netlist is run
     ReadOptions read = {};
     std::vector<StudyProduct> products;
     std::uint64_t first_seed = 1, seeds = 1; ///< each combination is run with `seeds` seeds
     Time until = Time::max();                ///< virtual time at which unfinished runs are stopped
     std::vector<std::string> measures;
     Overrides relative_to =
-        {}; ///< each figure is divided by the figure of the run with these settings; none: figures are absolute
-    std::optional<StudySearch> search = {}; ///< none: the study is only swept
+        {}; ///< each figure is divided by the figure of the run with these settings; empty: figures are absolute
+    std::optional<StudySearch> search = {}; ///< empty: the study is only swept
     std::vector<StudyTable> tables = {};    ///< tables of figures beside known figures
     std::vector<std::string> figures = {};  ///< measures that occur in the tables
     std::string notes = "";                 ///< text printed below the tables

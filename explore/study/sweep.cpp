@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::uint64_t most_read = 100;          ///< combinations that are read if there are very many
 constexpr std::uint64_t most_refused = 300;       ///< the limit if combinations are refused for different reasons
-constexpr std::uint64_t most_counted = 1'000'000; ///< each run is looked up if there are at most so many runs
+constexpr std::uint64_t most_counted = 1'000'000; ///< largest number of runs for which each run is looked up
 
 /// Collects the combinations that cannot be read.
 class Refusals {
@@ -87,7 +87,7 @@ public:
         while (std::gcd(step_, count_) != 1)
             ++step_;
     }
-    /// Returns the next combination; nothing after all. The last combination comes twice.
+    /// Returns the next combination; nothing after the last. The last combination comes twice.
     std::optional<std::uint64_t> next() {
         if (given_ > count_)
             return std::nullopt;

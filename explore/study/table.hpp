@@ -17,7 +17,7 @@ struct StudyVariant {
 
 /// The allowed distance of a figure from the known figure.
 struct StudyTolerance {
-    StudyExpression amount{""}; ///< expression of the settings and `known`; none: no tolerance
+    StudyExpression amount{""}; ///< expression of the settings and `known`; empty: no tolerance
     bool in_percent = false;    ///< percent of the known figure; otherwise in the unit of the figure
 };
 

@@ -54,7 +54,7 @@ StateFile::StateFile(const fs::path& path, const std::string& settings, std::uin
     : given_(path), path_(path), settings_(settings), most_history_(most_history) {
     require_path_of_file(path_);
     if (!fs::exists(path_)) {
-        if (fs::exists(place_aside(path_))) // an earlier start renamed the old file and got no further
+        if (fs::exists(place_aside(path_))) // an earlier start ended after it had renamed the old file
             content.said = told_aside(path_);
         create_state_file(path_, settings_);
     }

@@ -126,7 +126,7 @@ std::string Broadcasts::why_not(const NetworkChannel& channel, std::size_t bus) 
                                                 : "which no link adapter leads to");
 }
 
-/// Returns a hint at the processors to which the sender's adapters lead.
+/// Returns a hint that names the processors behind the sender's adapters.
 std::string Broadcasts::hint_at_adapters(const NetworkChannel& channel, std::size_t bus) const {
     constexpr std::size_t most = 4;
     std::vector<std::string> ends;

@@ -76,8 +76,8 @@ struct DraftProcess {
     bool high_priority = false;
     std::map<std::string, Value> other;
     std::shared_ptr<const Interface> interface; ///< null if the netlist declares no interface
-    std::vector<SharedSettings> settings;       ///< statement by statement
-    std::vector<Setting> overrides; ///< settings by options, which replace the netlist's settings
+    std::vector<SharedSettings> settings;       ///< one entry for each statement
+    std::vector<Setting> overrides;             ///< settings by options, which replace the netlist's settings
     std::string kind;
     std::optional<Location> used; ///< place of the `use` that names its program
     std::size_t node = nowhere;

@@ -9,7 +9,7 @@
 
 namespace placedpar {
 
-/// Calls `work`, and catches the exceptions that `work` throws after having reported an error.
+/// Calls `work`, and catches the exceptions that `work` throws after reporting an error.
 template <class Work>
 void attempt(Work work) {
     try {

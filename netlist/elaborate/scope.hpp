@@ -26,8 +26,8 @@ struct DeclaredThings {
 
 /// A type with which processes can be declared: `process`, or a type that a `define` made.
 struct ProcessType {
-    std::vector<Setting> settings;              ///< in order: a later setting overrides an earlier one
-    std::shared_ptr<const Interface> interface; ///< null if the type has none
+    std::vector<Setting> settings;              ///< in order: a later setting overrides an earlier setting
+    std::shared_ptr<const Interface> interface; ///< null if the type has no interface
 };
 
 using Type = std::variant<NodeType, ProcessType>;
@@ -67,7 +67,7 @@ public:
     void declare(const std::string& name, Symbol symbol);
     void declare_predefined(const std::string& name, Symbol symbol);
 
-    /// Sets the statements of this block that follow the current statement. REQUIRES: they outlive the block.
+    /// Sets the statements of this block that follow the current statement. REQUIRES: the statements outlive the block.
     void set_ahead(std::span<const Statement> statements) { ahead_.back() = statements; }
     /// Returns where an unknown name is declared later, in this block or in an enclosing block.
     std::optional<Location> declared_later(std::string_view name) const;

@@ -53,8 +53,8 @@ Constant Elaborator::value_of(const SetStatement& set, bool text_wanted, const s
     throw StatementRefused{};
 }
 
-/// Returns the value that an option gives to the val, or the original if no option does. Options reach only vals
-/// outside of blocks.
+/// Returns the value that an option gives to the val, or the original value if there is no such option. Options reach
+/// only vals outside of blocks.
 Constant Elaborator::overridden(const std::string& name, const Constant& original) {
     if (!scopes_.outermost()) {
         vals_in_blocks_.insert(name);

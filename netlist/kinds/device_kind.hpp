@@ -30,7 +30,7 @@ enum class LinkRole {
 /// device in the slot must also derive from OnVme.
 enum class BusRole {
     none,        ///< the device cannot be in a slot
-    workstation, ///< a master whose bytes are in another order than a transputer's
+    workstation, ///< a master whose byte order differs from a transputer's
     bus_master,  ///< a transputer that is a master and shares its memory with the bus
     adapter      ///< registers that give access to the device at the other end of the adapter's link
 };
@@ -153,7 +153,7 @@ struct DeviceKind {
 /// Returns whether processes on the node take virtual time.
 bool executes_in_time(const Network& network, std::size_t node);
 
-/// Returns the number of nodes that execute processes in virtual time. Processes on a workstation take no time.
+/// Returns the number of nodes that execute processes in virtual time. Workstations are not counted.
 std::size_t count_processors(const Network& network);
 
 /// A type with which nodes can be declared: a model of a kind, or a type that a `define` made.

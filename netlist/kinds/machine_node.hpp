@@ -31,8 +31,8 @@ class MachineNode;
 struct MachineParts {
     Simulation& simulation;
     const Network& network;
-    std::vector<std::unique_ptr<MachineNode>> nodes; ///< by node
-    std::vector<hardware::Link*> links;              ///< by connection; null for ways over a device with slots
+    std::vector<std::unique_ptr<MachineNode>> nodes; ///< one for each node
+    std::vector<hardware::Link*> links; ///< one for each connection; null for ways over a device with slots
 };
 
 /// Holds the two carriers of the channels over a connection, one for each direction.

@@ -82,7 +82,7 @@ struct SwitchUse {
         std::string from, to; ///< the links
         std::uint64_t bytes = 0, acknowledges = 0;
         FaultUse::Hit first;
-        int output;        ///< output that should have passed on the first lost byte or acknowledge
+        int output;        ///< output that should have forwarded the first lost byte or acknowledge
         std::string state; ///< state of the output at that time: "was connected to no input"
     };
     std::vector<Loss> losses;

@@ -31,7 +31,7 @@ DeviceModel chip(std::string name, std::int64_t memory_bytes, int links, bool ov
 /// its disk ports.
 ///
 /// The databook says that the T800, T805 and T425 overlap acknowledges, and that the T414 does not. We assume by
-/// generation that the T801, T400, T222 and T225 overlap them, and that the T212 and M212 do not.
+/// generation that the T801, T400, T222 and T225 overlap acknowledges, and that the T212 and M212 do not.
 std::vector<DeviceModel> chips() {
     constexpr bool overlapped = true, separate = false;
     return {chip("T805", 4 * kilobyte, 4, overlapped), chip("T801", 4 * kilobyte, 4, overlapped),
@@ -54,8 +54,8 @@ struct Module {
     std::int64_t memory_bytes;
 };
 
-/// Returns the modules by the INMOS part numbers in the toolset's `boards.inc` and `trams.inc`, with their memory. They
-/// ran at 20 MHz, the kind's default.
+/// Returns the modules by the INMOS part numbers in the toolset's `boards.inc` and `trams.inc`, with their memory. The
+/// modules ran at 20 MHz, the kind's default.
 std::vector<Module> modules() {
     return {{"B002", "T414", 2 * megabyte},    {"B003", "T414", 256 * kilobyte}, {"B004", "T414", 2 * megabyte},
             {"B006", "T212", 8 * kilobyte},    {"B010", "T414", 1 * megabyte},   {"B011", "T800", 2 * megabyte},
@@ -158,7 +158,7 @@ std::vector<std::string> kept_attributes() {
 }
 
 /// Returns the access time of the memory that holds messages. Messages are assumed to lie in external memory if the
-/// node has any.
+/// node has external memory.
 Cycles access_time(const Node& node) {
     using hardware::Memory;
     if (std::int64_t stated = node.integer("memorycycles"))

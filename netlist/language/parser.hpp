@@ -20,12 +20,13 @@ public:
     Parser(TokenStream& tokens, Reporter& reporter) : tokens_(tokens), reporter_(reporter) {}
 
     Statements parse_netlist();
-    /// Parses one expression with nothing after it. Throws StatementRefused after having reported.
+    /// Parses one expression with nothing after it. Throws StatementRefused after reporting an error.
     ExpressionPointer parse_whole_expression();
-    /// Parses `reference =`, the target of an option that sets a value. Throws StatementRefused after having reported.
+    /// Parses `reference =`, the target of an option that sets a value. Throws StatementRefused after reporting an
+    /// error.
     Reference parse_target();
-    /// Parses a fault as an option states it, without the first word and the `;`. Throws StatementRefused after having
-    /// reported.
+    /// Parses a fault as an option states it, without the first word and the `;`. Throws StatementRefused after
+    /// reporting an error.
     Statement parse_fault_option();
 
 private:

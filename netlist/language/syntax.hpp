@@ -140,7 +140,7 @@ struct ParameterSetting {
     Reference process;
     std::vector<Attribute> values;
 };
-/// `n = 4`, `p[1].n = 4`: an option sets a val, or an attribute or a parameter of what the netlist declares.
+/// `n = 4`, `p[1].n = 4`: an option sets a val, or an attribute or a parameter of a declared element.
 struct SetStatement {
     Reference target;
     ExpressionPointer value; ///< null if the text is not an expression, such as a string without quotes

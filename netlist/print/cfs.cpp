@@ -449,7 +449,7 @@ private:
     ParameterOrder order_;
     Routes routes_ = Routes::written;
     std::string text_;
-    std::size_t counted_ = 0;               ///< bytes of routes
+    std::size_t counted_ = 0;               ///< bytes of routes that are only counted
     std::vector<std::string> stated_names_; ///< names of each connection's end b, then its end a; empty until used
 };
 

@@ -17,8 +17,8 @@ public:
     /// The first bin begins at the origin.
     LoadBins(std::size_t most_bins, Time origin);
 
-    /// Adds an interval. REQUIRES: the intervals of one state of one track do not overlap; none begins before the
-    /// origin.
+    /// Adds an interval. REQUIRES: the intervals of one state of one track do not overlap; no interval begins before
+    /// the origin.
     void add(std::size_t track, State, Time begin, Time end);
     /// Merges bins until there are at most `most_bins`.
     void merge_to(std::size_t most_bins);
