@@ -45,7 +45,7 @@ struct DeclaredOption {
 struct DeclaredCommand {
     std::string name, about, footer;
     std::vector<DeclaredOption> options;
-    std::vector<DeclaredCommand> commands; ///< commands of the program; a command has none
+    std::vector<DeclaredCommand> commands; ///< commands of the program; empty for a command
 
     std::vector<std::string> names_of_commands() const;
     std::vector<std::string> names_of_options() const;

@@ -15,7 +15,7 @@ class SearchObserver;  // gaprocs/search_observer.hpp
 /// Asks runs to end early.
 class Interruption {
 public:
-    /// Ends the current run, and every later run as soon as it begins. May be called from a signal handler.
+    /// Ends the current run, and ends each later run at its beginning. May be called from a signal handler.
     void request() noexcept;
     bool requested() const noexcept { return requested_; }
 
@@ -29,14 +29,13 @@ private:
 /// The settings of a run.
 struct RunSettings {
     std::uint64_t seed = 1;
-    Time until = Time::max(); ///< latest end of the run
-    std::optional<std::uint64_t> shuffle =
-        {};                     ///< runs ready processes in an order drawn from this seed; none: in the usual order
-    TraceSink* trace = nullptr; ///< null: no trace
-    SearchObserver* observer = nullptr; ///< null: the searches are not observed
+    Time until = Time::max();                  ///< latest end of the run
+    std::optional<std::uint64_t> shuffle = {}; ///< if set, ready processes run in an order drawn from this seed
+    TraceSink* trace = nullptr;                ///< null: no trace
+    SearchObserver* observer = nullptr;        ///< null: the searches are not observed
     Interruption* interruption =
         nullptr;                   ///< null: nothing ends the run early. An interruption serves one run at a time
-    RecordedRun* record = nullptr; ///< null: the run is not recorded. REQUIRES: empty
+    RecordedRun* record = nullptr; ///< null: the run is not recorded. REQUIRES: the record is empty
 };
 
 /// Runs the network. Throws what the processes throw.

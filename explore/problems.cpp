@@ -79,7 +79,7 @@ std::vector<ProblemFamily>& own_problems() {
     return problems;
 }
 
-/// Throws UserError for a name that is taken.
+/// Throws UserError for a name that is already taken.
 [[noreturn]] void refuse_taken(const char* what, const std::string& name) {
     throw UserError(fmt::format("this program adds a {0} \"{1}\", but the name is taken: choose another name, "
                                 "such as \"own.{2}\"",

@@ -79,9 +79,9 @@ bool has_own_devices(const Network& network) {
     return std::ranges::any_of(network.nodes, [](const Node& node) { return node.kind->is_own; });
 }
 
-/// Rethrows the current exception with the name and declaration of the process that threw it. Becomes a UserError if a
-/// user can cause the exception; otherwise a logic_error, a defect of PlacedPar. Errors of the system are rethrown
-/// unchanged.
+/// Rethrows the current exception with the name and declaration of the process that threw it. The new exception is a
+/// UserError if a user can cause the error; otherwise a logic_error, which is a defect of PlacedPar. Errors of the
+/// system are rethrown unchanged.
 [[noreturn]] void rethrow_with_process(const Failure& failure, const Network& network, const Catalogue& catalogue) {
     const ProcessInstance* process = outermost(network, failure.process);
     const bool is_own = (process && catalogue.find(process->kind)->is_own) || has_own_devices(network);

@@ -26,7 +26,7 @@ std::size_t count_words(std::string text) {
     return count;
 }
 
-/// Returns an upper limit of count_words() for a printed text, which has no illegal tokens, in one pass.
+/// Returns an upper limit of count_words(), computed in one pass. REQUIRES: the text has no illegal tokens.
 std::size_t most_words_in(std::string_view printed) {
     std::size_t count = 0;
     bool in_word = false;

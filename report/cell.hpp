@@ -13,7 +13,7 @@ namespace placedpar {
 enum class Origin {
     outcome,    ///< result of the simulation; nothing was fitted to it
     calibrated, ///< one constant was fitted to this cell
-    workload,   ///< a constant of the program's own cost was read off this cell
+    workload,   ///< a constant for the cost of the program was read off this cell
     fitted,     ///< constants were fitted to several cells, including this cell
     constant    ///< the cell repeats a constant of the model; any difference is an error of the program
 };
@@ -45,7 +45,7 @@ struct Cell {
     int decimals = 2;                     ///< number of decimals that are printed
     /// One-sided bounds, in the cell's unit. If either is set, the tolerances are not used.
     std::optional<double> at_least = {}, at_most = {};
-    std::optional<double> reference_to = {}; ///< upper bound of a claim with two bounds, which is only printed
+    std::optional<double> reference_to = {}; ///< upper bound of a claim with two bounds; it is only printed
     std::string source = {}; ///< source of the known figure, if the figures of a comparison have several sources
     std::optional<Judge> judge = {};       ///< empty: the judge that Comparison::against names
     std::optional<Interval> interval = {}; ///< 95 % interval of a simulated share; the cell misses a bound only if the

@@ -37,7 +37,7 @@ Table measurements_of(const std::vector<Measurement>& rows) {
     });
 }
 
-/// Lists the elements that an option set, if its name stands for several: at most the first eight.
+/// Lists the elements that an option set, if its name stands for several elements: at most the first eight.
 std::string print_reached(std::vector<std::string> elements) {
     constexpr std::size_t most = 8;
     if (elements.empty())
@@ -180,8 +180,8 @@ std::string print_devices(const RunReport& report) {
     return out;
 }
 
-/// Prints a process's waiting time. An open wait lasts for ever in a deadlock; in a run that was stopped, it lasted at
-/// the stop.
+/// Prints a process's waiting time, and the beginning of a wait that is still open. In a deadlock such a wait lasts for
+/// ever.
 std::string print_wait(const RunReport& report, const ProcessUse& process) {
     if (!process.waits_since)
         return print_part(report, process.waiting);
@@ -372,7 +372,7 @@ std::string print_ending(Ending ending) {
     return painted(well ? Paint::success : Paint::failure, name_of(ending));
 }
 
-/// Lists the first processes that never ran; the JSON document has all.
+/// Lists the first processes that never ran; the JSON document lists all of them.
 std::string print_never_ran(const std::vector<std::string>& names) {
     constexpr std::size_t most = 12;
     std::size_t shown = std::min(names.size(), most), left_out = names.size() - shown;

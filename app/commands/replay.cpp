@@ -29,7 +29,8 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::uint64_t most_seeds = 1'000'000; ///< ours: a number typed with too many digits must not fill the memory
+constexpr std::uint64_t most_seeds = 1'000'000; ///< our choice: a number typed with too many digits must not fill the
+                                                ///< memory
 
 /// The options of the command; an empty file name means that the file is not written.
 struct ReplayOptions {

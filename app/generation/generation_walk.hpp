@@ -11,13 +11,13 @@
 
 namespace placedpar {
 
-/// The settings of a search small enough to follow by hand: strings of four bits, the vertices of Figure 6.2, roulette,
-/// one-point crossover, mutation.
+/// The settings of a search small enough to follow by hand: strings of four bits (the vertices of Figure 6.2),
+/// roulette, one-point crossover, mutation.
 struct WalkSettings {
     std::size_t population = 6;
     double crossover_probability = 0.8;
     double mutation_probability =
-        0.05; ///< ours: with the thesis's value, 0.01, hardly any of the few bits would be flipped
+        0.05; ///< our choice: with the thesis's value, 0.01, hardly any of the few bits would be flipped
     std::string function = "square"; ///< fitness function, one of walk_functions()
     std::uint64_t seed = 1;
 };

@@ -146,8 +146,7 @@ private:
             changes_.push_back({of, what, factor.faster, {{set, faster(speed, factor)}}});
     }
 
-    /// Returns the wires that --set can name, as wired or as wire[0], wire[1] ... Each wire has both of its ends as
-    /// keys.
+    /// Returns the wires; each wire has both of its ends as keys.
     std::map<std::string, const LinkConnection*> wires_by_end() const {
         std::map<std::string, const LinkConnection*> wires;
         for (std::size_t i = 0; i < network_.count_wires(); ++i)

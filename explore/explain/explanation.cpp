@@ -230,7 +230,7 @@ Group group_of(const Change& change) {
 
 /// Prints the activities on the critical path, then the changes with gains, the greatest gain first. Each of three
 /// groups has only its best change: all processors, links or buses twice as fast; a part of the machine twice as fast;
-/// links as fast as can be. Each number of processes that gains when raised by one is printed.
+/// links as fast as the language allows. Each number of processes is printed if raising it by one shortens the run.
 std::string print_verdict(const Explanation& explanation) {
     Time whole = explanation.report.result.time;
     std::string out = print_kinds_of_time(explanation);

@@ -8,9 +8,9 @@ namespace placedpar::generate {
 
 /// The processes of a netlist and their placement on the processors t of a topology.
 struct Job {
-    bool has_host = false; ///< a process `host`, which the netlist must place
-    std::string about; ///< a description, such as "islands of algorithm B, each with its neighbours' as its neighbours"
-    std::string vals;  ///< lines, each with a newline
+    bool has_host = false;  ///< whether there is a process `host`, which the netlist must place
+    std::string about;      ///< a description, such as "Islands: one on every processor. ..."
+    std::string vals;       ///< lines, each with a newline
     std::string statements; ///< lines, each with a newline
 };
 

@@ -23,7 +23,7 @@ public:
     explicit operator bool() const { return parsed_ != nullptr; }
     /// Returns the names in the expression, known or not.
     std::set<std::string> names() const;
-    /// Returns whether the expression holds with these settings; an empty expression always does. Throws RefusedInput
+    /// Returns whether the expression holds with these settings; an empty expression always holds. Throws RefusedInput
     /// if a name is not a setting, or the value cannot be computed.
     bool holds(const Overrides& set) const;
     /// Returns the value. Throws RefusedInput as holds() does, and if the value is not a number. REQUIRES: the

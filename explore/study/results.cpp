@@ -24,7 +24,7 @@ namespace placedpar {
 namespace {
 
 constexpr std::int64_t results_application = 0x50507374; // "PPst"
-constexpr std::int64_t results_format = 2;               // 1 had no checksums
+constexpr std::int64_t results_format = 2;               // format 1 had no checksums
 
 constexpr const char* results_schema =
     "CREATE TABLE study(id INTEGER PRIMARY KEY CHECK(id = 1), netlist TEXT NOT NULL, options TEXT NOT NULL, "
@@ -282,8 +282,8 @@ void StudyResults::read_head() {
         refuse_damaged("the row of table study, or one of table texts");
 }
 
-/// Reads the runs in their order. A run out of order is refused, so no run occurs twice, and reading a damaged file
-/// ends.
+/// Reads the runs in their order. A run out of order is refused, so no run occurs twice, and a loop in a damaged file
+/// is detected.
 void StudyResults::read_runs() {
     std::int64_t count = 0, sum = 0;
     std::pair<std::string, std::int64_t> last;

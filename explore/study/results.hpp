@@ -31,7 +31,8 @@ struct StudyOutcome {
 struct StudySource {
     std::string netlist;                                    ///< path as typed by the user; it is not compared
     std::vector<std::pair<std::string, std::string>> texts; ///< path and text of the netlist and its included files
-    std::string options; ///< JSON of everything else that determines a run, such as faults; for a function, its owner
+    std::string options; ///< JSON of everything else that determines a run, such as faults; for a function, a text that
+                         ///< identifies it
     std::string named_by = " with --results"; ///< text for a refusal: how to name another file
 
     /// Compares all but the paths of the files.

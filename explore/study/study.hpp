@@ -86,7 +86,7 @@ struct Study {
 /// its products and seeds do not change.
 class StudyRuns {
 public:
-    /// Throws as Study::count().
+    /// Throws as Study::count() does.
     explicit StudyRuns(const Study&);
 
     std::uint64_t count() const { return ends_.empty() ? 0 : ends_.back(); }

@@ -68,14 +68,14 @@ private:
 /// results do not depend on the order.
 class StudySweep {
 public:
-    /// REQUIRES: both arguments outlive this object. Throws as Study::count().
+    /// REQUIRES: both arguments outlive this object. Throws as Study::count() does.
     StudySweep(const Study& study, StudyResults& results) : study_(study), runs_(study), results_(results) {}
 
     /// Makes and keeps one or two runs, unless the results have them already. Throws UserError for a measure that these
     /// runs do not have, so that the error comes before the other runs are made.
     void try_measures(Interruption&);
 
-    /// The number of missing runs; an upper bound if there are very many.
+    /// The number of missing runs; an upper bound if very many runs are missing.
     struct Missing {
         std::uint64_t runs = 0;
         bool exact = true;

@@ -34,14 +34,14 @@ struct StudyRow {
     std::vector<StudyTolerance> tolerances = {};
     std::vector<Origin> origins = {};
     std::optional<Judge> judge = {}; ///< empty: the judge that the table's `against` names
-    Overrides relative_to = {};      ///< each measure is divided by the measure of the run that differs only by these
+    Overrides relative_to = {};      ///< each measure is divided by the measure of the run that differs only in these
                                      ///< settings
 };
 
 /// A table of a study's figures beside known figures, with a cell for each row and column.
 struct StudyTable {
     std::string name, against = "known", notes = "";
-    bool judged = false;   ///< judged even if it is not the first table
+    bool judged = false;   ///< whether the table is judged even if it is not the first table
     bool fit = false;      ///< whether a line below the table gives the deviation of its figures from the known figures
     Overrides shared = {}; ///< settings of all its runs, unless a row or column sets them
     std::vector<StudyVariant> columns = {};

@@ -215,7 +215,7 @@ void StateFile::commit(std::span<const Transaction> transactions) {
         renew();
     require_in_place();
     transact(transactions);
-    require_in_place(); // before this check, a removed file may have taken the new data with it
+    require_in_place(); // if the file has been removed, the new data are lost
 }
 
 void StateFile::transact(std::span<const Transaction> transactions) {

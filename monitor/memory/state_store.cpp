@@ -117,7 +117,7 @@ void StateStore::commit_now(const Transaction& transaction) {
     }
 }
 
-/// Continues with the content of the file, which is known and served. Storing resumes when write_anew() succeeds.
+/// Continues without storing, until write_anew() succeeds.
 void StateStore::fall_back(const std::string& why) {
     trouble_ = fmt::format("{}: cannot be written: {}", path_.string(), why);
     keeping_ = complete_ = false;

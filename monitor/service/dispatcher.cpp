@@ -240,7 +240,7 @@ void Dispatcher::answer(Client& client, const Hello& hello, std::string_view) {
     Client* other = clients_.join(client);
     if (hello.role == Role::control)
         persistence_.save(diagnosis);
-    if (other) { // the old connection may be half open, its control system long gone
+    if (other) { // the old connection may be half open: its control system may be gone
         outbox_.send(*other, plain_line("closing", "another control system has taken over this machine"));
         outbox_.finish(*other);
     }

@@ -21,7 +21,8 @@ using boost::system::error_code;
 
 namespace {
 
-constexpr std::chrono::seconds most_patience{30}; ///< for a request to arrive, or its answer to be read; ours
+constexpr std::chrono::seconds most_patience{30}; ///< longest wait for a request to arrive or its answer to be read;
+                                                  ///< our choice
 constexpr std::uint32_t most_header_bytes = 8192;
 
 /// Allows content and requests from this service only, and forbids other pages to embed it.

@@ -42,12 +42,12 @@ private:
     class Session;
     friend class Session;
 
-    /// Returns whether the field "Authorization" contains the token, either as Bearer or as the Basic password with any
-    /// user name, for which browsers can prompt.
+    /// Returns whether the field "Authorization" contains the token, either as a Bearer token or as the password of a
+    /// Basic login with any user name. Browsers can prompt for such a login.
     bool trusts(const std::string& authorization) const;
     void make_place(const std::string& peer);
 
-    static constexpr std::size_t most_sessions = 256, most_sessions_of_peer = 64; ///< values are ours
+    static constexpr std::size_t most_sessions = 256, most_sessions_of_peer = 64; ///< values of our choice
     Token token_;
     HostNames names_;
     Handler handler_;

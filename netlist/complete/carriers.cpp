@@ -15,8 +15,8 @@ namespace {
 
 /// Chooses what carries each channel. Channels that the netlist places come first; then each other channel takes the
 /// best route (RouteCost). Both groups keep the netlist's order. Between neighbours the best route is the wire with the
-/// fewest channels in that direction, then with the lowest link number at the sender. A channel to an edge takes one
-/// wire.
+/// fewest channels in that direction; among equal wires, the wire with the lowest link number at the sender. A channel
+/// to an edge takes one wire.
 class Carriers {
 public:
     explicit Carriers(Completion& c)
@@ -247,7 +247,7 @@ private:
         if (channel.from.at_edge() || channel.to.at_edge())
             return choose_edge(channel);
         if (channel.from.node == nowhere || channel.to.node == nowhere || channel.from.node == channel.to.node)
-            return; // reported, or soft
+            return; // already reported, or both processes are on one processor
         auto route = search_.best(channel.from.node, channel.to.node);
         if (!route)
             route = way_over_switch(channel);
@@ -285,7 +285,7 @@ private:
                way_to_edge(inner.node, outer.node));
     }
 
-    /// Returns a hint how to connect the node with the edge, if links are free.
+    /// Returns a hint that says how to connect the node with the edge.
     std::string way_to_edge(std::size_t node, std::size_t edge) const {
         for (const auto& connection : c_.network.connections)
             for (auto [near, far] : {std::pair(connection.a, connection.b), std::pair(connection.b, connection.a)})
@@ -354,7 +354,7 @@ private:
 
     Completion& c_;
     const std::vector<LinkConnection>& wires_;
-    std::vector<std::size_t> load_; ///< number of channels on each connection, as in RouteSearch
+    std::vector<std::size_t> load_; ///< number of channels on each connection in each direction, as in RouteSearch
     RouteSearch search_;
     StatedRoutes stated_;
     Broadcasts broadcasts_;

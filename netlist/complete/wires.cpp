@@ -13,7 +13,8 @@ using Socket = std::pair<std::size_t, int>; ///< node and link
 
 Socket socket(const LinkEnd& end) { return {end.node, end.link}; }
 
-/// Returns the crosspoints at each end in the netlist's order. An end has several only if a program sets the switch.
+/// Returns the crosspoints at each end in the netlist's order. An end has several crosspoints only if a program sets
+/// the switch.
 std::map<Socket, std::vector<std::size_t>> all_by_end(const std::vector<DraftWire>& crosspoints) {
     std::map<Socket, std::vector<std::size_t>> places;
     for (std::size_t i = 0; i < crosspoints.size(); ++i)
@@ -138,8 +139,8 @@ private:
         return open;
     }
 
-    /// If exactly two wires end at the switch, suggests the crosspoint between them; both errors then give the same
-    /// hint.
+    /// If exactly two wires end at the switch, suggests the crosspoint between them; the errors about both wires then
+    /// give the same hint.
     void refuse_crosspoint(const LinkConnection& connection, const LinkEnd& at) {
         auto open = open_links(at.node);
         auto name = [&](const LinkEnd& end) { return link_name(c_.network.nodes, end); };

@@ -76,7 +76,7 @@ struct DeviceModel {
     bool needs_type = false; ///< stands for any other model of the kind, which the attribute `type` names
 };
 
-/// Gives a Medium the contents of the slots of a network's devices while the network is checked.
+/// The parts of a network that a Medium can use while the network is checked.
 struct Attached {
     const Network& network; ///< nodes, connections that are wires, attachments
     const std::map<std::pair<std::size_t, int>, std::size_t>& connection_at; ///< the wires by node and link

@@ -11,7 +11,7 @@ namespace placedpar {
 
 enum class ParameterType { integer, real, text };
 
-/// A value that a netlist gives to a process or to a device; description.hpp makes them.
+/// Describes a value that a netlist gives to a process or to a device. Functions of description.hpp make descriptions.
 struct ParameterDescription {
     std::string name;
     ParameterType type;

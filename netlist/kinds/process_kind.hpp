@@ -18,7 +18,7 @@ class AnyChannel;         // runtime/channel.hpp: a channel of some protocol
 class ProcessEnvironment; // netlist/kinds/environment.hpp: what a running process sees of its netlist
 struct Network;           // netlist/network/network.hpp: a whole netlist, elaborated
 
-/// One channel end in the interface of a process kind; description.hpp makes them.
+/// Describes a channel end in the interface of a process kind. Functions of description.hpp make descriptions.
 struct PortDescription {
     std::string name;
     Direction direction;

@@ -73,7 +73,7 @@ public:
             enquire(partner);
     }
 
-    /// Disconnects the partner; otherwise the switch would also repeat the next partner's bytes to it.
+    /// Disconnects the partner; otherwise the switch would also repeat the next partner's bytes to this partner.
     void disconnect(std::size_t partner) {
         commands_.output({SwitchCommand::Kind::disconnect_links, link_, link_of(partner)});
     }

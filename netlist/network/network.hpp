@@ -188,7 +188,7 @@ struct Fault {
     std::map<std::string, Value, std::less<>> attributes; ///< all attributes of the kind
     Location stated;
 
-    /// REQUIRES: the kind has an integer (text) attribute of this name.
+    /// These two functions require that the kind has an attribute of this name and type.
     std::int64_t integer(std::string_view attribute) const {
         return std::get<std::int64_t>(attributes.find(attribute)->second);
     }

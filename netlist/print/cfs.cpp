@@ -421,7 +421,7 @@ private:
     }
 
     /// Returns the link end that a `place` statement names for a hop: the adapter's link if the hop leads from a master
-    /// over a link adapter, otherwise the begin of the hop. A master may use several adapters.
+    /// over a link adapter, otherwise the beginning of the hop. A master may use several adapters.
     LinkEnd stated_end(const RouteHop& hop) const {
         const auto& way = n_.connections[hop.connection].over_bus;
         bool by_adapter = way && way->wire != nowhere && hop.from_a_to_b;

@@ -47,10 +47,10 @@ private:
     using Number = PathPoints::Number;
     using Point = PathPoints::Point;
     struct Lane {
-        Number last; ///< last event of the process; while the process waits, the begin of the wait
+        Number last; ///< last event of the process; while the process waits, the beginning of the wait
         const Process* process;
         Activity does = Activity::ended;
-        std::optional<Number> cause = {};    ///< event that ended the process's wait, until the process continues
+        std::optional<Number> cause = {};    ///< event that ended the wait; empty once the process has continued
         std::optional<Number> together = {}; ///< for the present message: the later of the two arrivals at the channel
     };
 

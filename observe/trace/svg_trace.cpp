@@ -88,7 +88,7 @@ std::vector<Bar> joined(std::vector<Bar> bars) {
 
 struct Row {
     std::string label;
-    double y = 0; ///< of the row's middle
+    double y = 0; ///< coordinate of the row's middle
     std::map<Look, std::vector<Bar>> bars = {};
 };
 

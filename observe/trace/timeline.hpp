@@ -61,10 +61,11 @@ private:
         const Process* process;
         Activity activity;
         Time since;
-        std::optional<Time> stopped = {};         ///< when it stopped computing, unless it still computes
-        std::optional<Time> last_end = {};        ///< end of its last slice
-        std::size_t partner = Tracks::none;       ///< track of the partner of the present wait
-        std::vector<MessageEnd> here = {};        ///< message ends that belong to the next slice with a duration
+        std::optional<Time> stopped = {};   ///< time at which the process stopped computing; empty while the process
+                                            ///< computes
+        std::optional<Time> last_end = {};  ///< end of its last slice
+        std::size_t partner = Tracks::none; ///< track of the partner of the present wait
+        std::vector<MessageEnd> here = {};  ///< message ends that belong to the next slice with a duration
         std::vector<std::uint64_t> arriving = {}; ///< messages that end the present wait
         std::optional<Slice> last = {};           ///< slice at the end of the trace, once the trace has ended
         std::string path = {};                    ///< path of the process, once the trace has ended
