@@ -41,7 +41,7 @@ private:
     RandomStream random_;
 };
 
-/// The islands of a search, and what their netlists say beside the settings.
+/// The islands of a search, and the parts of their netlists that are not settings.
 struct Combination {
     std::string problem;
     std::string coding, reproduction, crossover, mutation; ///< "": the problem's usual policy

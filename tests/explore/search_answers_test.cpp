@@ -21,7 +21,7 @@ const std::filesystem::path sixteen = PLACEDPAR_SOURCE_DIR "/examples/thesis/fig
 
 const std::vector<std::string> masters{"master[0]", "master[1]", "master[2]", "master[3]"};
 
-/// Figure E.2's run on the boom, observed.
+/// An observed run of Figure E.2 on the boom.
 struct ObservedRun {
     ProblemRegistry problems;
     SearchAnswers answers;

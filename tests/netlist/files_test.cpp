@@ -50,7 +50,7 @@ TEST_CASE("files from DOS are read: capital letters, backslashes, carriage retur
     CHECK(result.network->included_paths[1].ends_with("dos/SUB/SIZE.INC"));
 }
 
-TEST_CASE("an included file is searched beside the including file, then along the include path in order") {
+TEST_CASE("an included file is searched for beside the including file, then along the include path in order") {
     CHECK_FALSE(read_netlist(file("on_the_path.cfs"), small_catalogue()).network);
     auto along = read_netlist(file("on_the_path.cfs"), small_catalogue(), {},
                               {.include_folders = {file("dos"), file("dos/SUB")}});

@@ -13,7 +13,7 @@ TEST_CASE("a cell with a tolerance is judged, a cell without a tolerance is not"
     CHECK(compared_cell("C", "spool", "in^3/psi", 0.0086, 0.0200, 5).within_tolerance());
 }
 
-TEST_CASE("a cell judged from one side has one bound, even with a known figure") {
+TEST_CASE("a one-sided cell has one bound, even with a known figure") {
     Cell known = compared_cell("share", "way", "%", 65, 52, 0);
     CHECK(at_least(51, known).within_tolerance());
     CHECK_FALSE(at_least(55, known).within_tolerance());
@@ -46,8 +46,8 @@ TEST_CASE("a share of no runs has no value") {
 }
 
 TEST_CASE("two samples may differ by four standard deviations of their difference") {
-    CHECK(share_tolerance(50, 50) == doctest::Approx(40));                   // 4 sqrt(2 * .25 / 50)
-    CHECK(share_tolerance(50, 200) == doctest::Approx(20));                  // 4 times the records
+    CHECK(share_tolerance(50, 50) == doctest::Approx(40));  // 4 sqrt(2 * .25 / 50)
+    CHECK(share_tolerance(50, 200) == doctest::Approx(20)); // 200 records instead of 50 halve the tolerance
     CHECK(share_tolerance(100, 200) == doctest::Approx(3.96).epsilon(0.01)); // 4 sqrt(2 * .0098 * .9902 / 200)
     CHECK(share_tolerance(0, 200) == doctest::Approx(share_tolerance(100, 200)));
     CHECK(deviation_tolerance(0.00004, 50, 0.000005) == test::nearly(0.00004 * 4 / 7 + 0.000005)); // plus half a digit

@@ -34,7 +34,7 @@ TEST_CASE("in a log without virtual time the column of times is empty") {
     CHECK(log_csv({&seeded, 1}).find("\n1,1,,east,,best,3\n") != std::string::npos);
 }
 
-TEST_CASE("the report has the begin and end of searches, and the fate of immigrants") {
+TEST_CASE("the report has the beginning and end of searches, and the fate of immigrants") {
     GenerationLog log({"east", "west"});
     for (const char* search : {"east", "west"}) {
         test::tell(log, search, 1, {0, 100});

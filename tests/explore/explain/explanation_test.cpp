@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// A run of 10 ms with a process that computed for half of it, and no path.
+/// A run of 10 ms without a path; its process computed for 5 ms.
 Explanation half_busy() {
     Explanation explanation;
     explanation.report.result.ending = Ending::completed;

@@ -125,7 +125,7 @@ TEST_CASE("a study consists of all combinations that meet its condition, with ea
     CHECK_THROWS_AS(StudyExpression("a >"), RefusedInput);
 }
 
-TEST_CASE("a study finds any combination without enumerating the earlier ones") {
+TEST_CASE("a study finds any combination without enumerating earlier combinations") {
     Study study = two_axes("a > 0");
     study.products.push_back({.axes = {read_axis("far=0..999999999999..3,x,0.1..0.3..0.1,1..64..x2")}});
     study.products.push_back({.axes = {read_axis("a=7.0"), read_axis("only=x")}});
@@ -166,7 +166,7 @@ TEST_CASE("a study whose number of runs exceeds 64 bits is refused with its larg
                                            "of d), each run with 1 seed, are more than 18446744073709551615"),
                          UserError);
     CHECK_THROWS_AS(study.count(), UserError);
-    study.products[0].axes.pop_back(); // 2^48
+    study.products[0].axes.pop_back(); // now 2^48 runs
     study.seeds = 65535;
     CHECK(study.count() == 65535ULL << 48);
     study.products.push_back({{read_axis("a=1..65536"), read_axis("b=1..4294967296")}});

@@ -42,7 +42,9 @@ TEST_CASE("a cell has the mean, the least and greatest value, and Student's inte
     CHECK(cell.mean == doctest::Approx(3));
     CHECK(cell.least == 1);
     CHECK(cell.greatest == 5);
-    CHECK(cell.half_width == doctest::Approx(2.776445 * std::sqrt(2.5 / 5)).epsilon(1e-6)); // t for 4, 97.5 %
+    CHECK(cell.half_width == doctest::Approx(2.776445 * std::sqrt(2.5 / 5)).epsilon(1e-6)); // Student's t with 4
+                                                                                            // degrees of freedom, at
+                                                                                            // 97.5 %
     CHECK(test::cell_of({7}).half_width == 0);
     CHECK(shown_interval(test::cell_of({7})).empty());
     CHECK(shown_mean(StudyCell{}) == "-");
@@ -74,7 +76,7 @@ TEST_CASE("runs that did not complete are counted by how they ended, and a deadl
     StudyResults results(StudySource{});
     const StudySummary summary = summary_of(add_runs(results, {"1", "9"}, 2), {"master.rate"});
     CHECK(line_with(summary, "9").cells[0].runs == 0);
-    CHECK(ended_of(line_with(summary, "9")) == "deadlock"); // all of them
+    CHECK(ended_of(line_with(summary, "9")) == "deadlock"); // all runs
     CHECK(ended_of(line_with(summary, "1")).empty());
     CHECK(has_intervals(summary));
 }

@@ -94,7 +94,8 @@ TEST_CASE("runs that depend on the order of processes are not repeated from a re
     CHECK(check_worker(study_of("examples/machine/figure-d1/figure-e2-on-d1.cfs",
                                 {"slaves=1", "host.samples=6", "host.accuracy=0.1"}, 2)) == 0);
     CHECK(check_worker(study_of("examples/machine/figure-d1/figure-e2-on-d1.cfs",
-                                {"slaves=1", "host.samples=6", "broadcast=TRUE"}, 2)) == 0); // messages are compared
+                                {"slaves=1", "host.samples=6", "broadcast=TRUE"}, 2)) == 0); // a broadcast compares
+                                                                                             // messages
     CHECK(check_worker(study_of("examples/csp/philosophers/philosophers.cfs", {"meals=2"}, 2)) == 0);
 }
 

@@ -45,7 +45,8 @@ TEST_CASE("channels between neighbours are spread over their links") {
         return sending_link(
             network, channel(network, "pumps[" + std::to_string(i) + "].out -> sinks[" + std::to_string(i) + "].in"));
     };
-    // The last channel is placed on link 1. The others take the link with fewer channels, or the lower link if equal.
+    // The last channel is placed on link 1. The others take the link with fewer channels, or the lower link if both
+    // carry equally many.
     CHECK(link(4) == 1);
     CHECK(link(0) == 0);
     CHECK(link(1) == 0);
@@ -91,7 +92,7 @@ std::string route_of(const Network& network, std::size_t channel = 0) {
     return text;
 }
 
-/// A ring of four, link 2 of each wired to link 1 of the next.
+/// A ring of four processors: link 2 of each is wired to link 1 of the next.
 Network ring_of_four(const std::string& rest) {
     return good_text("connection c, w; T800 t[4]; rep i = 0 for 4 connect t[i].link[2] to t[(i + 1) % 4].link[1];"
                      "process p[2], q[2]; use \"pump\" for p; use \"sink\" for q; connect p[0].out to q[0].in by c;"

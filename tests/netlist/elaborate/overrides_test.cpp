@@ -37,7 +37,7 @@ place other on t[1];
 )";
 
 /// Returns the message about the cluster with these overrides. The kinds of `other` and s[1] do not fit, but overrides
-/// are refused earlier. A cluster parsed once for all tests must be refused like a newly parsed one.
+/// are refused earlier. A cluster parsed once for all tests must be refused like a newly parsed cluster.
 std::string refusal(const Overrides& overrides) {
     static const ParsedNetlist parsed = ParsedNetlist::of_text(cluster);
     std::string said = render(parsed.read(small_catalogue(), overrides));

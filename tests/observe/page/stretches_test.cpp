@@ -45,7 +45,7 @@ TEST_CASE("if there are too many stretches, the first and last are kept") {
     CHECK(begins == std::vector{Time{0}, Time{1}, Time{4}, Time{5}});
 }
 
-TEST_CASE("slices longer than a stretch are in another row, and each stretch states its begin and end") {
+TEST_CASE("slices longer than a stretch are in another row, and each stretch states its beginning and end") {
     Network network;
     Tracks tracks(network);
     Stretches stretches = steps_and_a_long_one(tracks, 10, {.entries_of_stretch = 4});

@@ -132,7 +132,7 @@ TEST_CASE("a message begins at the output and ends where the other process conti
     traced.simulation.process("q", input, &t);
     traced.simulation.process("p", output, &t);
     const Notes& notes = traced.run();
-    // q is first, and waits. The message leaves when p has spent the time of its output, the copy included.
+    // q is first, and waits. The message leaves when p has spent the time of its output, including the copy.
     CHECK(notes.about("q:") ==
           Lines{"q: computes 0 to 19", "q: inputs 19 to 2042, c with p", "q: computes 2042 to 2542"});
     CHECK(notes.about("p:") == Lines{"p: ready 0 to 19", "p: computes 19 to 1042", "p: computes 1042 to 2042"});
