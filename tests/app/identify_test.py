@@ -248,7 +248,7 @@ class Identification(unittest.TestCase):
         self.assertIn("is one of a pair", self.refused(STEP, "--on", self.file("pair.cfs", text)))
 
     def test_processes_that_do_not_find_the_same_end_with_3(self):
-        # This crossover is not the one that identify uses.
+        # identify uses another crossover.
         other = self.file("other.cfs", """
             T800 t; workstation sun; connect sun.link[0] to t.link[0];
             process host, master;

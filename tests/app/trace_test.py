@@ -131,7 +131,7 @@ class Traces(unittest.TestCase):
         self.assertGreater(len(either), 30)
         # The master's own evaluator finishes first in each generation.
         self.assertLessEqual({s.name for s in alternations[10:]} - {either[0].name},
-                             {"alternates: input from slave[0]/0/1",  # at first, the next name, from the other end:
+                             {"alternates: input from slave[0]/0/1",  # the next name occurs at first, from the other end:
                               "alternates: input from slave[0]/0/1 or share of master done"})
         for each in either:
             self.assertEqual(each.category, "wait")
