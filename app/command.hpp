@@ -14,7 +14,7 @@ class Options;
 /// Carries out a command once the command line has been parsed.
 using Action = std::function<ExitCode()>;
 
-/// The description of a command in its file: see app/README.md.
+/// Describes a command. Each command is defined in its own file: see app/README.md.
 struct Command {
     const char* name;
     const char* about; ///< the command's line in --help

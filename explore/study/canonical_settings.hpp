@@ -18,7 +18,7 @@ public:
     /// Returns the same settings in the chosen spelling.
     Overrides of(Overrides set);
     /// Calls the function for each run, with its settings in the chosen spelling. Of several runs that differ only in
-    /// spelling, only the run that was made with the chosen spelling is passed.
+    /// spelling, only one is passed: the run that was made with the chosen spelling, if there is one.
     void for_each(const std::function<void(const StudyRun&, const StudyOutcome&)>&);
 
 private:

@@ -78,7 +78,7 @@ private:
 
 /// Yields all combinations of a study, beginning with the first and the last. After any number of steps, the
 /// combinations so far are spread evenly over the study: the step is the number of combinations times the golden ratio,
-/// which is in phase with no axis.
+/// so the steps do not repeat the values of any axis.
 class SpreadCombinations {
 public:
     explicit SpreadCombinations(const Study& study) : count_(study.count() / study.seeds) {

@@ -71,8 +71,8 @@ public:
     /// REQUIRES: both arguments outlive this object. Throws as Study::count() does.
     StudySweep(const Study& study, StudyResults& results) : study_(study), runs_(study), results_(results) {}
 
-    /// Makes and keeps one or two runs, unless the results have them already. Throws UserError for a measure that these
-    /// runs do not have, so that the error comes before the other runs are made.
+    /// Makes and keeps a few of the first and last runs, unless the results have them already. Throws UserError for a
+    /// measure that these runs do not have, so that the error comes before the other runs are made.
     void try_measures(Interruption&);
 
     /// The number of missing runs; an upper bound if very many runs are missing.
@@ -81,8 +81,8 @@ public:
         bool exact = true;
     };
     Missing missing();
-    /// Returns the mean wall-clock time of a run, in seconds. Makes a run if none has been made, and a second run with
-    /// another seed. Returns nothing if interrupted. REQUIRES: called once.
+    /// Returns the mean wall-clock time of a run, in seconds. Makes a run, and a second run with another seed if there
+    /// are several seeds. Returns nothing if interrupted. REQUIRES: called once.
     std::optional<double> seconds_a_run(Interruption&);
 
     /// Makes all missing runs in `workers` threads. `show` is called from time to time with the number of runs that

@@ -27,8 +27,8 @@ std::filesystem::path write_state_file(const std::string& bytes, const std::file
 /// taken this name meanwhile.
 void publish(const std::filesystem::path& made, const std::filesystem::path& path);
 
-/// Throws UserError if no state file can have this path: it is a directory, a device, or a missing file whose journal
-/// still exists.
+/// Throws UserError if no state file can have this path, for example a directory, a device, or a missing file whose
+/// journal still exists.
 void require_path_of_file(const std::filesystem::path& path);
 
 /// The two versions differ in more than one bit, so that no flipped bit turns one version into the other.

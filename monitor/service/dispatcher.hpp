@@ -27,8 +27,8 @@ public:
     Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, Token token,
                std::function<void(const std::string&)> say);
 
-    /// Admits a client. If too many clients have sent no hello yet, closes such a client of the peer that has the most
-    /// of them.
+    /// Admits a client. If its peer, or all peers together, have too many clients, closes a client that has sent no
+    /// hello yet.
     void enter(Client& client);
     void leave(Client& client);
     /// Processes a line from the client. Answers go to the client and to other clients that watch its machine.

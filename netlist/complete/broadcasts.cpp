@@ -152,8 +152,7 @@ void Broadcasts::check() const {
             check(channel, out[channel.placement.route.front().connection]);
 }
 
-/// Reports a broadcast whose way carries another channel, too. If two channels of one broadcast share a way, reports
-/// only the second.
+/// Reports a broadcast whose way carries another channel, too. If both channels are broadcast, reports only the second.
 void Broadcasts::check(const NetworkChannel& broadcast, const std::vector<const NetworkChannel*>& on_way) const {
     const NetworkChannel& other = *(on_way.front() == &broadcast ? on_way.back() : on_way.front());
     bool both = &other != &broadcast && other.placement.broadcast_on != nowhere;
