@@ -52,7 +52,7 @@ struct Cell {
                                            ///< whole interval does
 
     /// Returns the deviation of the simulated figure from the reference, in percent of the reference; 0 if both are 0;
-    /// nothing without a reference.
+    /// nothing if a figure is missing, or if only the reference is 0.
     std::optional<double> error_percent() const;
     /// Returns tolerance_percent, or `tolerance` in percent of the reference; nothing if neither is defined.
     std::optional<double> tolerance_in_percent() const;

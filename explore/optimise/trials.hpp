@@ -20,7 +20,7 @@ namespace placedpar {
 /// The result of trying a machine.
 struct Trial {
     Merit merit;
-    bool simulated = false; ///< false: the netlist refuses the machine, so no run was needed
+    bool simulated = false; ///< false: the netlist or the study's condition refuses the machine
     std::string why = "";   ///< reason if the machine is infeasible: a refusal, the end of a run, or a missing measure
 };
 

@@ -61,7 +61,7 @@ std::string text_of_file(const std::string& path) {
     return loaded.file->text();
 }
 
-/// Refuses a folder. SQLite would say only that it cannot open the file.
+/// Refuses a folder, and any other path that is not a file. SQLite would say only that it cannot open the file.
 void require_no_folder(const std::filesystem::path& path) {
     std::error_code ignored;
     if (is_standard_stream(path) ||

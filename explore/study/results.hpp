@@ -47,7 +47,7 @@ StudySource source_of(const Study&, const Network& network);
 /// UserError with the file's name.
 class StudyResults {
 public:
-    /// Opens a file to add runs, or creates it. Refuses a file of another netlist, of other options or of a later
+    /// Opens a file to add runs, or creates it. Refuses a file of another netlist, of other options or of another
     /// format. Unless `of_any_version`, refuses a file of another version of PlacedPar. Also refuses a file to which
     /// another program is adding runs.
     StudyResults(const std::filesystem::path&, const StudySource&, bool of_any_version = false);

@@ -175,7 +175,7 @@ bool Timeline::close(Lane& lane, Slice slice) {
     return true;
 }
 
-/// Returns the slice of the present activity, from the end of the last slice.
+/// Returns the slice of the present activity, which ends at `end`.
 Slice Timeline::slice_of(const Lane& lane, Time end, bool open) const {
     Slice slice{lane.track, lane.activity, lane.since, end, open};
     if (!is_waiting(lane.activity))
