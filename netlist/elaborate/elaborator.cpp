@@ -78,7 +78,7 @@ void Elaborator::perform(const RepStatement& form, const Location& at) {
     std::size_t rounds_in_vain = 0;
     for (auto i = first; i < end; ++i) {
         if (reporter_.failed() && ++rounds_in_vain > most_repeated)
-            return; // the netlist is refused, and all errors have been reported
+            return; // the netlist is refused; further rounds would repeat errors
         evaluator_.step(at);
         scopes_.open();
         scopes_.declare(form.name, {integer_constant(i), form.name_at});

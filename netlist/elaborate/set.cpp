@@ -108,8 +108,8 @@ void Elaborator::perform(const SetStatement& form, const Location&) {
         refuse_set(form, name, named);
 }
 
-/// Returns the elements of that name, or all elements if the name is empty. Names unnamed wires and places on buses if
-/// the option may refer to them.
+/// Returns the elements of that name, or all elements if the name is empty. Gives names to unnamed wires and places on
+/// buses if the option may refer to them.
 std::vector<Settable> Elaborator::elements_named(const std::string& name, const std::string& member) {
     auto find_them = [&] {
         std::vector<Settable> all = settable_elements(draft_, catalogue_);

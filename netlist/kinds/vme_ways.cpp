@@ -51,7 +51,8 @@ private:
             ways_.push_back({master, slave, wire->second});
     }
 
-    /// Returns the master whose program uses the adapter; nowhere, after reporting, if this is ambiguous.
+    /// Returns the master whose program uses the adapter; nowhere, after reporting, if there is no such master, or if
+    /// several masters are possible.
     std::size_t master_of(std::size_t slave) {
         const Node& adapter = node(slave);
         const auto& named = std::get<std::string>(adapter.attributes.at("master"));
