@@ -76,7 +76,7 @@ class Replay(unittest.TestCase):
                   if abs(c["simulated"] - c["thesis"]) > 0.01 * c["tolerance_percent"] * c["thesis"]}
         self.assertLessEqual(len([row for row, _ in missed if row in ("T_exe", "T_sr")]), 1)  # at most 1 of 8 cells
         communication = document["other_readings"][0]
-        self.assertEqual(communication["reading"], "what judges the communication")
+        self.assertEqual(communication["reading"], "cells that judge the communication")
         self.assertFalse(communication["within_tolerance"])
 
     def test_examples_that_were_changed_are_refused_not_called_a_defect(self):
