@@ -16,8 +16,8 @@ namespace placedpar {
 
 namespace {
 
-/// Gives each immigrant the place at the index choose(immigrant, remaining candidates). `candidates`: places that may
-/// be replaced, the least fit individual first.
+/// Gives each immigrant one of the remaining `candidates`, whose index choose(immigrant, candidates) returns.
+/// `candidates` are the individuals that may be replaced.
 template <class Choose>
 Places give_places(const IslandPopulation& island, std::span<const Individual> immigrants,
                    std::vector<std::size_t> candidates, bool only_if_better, Choose choose) {

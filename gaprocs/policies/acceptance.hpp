@@ -21,18 +21,18 @@ class RandomStream;
 struct IslandPopulation {
     std::span<const Genome> strings;
     std::span<const double> fitness;
-    std::size_t elite = 0; ///< number of best individuals that are never replaced; among equals, the individuals of
-                           ///< higher index. In a population that has just been bred, they are the first
+    std::size_t elite = 0; ///< number of best individuals, which are never replaced; among equals, those of higher
+                           ///< index. In a population that has just been bred, the elite comes first
     const Representation* representation = nullptr; ///< null: binary strings
 };
 
 /// For each immigrant, the index of the individual that it replaces, or nothing if the immigrant is rejected.
 using Places = std::vector<std::optional<std::size_t>>;
 
-// Each policy assigns places to the immigrants in turn. Immigrants of the same exchange get different places, so that
-// none replaces another. With `only_if_better`, an immigrant is rejected unless it is fitter than the individual that
-// it would replace. REQUIRES of every policy: immigrants.size() + island.elite <= island.strings.size(), and all
-// strings have the same length.
+// Each policy chooses the individual that an immigrant replaces, for one immigrant after another. Immigrants of the
+// same exchange replace different individuals. With `only_if_better`, an immigrant is rejected unless it is fitter than
+// the individual that it would replace. REQUIRES of every policy: immigrants.size() + island.elite <=
+// island.strings.size(), and all strings have the same length.
 
 /// Replaces the least fit individuals; among equals the lowest index first. Draws no number.
 struct WorstAcceptance {
@@ -46,8 +46,7 @@ struct WorstAcceptance {
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
 
-/// Replaces an individual outside the elite, each with the same probability. Draws at least one number for each
-/// immigrant.
+/// Replaces a random individual outside the elite. Draws at least one number for each immigrant.
 struct RandomAcceptance {
     static constexpr std::string_view name = "random",
                                       about = "an individual outside the elite, drawn at random, is replaced",
@@ -60,9 +59,9 @@ struct RandomAcceptance {
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
 
-/// Replaces the individual outside the elite that is most similar to the immigrant: with the least
-/// Representation::distance(), which for binary strings is the number of different bits. Among equals it replaces the
-/// least fit, then the lowest index. Draws no number.
+/// Replaces the individual outside the elite with the least Representation::distance() from the immigrant. For binary
+/// strings this is the number of different bits. Among equally distant individuals it replaces the least fit, and among
+/// equally fit ones that of the lowest index. Draws no number.
 struct AlikeAcceptance {
     static constexpr std::string_view name = "alike",
                                       about = "the most similar individual outside the elite is replaced",
@@ -75,10 +74,10 @@ struct AlikeAcceptance {
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
 
-/// Replaces an individual of the population that has just been bred, each with the same probability; the elite at the
-/// beginning of the population is never replaced. So an immigrant is evaluated with the next generation and cannot
-/// become a parent earlier (thesis 5.3.2: "one generation later"). The population has no fitness yet, so no immigrant
-/// is rejected. Draws at least one number for each immigrant.
+/// Replaces a random individual of the population that has just been bred, except the elite at its beginning. So an
+/// immigrant is evaluated, and may become a parent, one generation later than with the other policies (thesis 5.3.2:
+/// "one generation later"). The new population has no fitness yet, so no immigrant is rejected. Draws at least one
+/// number for each immigrant.
 struct OffspringAcceptance {
     static constexpr std::string_view name = "offspring",
                                       about = "an individual of the new population outside its elite, drawn at random, "
@@ -89,7 +88,8 @@ struct OffspringAcceptance {
                       RandomStream& random) const;
 };
 
-/// A user-defined struct with a call operator like those above. The places that it returns are checked.
+/// A user-defined struct with a call operator like those above. The returned places are checked. In this check, among
+/// equals the elite are those of lower index.
 class OwnAcceptance : public OwnPolicy {
 public:
     template <class Policy>
@@ -101,22 +101,22 @@ private:
     std::function<Places(const IslandPopulation&, std::span<const Individual>, RandomStream&)> choose_;
 };
 
-/// The policy that selects the individual that each immigrant replaces.
+/// The policy that chooses, for each immigrant, the individual that it replaces.
 class Acceptance
     : public OneOf<Acceptance, WorstAcceptance, RandomAcceptance, AlikeAcceptance, OffspringAcceptance, OwnAcceptance> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "acceptance", about = "which individual an immigrant replaces";
 
-    /// Returns whether immigrants come into the population that has just been bred; otherwise they come into the
-    /// population of its parents.
+    /// Returns whether immigrants replace individuals that have just been bred. Otherwise they replace individuals that
+    /// have just been evaluated.
     bool among_offspring() const { return std::holds_alternative<OffspringAcceptance>(policy()); }
 
     /// Throws UserError if the number of immigrants in one exchange exceeds the number of individuals outside the
     /// elite. REQUIRES: elite <= population.
     static void validate_for(std::size_t immigrants, std::size_t population, std::size_t elite);
-    /// Throws as validate_for(). REQUIRES: all strings have the same length, and island.elite is at most their number.
-    /// Every string has a fitness, which is a finite number, unless among_offspring().
+    /// Throws as validate_for(). REQUIRES: all strings have the same length, island.elite <= island.strings.size(),
+    /// and, unless among_offspring(), every string has a finite fitness.
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
                       RandomStream& random) const;
 };

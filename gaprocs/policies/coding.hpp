@@ -9,12 +9,12 @@
 
 namespace placedpar {
 
-// A coding says how a string codes the parameters of a problem, each in a field of bits. Between every two neighbouring
-// bits of the string, `dont_care` unused bits are inserted. So many strings code the same individual. The thesis has
-// one such bit in each gap (eq. 6.14 and 6.15).
+// A coding says how a string codes the parameters of a problem, each in a field of bits. `dont_care` unused bits are
+// inserted between every two neighbouring bits, so many strings code the same parameters. The thesis inserts one bit
+// (eq. 6.14 and 6.15).
 
 /// Natural binary code, as in the thesis. The codes of neighbouring numbers may differ in every bit, as 0111 and 1000
-/// do. A search cannot go from 0111 to 1000 in small steps.
+/// do. So a small change of a parameter may need many flips.
 struct NaturalCoding {
     static constexpr std::string_view name = "natural", about = "fields in natural binary",
                                       source = "thesis eq. 1.5; don't-care bits: eq. 6.14 and 6.15";
@@ -36,7 +36,7 @@ struct GrayCoding {
     }
 };
 
-/// The parameters themselves as real numbers, each in the range of its field, without bits.
+/// The string holds the parameters as real numbers, not as bits. Each is limited to the range of its field.
 struct RealCoding {
     static constexpr std::string_view name = "real", about = "no bits: the parameters themselves, as real numbers",
                                       source = "not in the thesis";
@@ -50,7 +50,7 @@ public:
                                       about = "how a string codes the parameters of a problem, each in a field of bits";
     static const Coding natural, gray, real; ///< without don't-care bits
 
-    /// Returns the text of the policy, without the number of don't-care bits if this number is 0.
+    /// Returns the text of the policy; `dont_care` is omitted if it is 0.
     std::string text() const { return dont_care() == 0 ? std::string(way()) : OneOf::text(); }
     /// Returns "natural", "gray" or "real".
     constexpr std::string_view way() const {

@@ -11,8 +11,8 @@ namespace placedpar {
 
 namespace {
 
-/// Looks for the next individual that differs from the first in two bits or more. Moves it to the place behind the
-/// first. Returns false if no individual does.
+/// Looks for the next individual that differs from the first in two bits or more, and swaps it with the second. Returns
+/// false if there is none.
 bool mate_by_difference(std::span<Genome> unmated) {
     auto differs = [&](const Genome& other) { return difference(unmated.front(), other) >= 2; };
     auto mate = std::find_if(unmated.begin() + 1, unmated.end(), differs);
@@ -38,9 +38,8 @@ Genome whole_words_at_random(std::size_t bits, RandomStream& random) {
     return mask;
 }
 
-/// Returns an offspring. It has the places `first` ... end - 1 of `kept`; if end <= first, the places continue at the
-/// beginning of the order. The other numbers follow from `end` on, in the order in which `other` has them from `end`
-/// on.
+/// Returns an offspring. The positions `first` to `end` - 1, counted around the ring, have the entries of `kept`. The
+/// missing entries follow from `end` on, in the order in which `other` has them from `end` on.
 std::vector<std::size_t> ordered_offspring(const std::vector<std::size_t>& kept, const std::vector<std::size_t>& other,
                                            std::size_t first, std::size_t end) {
     std::size_t places = kept.size();

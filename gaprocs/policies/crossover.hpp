@@ -15,12 +15,11 @@
 
 namespace placedpar {
 
-// Each policy exchanges parts of two mates. Its comment states how many random numbers it draws. A character is a bit
-// of a binary string, or a number of a real vector. A number has a `unit` of 64 bits, which is never cut. REQUIRES of
-// every policy: both strings have the same length, at least 2 characters.
+// Each policy turns two mates into two offspring. Its comment states how many random numbers it draws. A character is a
+// bit of a binary string or a number of a real vector. A character has `unit` bits, 1 or 64, which stay together.
+// REQUIRES of every policy: both strings have the same length, at least 2 characters.
 
-/// Exchanges the characters 1 ... k; k is uniform in 1 ... L - 1, where L is the number of characters (thesis eq. 1.1
-/// and 1.2). Draws one number.
+/// Exchanges the first k of L characters, where k is uniform in 1 ... L - 1 (thesis eq. 1.1 and 1.2). Draws one number.
 struct OnePointCrossover {
     static constexpr std::string_view name = "one-point", about = "the characters before a cut",
                                       source = "thesis 1.1, eq. 1.1 and 1.2";
@@ -29,8 +28,8 @@ struct OnePointCrossover {
     void operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit = 1) const;
 };
 
-/// Exchanges the characters between two cuts. The string counts as a closed ring, so a cut can be before each
-/// character. Each pair of cuts is equally likely. Draws two numbers.
+/// Exchanges the characters between two cuts. The string is treated as a ring, so a cut may be before any character,
+/// the first included. Each pair of cuts is equally likely. Draws two numbers.
 struct TwoPointCrossover {
     static constexpr std::string_view name = "two-point", about = "the characters between two cuts",
                                       source = "K. De Jong, 1975";
@@ -39,9 +38,8 @@ struct TwoPointCrossover {
     void operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit = 1) const;
 };
 
-/// Exchanges each character with probability 1/2 (G. Syswerda, "Uniform crossover in genetic algorithms", 1989). For
-/// binary strings, draws one number for each 32 bits, and one for the rest of the string. For real vectors, draws one
-/// for each number of the vector.
+/// Exchanges each character with probability 1/2 (G. Syswerda, "Uniform crossover in genetic algorithms", 1989). Draws
+/// one random number for each 32 bits of a binary string, rounded up, or for each number of a real vector.
 struct UniformCrossover {
     static constexpr std::string_view name = "uniform", about = "each character with probability 1/2",
                                       source = "G. Syswerda, 1989";
@@ -51,7 +49,7 @@ struct UniformCrossover {
 };
 
 /// One-point crossover whose offspring always differ from the parents (thesis 6.3). The cut lies between the first and
-/// the last bit in which the parents differ. Parents that differ in fewer than two bits are not mates. Draws one
+/// the last bit in which the parents differ. Parents that differ in fewer than two bits cannot be mates. Draws one
 /// number.
 struct DifferenceCrossover {
     static constexpr std::string_view name = "by-difference",
@@ -63,10 +61,10 @@ struct DifferenceCrossover {
     void operator()(Genome& a, Genome& b, RandomStream& random) const;
 };
 
-/// Draws each number of each offspring uniformly from an interval. The interval reaches from one parent's number to the
-/// other's and is extended at both ends by `alpha` times its length (L. Eshelman and J. Schaffer, "Real-coded genetic
-/// algorithms and interval-schemata", 1993: BLX-alpha). A value outside the parameter's range is replaced by the
-/// nearest end of the range. Draws two random numbers for each number of the vector.
+/// Draws each number of each offspring uniformly from an interval. The interval between the parents' numbers is
+/// extended at both ends by `alpha` times its length (L. Eshelman and J. Schaffer, "Real-coded genetic algorithms and
+/// interval-schemata", 1993: BLX-alpha). A drawn number outside the parameter's range is replaced by the nearest end of
+/// the range. Draws two random numbers for each number of the vector.
 struct BlendCrossover {
     static constexpr std::string_view
         name = "blend",
@@ -82,9 +80,9 @@ struct BlendCrossover {
     void operator()(Genome& a, Genome& b, const RealVector& reals, RandomStream& random) const;
 };
 
-/// Order crossover (L. Davis, "Applying adaptive algorithms to epistatic domains", 1985). An offspring keeps the places
-/// between two cuts from one parent. The other numbers follow behind these places in the order of the other parent.
-/// Draws two numbers, the cuts, as TwoPointCrossover does.
+/// Order crossover (L. Davis, "Applying adaptive algorithms to epistatic domains", 1985). An offspring has the entries
+/// between two cuts from one parent. The missing entries follow, in the order in which the other parent has them. Draws
+/// two numbers, for the cuts, as TwoPointCrossover does.
 struct OrderCrossover {
     static constexpr std::string_view name = "order",
                                       about = "a part of one parent, the rest in the order of the other",
@@ -111,24 +109,24 @@ public:
 
 /// The policy by which two parents produce two offspring. The mates are individuals 0 and 1, 2 and 3, and so on;
 /// reproduction has put the population in random order. With DifferenceCrossover, an individual's mate is the next
-/// unmated individual that differs in two bits or more. The mate is moved beside the individual.
+/// unmated individual that differs from it in two bits or more; the mate is moved beside the individual.
 class Crossover : public OneOf<Crossover, OnePointCrossover, TwoPointCrossover, UniformCrossover, DifferenceCrossover,
                                BlendCrossover, OrderCrossover, OwnCrossover> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "crossover", about = "how two parents make two offspring";
 
-    /// Crosses each pair of mates with the given probability. Draws one number for each pair, in addition to the
-    /// policy's draws. An individual without a mate (the last of an odd number) and strings of one character stay
-    /// unchanged, without a draw. REQUIRES: all strings are of the given representation, and
-    /// fits(representation.kind()).
+    /// Crosses each pair of mates with the given probability. To decide this, draws one number for each pair, besides
+    /// the policy's draws. The last individual of an odd number stays unchanged without a draw, and so do all strings
+    /// of one character. An individual for which DifferenceCrossover finds no mate stays unchanged, too. REQUIRES: all
+    /// strings belong to `representation`, and fits(representation.kind()).
     void operator()(std::span<Genome> population, double probability, const Representation& representation,
                     RandomStream& random) const;
 
-    /// Returns all offspring that two mates can have, by trying every outcome of the draws. A string is returned as a
-    /// vertex of the hypercube, which is the whole number with the same binary digits. The parents are included if some
-    /// outcome leaves them unchanged. Returns an empty set if the two are not mates. REQUIRES: both are binary strings
-    /// of the same length, 2 to 20 bits. Throws std::invalid_argument for a policy that does not fit binary strings.
+    /// Returns all offspring that two mates can have. Each offspring is returned as a vertex of the hypercube, the
+    /// whole number with the same binary digits. A parent is included if the crossover can leave it unchanged. Returns
+    /// an empty set if `a` and `b` cannot be mates. REQUIRES: `a` and `b` are binary strings of the same length, 2 to
+    /// 20 bits. Throws std::invalid_argument for a policy that does not fit binary strings.
     std::set<std::uint64_t> every_offspring(const Genome& a, const Genome& b) const;
 };
 

@@ -15,8 +15,8 @@ namespace placedpar {
 
 namespace {
 
-/// Chooses `count` different individuals. choose(remaining individuals) returns the index of the next one, which is
-/// then removed from the remaining individuals.
+/// Chooses `count` different individuals. choose(left) returns a position in `left`, the list of the individuals not
+/// yet chosen.
 template <class Choose>
 std::vector<std::size_t> choose_different(std::size_t population, std::size_t count, Choose choose) {
     std::vector<std::size_t> left(population), chosen;

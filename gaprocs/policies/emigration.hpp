@@ -13,8 +13,8 @@ namespace placedpar {
 
 class RandomStream;
 
-// Each policy chooses `count` different individuals and returns their indices. Copies of them leave; the individuals
-// themselves stay. REQUIRES of every policy: count <= fitness.size().
+// Each policy chooses `count` different individuals and returns their indices. Copies of these individuals leave the
+// island. REQUIRES of every policy: count <= fitness.size().
 
 /// Chooses the best individuals; among equals the lowest index first. Draws no number.
 struct BestEmigration {
@@ -26,7 +26,7 @@ struct BestEmigration {
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };
 
-/// Chooses each individual with the same probability. Draws at least one number for each emigrant.
+/// Chooses individuals at random, all with the same probability. Draws at least one number for each emigrant.
 struct RandomEmigration {
     static constexpr std::string_view name = "random", about = "`count` drawn at random",
                                       source = "a control: not in the thesis";
@@ -37,8 +37,8 @@ struct RandomEmigration {
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };
 
-/// Chooses each emigrant by a tournament. Draws `size` individuals with replacement from those not yet chosen, and
-/// takes the best; among equals the one drawn first. Draws at least `size` numbers for each emigrant.
+/// Chooses each emigrant by a tournament: the best of `size` individuals, drawn with replacement from those not yet
+/// chosen; among equals the one drawn first. Draws at least `size` numbers for each emigrant.
 struct TournamentEmigration {
     static constexpr std::string_view name = "tournament", about = "`count` times the best of `size` drawn at random",
                                       source = "not in the thesis";
@@ -51,7 +51,7 @@ struct TournamentEmigration {
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };
 
-/// A user-defined struct with `count` and a call operator like those above. The indices that it returns are checked.
+/// A user-defined struct with `count` and a call operator like those above. The returned indices are checked.
 class OwnEmigration : public OwnPolicy {
 public:
     template <class Policy>

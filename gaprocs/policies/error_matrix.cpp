@@ -7,8 +7,7 @@ namespace placedpar {
 
 namespace {
 
-// These limits keep quotients and their sums finite for all errors. An error that is not a number counts as the
-// greatest error.
+// These limits keep all quotients and their sums finite. NaN counts as the greatest error.
 constexpr double least_error = 1e-12, greatest_error = 1e100;
 
 double error_of_window(std::span<const double> errors, ErrorMatrix::Sum sum) {

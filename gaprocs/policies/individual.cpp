@@ -13,8 +13,8 @@ namespace {
 /// least one fitness, and no NaN.
 template <class ComesFirst>
 std::size_t first_index(std::span<const double> fitness, ComesFirst comes_first) {
-    // The value is found before its index, in four lanes. In a single sequence each comparison would wait for the one
-    // before it.
+    // First finds the value, by four independent sequences of comparisons, then its index. In a single sequence each
+    // comparison would wait for the previous one.
     std::array<double, 4> firsts;
     firsts.fill(fitness.front());
     std::size_t i = 0;
@@ -27,7 +27,7 @@ std::size_t first_index(std::span<const double> fitness, ComesFirst comes_first)
     return static_cast<std::size_t>(std::find(fitness.begin(), fitness.end(), first) - fitness.begin());
 }
 
-/// Returns the indices of the `count` fitnesses that come first in the given order; among equals the lowest index
+/// Returns the indices of the `count` fitness values that come first in the given order; among equals the lowest index
 /// first.
 template <class ComesFirst>
 std::vector<std::size_t> first_indices(std::span<const double> fitness, std::size_t count, ComesFirst comes_first) {

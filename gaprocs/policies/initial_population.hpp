@@ -14,14 +14,14 @@ namespace placedpar {
 
 class RandomStream;
 
-/// The search draws every string at random.
+/// Every string is drawn at random.
 struct RandomStart {
     static constexpr std::string_view name = "random", about = "every string is drawn", source = "thesis 1.1";
     static constexpr std::tuple<> numbers() { return {}; }
 };
 
-/// Spreads the codes of each field evenly over the field's range, by spread_population(). The order of the codes is
-/// drawn for each field.
+/// Spreads the codes of each field evenly over the field's range, and assigns them to the strings in random order, as
+/// spread_population() does.
 struct SpreadStart {
     static constexpr std::string_view
         name = "spread",
@@ -30,8 +30,8 @@ struct SpreadStart {
     static constexpr std::tuple<> numbers() { return {}; }
 };
 
-/// A user-defined struct that returns the first strings of the first population, at most `population`. The search draws
-/// the other strings. It has the call operator
+/// A user-defined struct that returns strings for the first population, at most `population` of them. The search draws
+/// the missing strings. The struct has the call operator
 ///
 ///     std::vector<Genome> operator()(std::size_t population, const Representation& representation,
 ///                                    RandomStream& random) const;
@@ -54,7 +54,7 @@ private:
     std::function<std::vector<Genome>(std::size_t, const Representation&, RandomStream&)> begin_;
 };
 
-/// The policy that makes the first population. It is not used if the population is read from a file.
+/// The policy that makes the first population. It is not used if strings are read from a file.
 class InitialPopulation : public OneOf<InitialPopulation, RandomStart, SpreadStart, OwnStart> {
 public:
     using OneOf::OneOf;
@@ -62,7 +62,7 @@ public:
                                       about = "where a search begins: at random, spread, or with strings of a file";
 
     bool is_spread() const { return std::holds_alternative<SpreadStart>(policy()); }
-    /// Returns the user-defined policy, or null if the policy is one of the house's.
+    /// Returns the policy if it is user-defined, otherwise null.
     const OwnStart* own() const { return std::get_if<OwnStart>(&policy()); }
 };
 

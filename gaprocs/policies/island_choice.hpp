@@ -13,11 +13,11 @@ namespace placedpar {
 class RandomStream;
 
 // Active error analysis (thesis 5.3.2) has islands with windows of different lengths. Each policy chooses the island
-// whose best individual is the answer. Ratios are Sw_i / SA_i of eq. 5.7; among equal ratios the first island is
-// chosen. REQUIRES of every policy: at least one island, and the requirements of ErrorMatrix.
+// whose best individual is the answer. A policy that compares the ratios Sw_i / SA_i (eq. 5.7) chooses the first island
+// among equals. REQUIRES of every policy: at least one island, and the requirements of ErrorMatrix.
 //
-// The rule as printed cannot do what the thesis says. Windows are nested: the newest ten samples are among the newest
-// thirty. So with squared errors, Error(w_i, A_j) never decreases when w_i grows. If w_1 >= w_2 >= ... >= w_n, and no
+// The rule as printed cannot do what the thesis says. Windows are nested: the ten newest samples are among the thirty
+// newest. So with squared errors, Error(w_i, A_j) never decreases when w_i grows. If w_1 >= w_2 >= ... >= w_n, and no
 // error is 0:
 //   each term of Sw_i falls with i:   Sw_1 >= Sw_2 >= ... >= Sw_n, which always contradicts eq. 5.5;
 //   terms are at least 1 in row 1 and column n, at most 1 in row n and column 1:  SA_1 <= n <= SA_n, Sw_n <= n <= Sw_1;
@@ -35,7 +35,7 @@ struct PrintedChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// Chooses as PrintedChoice does, but with the sums of eq. 5.2 as printed, in which errors of opposite signs cancel.
+/// Chooses as PrintedChoice does, but with the sums of eq. 5.2, in which errors of opposite signs cancel.
 struct PlainSumChoice {
     static constexpr std::string_view name = "plain", about = "greatest Sw/SA, plain errors summed with their signs",
                                       source = "thesis eq. 5.2 to 5.7, to the letter";
@@ -43,8 +43,8 @@ struct PlainSumChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// Chooses as PrintedChoice does, but with mean errors instead of sums. So the length of a window alone does not
-/// increase its error.
+/// Chooses as PrintedChoice does, but with mean squared errors instead of sums. So a window does not have a greater
+/// error just because it is longer.
 struct MeansChoice {
     static constexpr std::string_view name = "means", about = "greatest Sw/SA of mean squared errors",
                                       source = "a reading of thesis eq. 5.3 and 5.4";
@@ -52,8 +52,8 @@ struct MeansChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// Divides each error by the error of the row's own island. Sw_i then compares all islands in the window of island i:
-/// the error of each island's best is divided by the error of island i's best. Means and sums give the same choice.
+/// Chooses as PrintedChoice does, but divides Error(w_i, A_j) by Error(w_i, A_i). So each term of Sw_i compares the
+/// best individual of an island with that of island i, in the same window. Sums and means give the same choice.
 struct RowChoice {
     static constexpr std::string_view name = "row",
                                       about =
@@ -63,7 +63,7 @@ struct RowChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// Always chooses the same island. Islands are numbered from 0.
+/// Always chooses `island`; islands are numbered from 0.
 struct FixedChoice {
     static constexpr std::string_view name = "fixed", about = "always the same island, counted from 0",
                                       source = "a control: not in the thesis";
@@ -75,7 +75,7 @@ struct FixedChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// Chooses an island at random, as a baseline for the other policies. Draws one number.
+/// Chooses an island at random: a baseline for the other policies. Draws one number.
 struct RandomChoice {
     static constexpr std::string_view name = "random", about = "an island drawn at random each time",
                                       source = "a control: not in the thesis";
@@ -83,7 +83,7 @@ struct RandomChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream& random) const;
 };
 
-/// A user-defined struct with a call operator like those above. The island that it returns is checked.
+/// A user-defined struct with a call operator like those above. The returned island is checked.
 class OwnChoice : public OwnPolicy {
 public:
     template <class Policy>
@@ -103,7 +103,7 @@ public:
         noun = "choice",
         about = "which island's best is the answer, among islands with windows of different lengths";
 
-    /// Throws UserError if the policy names an island that does not exist.
+    /// Throws UserError if the policy is FixedChoice and its island does not exist.
     void validate_for(std::size_t islands) const;
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream& random) const;
 };

@@ -21,15 +21,15 @@ double width_of(const RealVector& reals, std::size_t number) {
     return reals.range(number).high - reals.range(number).low;
 }
 
-/// Returns a different place, each with the same probability.
+/// Returns a random place other than `place`; all others are equally likely.
 std::size_t another_place(std::size_t place, std::size_t places, RandomStream& random) {
     return (place + 1 + random.below(static_cast<std::uint32_t>(places - 1))) % places;
 }
 
 using Drawn = std::array<std::uint32_t, 1024>;
 
-/// Calls `take` with the index of each of the first `count` numbers that is below the limit. Such numbers are usually
-/// rare. So eight numbers are compared at once, and skipped together if none is below the limit.
+/// Calls take(i) for each i < count with drawn[i] < limit. Such numbers are usually rare. So the results of eight
+/// comparisons are tested at once, and skipped together if none is true.
 template <class Take>
 void for_each_below(std::uint64_t limit, const Drawn& drawn, std::size_t count, const Take& take) {
     if (limit == 0)
@@ -59,8 +59,8 @@ void swap_places(Genome& genome, std::size_t a, std::size_t b) {
 } // namespace
 
 void BitMutation::operator()(std::span<Genome> population, RandomStream& random) const {
-    // Tests number * 2^-32 < probability in whole numbers, as RandomStream::chance does, but without a conversion to
-    // double.
+    // A drawn number flips its bit if number * 2^-32 < probability, as in RandomStream::chance. Comparing whole numbers
+    // avoids the conversion to double.
     const auto limit = static_cast<std::uint64_t>(std::ceil(probability * 0x1p32));
     const std::size_t length = population.empty() ? 0 : population.front().size();
     Drawn drawn;
@@ -80,7 +80,7 @@ void DistanceMutation::operator()(std::span<Genome> population, RandomStream& ra
         // The next `distance` bits are left unchanged with probability (1 - probability)^distance.
         double distance = std::floor(std::log(1 - random.uniform()) * per_logarithm);
         left -= distance + 1;
-        if (!(left >= 0)) // also true if `left` is not a number, after 0 times infinity
+        if (!(left >= 0)) // also true if `left` is NaN, from 0 times infinity
             return;
         next += static_cast<std::size_t>(distance);
         population[next / length].flip(next % length);

@@ -13,7 +13,8 @@
 
 namespace placedpar {
 
-/// Calls `mutate`, with the given probability, for each place of each string. Draws one number for each place.
+/// Calls `mutate` for each position of each string, with the given probability. Draws one number for each position,
+/// besides the draws of `mutate`.
 template <class Mutate>
 void mutate_places(const Mutate& mutate, std::span<Genome> population, double probability,
                    const Representation& representation, RandomStream& random) {
@@ -24,11 +25,11 @@ void mutate_places(const Mutate& mutate, std::span<Genome> population, double pr
                 mutate(genome, place, representation, random);
 }
 
-// Each policy changes one place of a string: a bit, a number, or a place of a permutation. Its comment states how many
-// random numbers it draws.
+// BitMutation and DistanceMutation flip bits of a whole population. Each other policy works at one position of a
+// string, which Mutation chooses. The comment of each policy states how many random numbers the policy draws.
 
-/// Flips each bit with the given probability. Draws exactly one number for each bit. REQUIRES: all strings have the
-/// same length.
+/// Flips each bit with probability `probability`. Draws one number for each bit. REQUIRES: all strings have the same
+/// length.
 struct BitMutation {
     static constexpr std::string_view name = "bit", about = "a bit is flipped", source = "thesis 1.1";
     static constexpr std::tuple<> numbers() { return {}; }
@@ -38,9 +39,9 @@ struct BitMutation {
     void operator()(std::span<Genome> population, RandomStream& random) const;
 };
 
-/// Flips bits with the same distribution as BitMutation. Draws the distance from each flipped bit to the next flipped
-/// bit. This distance has a geometric distribution. Draws one number for each flip, and one for the end of the
-/// population. REQUIRES: all strings have the same length.
+/// Flips bits with the same distribution as BitMutation, but with fewer draws. Draws geometrically distributed
+/// distances from one flipped bit to the next, until a distance leads past the end of the population. So it draws one
+/// number for each flip, and one more. REQUIRES: all strings have the same length.
 struct DistanceMutation {
     static constexpr std::string_view name = "distance",
                                       about = "as bit, by drawing the distance to the next flipped bit",
@@ -52,7 +53,8 @@ struct DistanceMutation {
     void operator()(std::span<Genome> population, RandomStream& random) const;
 };
 
-/// Adds a normal deviate. A value outside the range is replaced by the nearest end of the range. Draws two numbers.
+/// Adds a normal deviate to the number. A sum outside the number's range is replaced by the nearest end of the range.
+/// Draws two numbers.
 struct GaussianMutation {
     static constexpr std::string_view name = "gaussian", about = "a normal deviate is added, `deviation` of the range",
                                       source = "I. Rechenberg, 1973";
@@ -66,9 +68,10 @@ struct GaussianMutation {
                     RandomStream& random) const;
 };
 
-/// Adds or subtracts `range` 2^(-u) times the width of the parameter's range, with u uniform in 0 ... `precision`. So
-/// steps of all orders of magnitude are equally likely (after H. Mühlenbein and D. Schlierkamp-Voosen, "Predictive
-/// models for the breeder genetic algorithm", 1993). Draws two numbers.
+/// Adds or subtracts a step, each with probability 1/2. The step is the width of the number's range, times `range`,
+/// times 2^-u, where u is uniform in 0 ... `precision`. So all orders of magnitude are equally likely (after H.
+/// Mühlenbein and D. Schlierkamp-Voosen, "Predictive models for the breeder genetic algorithm", 1993). Draws two
+/// numbers.
 struct BreederMutation {
     static constexpr std::string_view name = "breeder",
                                       about = "a step of any size from `range` down to `range` 2^-precision",
@@ -85,7 +88,7 @@ struct BreederMutation {
                     RandomStream& random) const;
 };
 
-/// Replaces the number by a new one, uniform in its range. Draws one number.
+/// Replaces the number by a random number of its range. Draws one number.
 struct UniformMutation {
     static constexpr std::string_view name = "uniform", about = "a number is replaced by a random one from its range",
                                       source = "Z. Michalewicz, 1992";
@@ -95,7 +98,7 @@ struct UniformMutation {
                     RandomStream& random) const;
 };
 
-/// Exchanges the contents of the place with another place. Draws one number.
+/// Exchanges the entries at this position and another. Draws one number.
 struct SwapMutation {
     static constexpr std::string_view name = "swap", about = "two places are exchanged", source = "not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
@@ -104,8 +107,8 @@ struct SwapMutation {
                     RandomStream& random) const;
 };
 
-/// Reverses the order of the places from this place to another. If the other place comes first, the reversed part runs
-/// through the end of the string and its beginning. In a closed tour this changes two edges. Draws one number.
+/// Reverses the entries from this position to another. If the other position comes first, the reversed part continues
+/// from the end of the string to its beginning. In a closed tour this changes two edges. Draws one number.
 struct InversionMutation {
     static constexpr std::string_view name = "inversion", about = "the places from one to another are reversed",
                                       source = "the 2-opt step of G. Croes, 1958";
@@ -136,9 +139,9 @@ public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "mutation", about = "how an offspring is changed at random";
 
-    /// Mutates each place of each string with the given probability. Draws one number for each place, in addition to
-    /// the policy's draws. A permutation of one place stays unchanged, without a draw. REQUIRES:
-    /// fits(representation.kind()).
+    /// Mutates each position of each string with the given probability. To decide this, draws one number for each
+    /// position, besides the policy's draws; BitMutation and DistanceMutation decide by their own draws alone. A
+    /// permutation of one place stays unchanged, without a draw. REQUIRES: fits(representation.kind()).
     void operator()(std::span<Genome> population, double probability, const Representation& representation,
                     RandomStream& random) const;
 };

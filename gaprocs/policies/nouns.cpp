@@ -19,7 +19,7 @@ namespace placedpar {
 
 namespace {
 
-/// The columns are the members of Form.
+/// Each row has the members of a Form, in their order.
 const std::vector<Form> forms{
     {"representation", "permutation",
      "an order of the problem's places, each place once, if the problem asks for an order",
@@ -79,7 +79,7 @@ Noun noun_of(std::vector<std::string> also_called = {}) {
             .printed = [](const std::string& text) { return Step::named(text).text(); }};
 }
 
-/// Describes an operator. Each of its policies states the strings on which it works.
+/// Describes a step as noun_of(), and adds to each policy the kinds of strings that it works on.
 template <class Step>
 Noun noun_of_operator(std::vector<std::string> also_called) {
     Noun noun = noun_of<Step>(std::move(also_called));

@@ -11,14 +11,14 @@
 
 namespace placedpar {
 
-/// A user-defined crossover or mutation. It works on a whole population whose strings it fits().
+/// A user-defined crossover or mutation. Its call operator works on a whole population.
 class OwnVariation : public OwnPolicy {
 public:
     bool fits(StringKind kind) const {
         return tried([&] { return fits_(kind); });
     }
-    /// Works as the call operators of Crossover and Mutation. Throws UserError if an individual is no longer a string
-    /// of the representation.
+    /// Crosses or mutates as the call operators of Crossover and Mutation do. Throws UserError if the user's code
+    /// throws, or if an individual is then no string of the representation.
     void operator()(std::span<Genome> population, double probability, const Representation& representation,
                     RandomStream& random) const {
         tried([&] {

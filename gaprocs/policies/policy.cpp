@@ -66,7 +66,7 @@ double read_number(std::string_view text, const PolicyNumberDescription& number)
     return *value;
 }
 
-/// The arguments that a text gives to one policy.
+/// The numbers that a text gives to a policy.
 class Arguments {
 public:
     explicit Arguments(const PolicyDescription& policy) : policy_(policy), given_(policy.numbers.size()) {}

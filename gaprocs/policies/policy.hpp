@@ -16,7 +16,7 @@
 
 namespace placedpar {
 
-// A policy is one way to do a step of a genetic algorithm. It is a plain struct, for example:
+// A policy is one way to do a step of a genetic algorithm, such as selection. It is a plain struct, for example:
 //
 //     struct TournamentReproduction {
 //         static constexpr std::string_view name = "tournament", about = "the best of `size` drawn at random",
@@ -26,12 +26,12 @@ namespace placedpar {
 //         1000}); }
 //     };
 //
-// A step is a OneOf<...> of its policies. The library and netlists name a policy by the same text: "tournament",
-// "tournament(3)", "tournament(size = 3)". A program can add its own structs to a step by
+// A step is a class derived from OneOf<...>, which lists the policies. The library and netlists name a policy by the
+// same text: "tournament", "tournament(3)", "tournament(size = 3)". A program can add its own structs to a step by
 // Step::add<TournamentReproduction>(), before any code asks the step for its policies.
 
-/// A number that configures a policy: a double, a size or a bool (0 or 1). Holds its name, its member, the least and
-/// the greatest value allowed, and one line about it with its unit.
+/// A number that configures a policy. Its `member` is a double, a std::size_t or a bool (0 or 1). `least` and `most`
+/// are the limits of its value; `about` is one line of text, with the unit.
 template <class Policy, class T>
 struct PolicyNumber {
     std::string_view name;
@@ -47,7 +47,7 @@ struct PolicyNumberDescription {
     std::string name;
     double by_default, least, most;
     bool whole;
-    std::string about = ""; ///< one line; empty if the name is clear
+    std::string about = ""; ///< one line; empty if the name needs no explanation
 };
 
 /// The description of a policy in the catalogue.
@@ -56,26 +56,26 @@ struct PolicyDescription {
     std::string about; ///< one line
     std::vector<PolicyNumberDescription> numbers;
     std::string source = "";               ///< origin: a chapter or equation of the thesis, or the author
-    std::vector<std::string> strings = {}; ///< kinds of strings that the policy works on; empty: all kinds
+    std::vector<std::string> strings = {}; ///< names of the kinds of strings that the policy works on; empty: any kind
 
-    /// Returns the policy with these numbers as a netlist writes it: "tournament(size = 2)".
+    /// Returns the policy with these values of its numbers, as a netlist writes it: "tournament(size = 2)".
     std::string text(const std::vector<double>& values) const;
     /// Returns the text of the policy with its default numbers.
     std::string text() const;
 };
 
-/// The policy that a text names, with its numbers.
+/// A policy that was read from a text, with its numbers.
 struct NamedPolicy {
     std::size_t index;           ///< index of the policy among the known policies
-    std::vector<double> numbers; ///< all numbers, each in its range; numbers that the text omits have default values
+    std::vector<double> numbers; ///< values of all numbers of the policy; default values for those that the text omits
 };
 
 /// Reads a policy from a text such as "name", "name(2)" or "name(number = 2, 3.5)". Throws UserError, with what would
-/// be right, if the text has another form. Throws it also for an unknown policy or number, for too many numbers, and
-/// for a number that is given twice or is out of range.
+/// be right, if the text has another form, names an unknown policy or number, or has too many numbers. Also throws it
+/// if a number is given twice or is out of range.
 NamedPolicy read_policy(std::string_view text, const std::vector<PolicyDescription>& known);
 
-/// Returns the numbers that a policy or a problem states; an empty tuple if it states none.
+/// Returns Policy::numbers(), or an empty tuple if there is no such function. `Policy` may also be a problem.
 template <class Policy>
 constexpr auto stated_numbers() {
     if constexpr (requires { Policy::numbers(); })
@@ -123,8 +123,8 @@ Policy make_policy(const std::vector<double>& values) {
     return policy;
 }
 
-/// Returns the result of `work`, which is user-defined code. If `work` throws anything, throws UserError with the text
-/// of whose() and of what was thrown.
+/// Returns the result of `work`, which is user-defined code. If `work` throws anything, throws UserError. Its message
+/// is the text of whose(), then that of the exception.
 template <class Whose, class Work>
 auto tried(const Whose& whose, const Work& work) {
     try {
@@ -134,9 +134,8 @@ auto tried(const Whose& whose, const Work& work) {
     }
 }
 
-/// A user-defined policy of a step. If a step allows user-defined policies, its last policy is a class derived from
-/// OwnPolicy. The derived class keeps the user's operator in a std::function. A step that works on a whole population
-/// calls the function once for the population.
+/// Base class of user-defined policies. A step that allows user-defined policies lists a class derived from OwnPolicy
+/// last. The derived class keeps the user's call operator in a std::function.
 class OwnPolicy {
 public:
     template <class Policy>
@@ -146,12 +145,12 @@ public:
     const std::vector<double>& numbers() const { return numbers_; }
 
 protected:
-    /// Returns the result of `work`. If `work` throws anything, throws UserError, which names the policy.
+    /// Returns the result of `work`. If `work` throws anything, throws UserError with the policy's name.
     template <class Work>
     auto tried(Work work) const {
         return placedpar::tried([&] { return named(); }, work);
     }
-    /// Throws UserError with the text `otherwise` if the policy's result is wrong. REQUIRES: called within tried().
+    /// Throws UserError with the text `otherwise` unless `right`. REQUIRES: called within tried().
     static void require(bool right, const char* otherwise);
 
 private:
@@ -161,8 +160,8 @@ private:
     std::vector<double> numbers_;
 };
 
-/// Throws UserError if the added policy does not fit: a name that is already used or that a text cannot contain, a
-/// default outside its range, or two numbers of the same name.
+/// Throws UserError if `added` cannot be added to the policies `known` of a step: its name is taken or has a character
+/// that is not allowed, a default is out of range, or two numbers have the same name.
 void require_policy_fits(const PolicyDescription& added, std::string_view noun,
                          const std::vector<PolicyDescription>& known);
 
@@ -171,11 +170,11 @@ void require_policy_fits(const PolicyDescription& added, std::string_view noun,
 template <class Step, class... Policies>
 class OneOf {
 public:
-    /// The class of user-defined policies, if the step allows them.
+    /// The last policy: the class of user-defined policies, if the step allows them.
     using Own = std::tuple_element_t<sizeof...(Policies) - 1, std::tuple<Policies...>>;
 
     OneOf() = default;
-    /// If the copy constructor of a user-defined policy throws anything, throws UserError, which names the policy.
+    /// If the copy constructor of a user-defined policy throws anything, throws UserError with the policy's name.
     constexpr OneOf(const OneOf& other) : policy_(other.copied()) {}
     constexpr OneOf(OneOf&&) = default;
     constexpr OneOf& operator=(const OneOf& other) { return *this = OneOf(other); }
@@ -189,9 +188,9 @@ public:
         NamedPolicy named = read_policy(text, descriptions());
         return known()[named.index].make(named.numbers);
     }
-    /// Adds a policy, which a text can name from now on. Throws as require_policy_fits(). If the policy's constructor
-    /// throws anything, now or when the policy is named, throws UserError. REQUIRES: called by one thread, before a
-    /// search begins.
+    /// Adds a user-defined policy; named() then accepts its name. Throws as require_policy_fits(). If the policy's
+    /// constructor throws anything, add() or named() throws UserError. REQUIRES: called by one thread, before a search
+    /// begins.
     template <class Policy>
     static void add() requires std::derived_from<Own, OwnPolicy> {
         auto whose = [] { return "the policy \"" + std::string(Policy::name) + "\" for " + std::string(Step::noun); };
@@ -207,9 +206,10 @@ public:
         auto [described, numbers] = description();
         return described.text(numbers);
     }
-    /// Throws UserError if a number is out of its range. A policy that was not made by named() can have any number.
+    /// Throws UserError if a number is out of its range. Only named() checks numbers; a program can make a policy with
+    /// any number.
     void require_numbers_in_range() const { read_policy(text(), {description().first}); }
-    /// Lists the policies of PlacedPar, followed by the added policies in the order of their addition.
+    /// Describes PlacedPar's own policies, followed by the added policies in the order in which they were added.
     static std::vector<PolicyDescription> descriptions() {
         std::vector<PolicyDescription> all;
         for (const Known& each : known())
@@ -217,8 +217,8 @@ public:
         return all;
     }
 
-    /// Returns whether the policy works on this kind of string. fitting() returns the names of all policies that work
-    /// on it. Only for steps whose policies have fits().
+    /// Returns whether the policy works on this kind of string. fitting() returns the names of all policies that do.
+    /// REQUIRES: all policies of the step have fits().
     template <class Kind>
     bool fits(Kind kind) const {
         return std::visit([&](const auto& policy) { return policy.fits(kind); }, policy_);

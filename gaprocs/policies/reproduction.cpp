@@ -19,14 +19,14 @@ Parents sample_universally(const RouletteWheel& wheel, std::size_t count, Random
     return parents;
 }
 
-/// Returns the average number of copies of each individual. It is a linear function of the fitness, with one copy at
-/// the mean fitness.
+/// Returns the average number of copies of each individual: a linear function of the fitness, which is 1 at the mean
+/// fitness.
 std::vector<double> scaled_copies(std::span<const double> fitness, double best) {
     auto [least, greatest] = std::minmax_element(fitness.begin(), fitness.end());
     std::vector<double> copies(fitness.size(), 1);
     if (*least == *greatest)
         return copies;
-    // Fitness values are halved here, because the difference of two doubles may overflow.
+    // Fitness values are halved, because the difference of two large doubles could overflow.
     double mean = 0;
     for (double each : fitness)
         mean += each / 2 / static_cast<double>(fitness.size());
@@ -37,7 +37,7 @@ std::vector<double> scaled_copies(std::span<const double> fitness, double best) 
     return copies;
 }
 
-/// Returns the rank of each individual, 0 for the worst. Individuals of equal fitness get the mean of their ranks.
+/// Returns the rank of each individual, 0 for the worst. Individuals of equal fitness share the mean of their ranks.
 std::vector<double> ranks_of(std::span<const double> fitness) {
     std::vector<std::size_t> order(fitness.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

@@ -15,11 +15,11 @@ namespace placedpar {
 
 class RandomStream;
 
-/// The indices of the parents. If no individual may become a parent, there are none, and no number is drawn.
+/// The indices of the parents; nothing if no individual may become a parent. In that case no number is drawn.
 using Parents = std::optional<std::vector<std::size_t>>;
 
-/// Reproduction by roulette. Individual i is drawn, with replacement, with probability max(f_i, 0) / sum. So
-/// individuals whose fitness is not positive, or not a number, are discarded (thesis 3.1.1, step 4).
+/// Reproduction by roulette. Parents are drawn with replacement, individual i with a probability proportional to
+/// max(f_i, 0). So individuals whose fitness is not positive, or NaN, are discarded (thesis 3.1.1, step 4).
 struct RouletteReproduction {
     static constexpr std::string_view name = "roulette",
                                       about = "a spin for each parent; individuals of fitness <= 0 are discarded",
@@ -32,9 +32,8 @@ struct RouletteReproduction {
 };
 
 /// Stochastic universal sampling (J. Baker, "Reducing bias and inefficiency in the selection algorithm", 1987): one
-/// spin of a wheel with `count` evenly spaced balls. Let e = count max(f_i, 0) / sum, which is the mean number of
-/// copies by roulette. Individual i becomes a parent floor(e) or ceil(e) times. The parents are then shuffled, since
-/// crossover takes neighbours as mates.
+/// spin of a wheel with `count` evenly spaced balls. If roulette makes e copies of an individual on average, this
+/// policy makes floor(e) or ceil(e) copies. The parents are then shuffled, because crossover takes neighbours as mates.
 struct UniversalReproduction {
     static constexpr std::string_view name = "universal",
                                       about = "stochastic universal sampling: one spin with evenly spaced balls",
@@ -47,9 +46,10 @@ struct UniversalReproduction {
 };
 
 /// Linear scaling (D. Goldberg, "Genetic Algorithms in Search, Optimization and Machine Learning", 1989, p. 76). The
-/// number of copies is a linear function of fitness: 1 for the mean fitness and `best` for the best individual. If the
-/// worst individual would have fewer than 0 copies, the function is 1 for the mean and 0 for the worst. Only
-/// differences of fitness matter, so fitness may be negative. Sampled as UniversalReproduction.
+/// average number of copies is a linear function of fitness: 1 at the mean fitness and `best` for the best individual.
+/// If this function is negative for the worst individual, the function that is 1 at the mean and 0 for the worst is
+/// used instead. Only differences of fitness matter, so fitness may be negative. The parents are sampled as by
+/// UniversalReproduction.
 struct ScaledReproduction {
     static constexpr std::string_view name = "scaled", about = "linear scaling: `best` copies of the best on average",
                                       source = "D. Goldberg, 1989, p. 76";
@@ -61,13 +61,13 @@ struct ScaledReproduction {
                          "mean number of copies of the best individual; an individual of mean fitness has 1"});
     }
 
-    /// Draws as UniversalReproduction. There are always parents.
+    /// Draws as many numbers as UniversalReproduction. Always returns parents.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 
-/// Linear ranking (J. Baker, "Adaptive selection methods for genetic algorithms", 1985). On average the best individual
-/// has `best` copies and the worst 2 - best; in between, copies are linear in the rank. Individuals of equal fitness
-/// share the mean of their ranks. Sampled as UniversalReproduction.
+/// Linear ranking (J. Baker, "Adaptive selection methods for genetic algorithms", 1985). The average number of copies
+/// is a linear function of the rank: `best` for the best individual, and 2 - `best` for the worst. Individuals of equal
+/// fitness share the mean of their ranks. The parents are sampled as by UniversalReproduction.
 struct RankingReproduction {
     static constexpr std::string_view name = "ranking", about = "linear ranking: `best` copies of the best on average",
                                       source = "J. Baker, 1985";
@@ -79,11 +79,12 @@ struct RankingReproduction {
                          "mean number of copies of the best individual; the worst has 2 minus this number"});
     }
 
-    /// Draws as UniversalReproduction. There are always parents.
+    /// Draws as many numbers as UniversalReproduction. Always returns parents.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 
-/// Tournament. Each parent is the best of `size` individuals, drawn with replacement; among equals the one drawn first.
+/// Chooses each parent by a tournament: the best of `size` individuals, drawn with replacement; among equals the one
+/// drawn first.
 struct TournamentReproduction {
     static constexpr std::string_view
         name = "tournament",
@@ -95,12 +96,12 @@ struct TournamentReproduction {
         return std::tuple(PolicyNumber{"size", &TournamentReproduction::size, 1, 1e6, "individuals that are drawn"});
     }
 
-    /// Draws at least `size` numbers for each parent. There are always parents.
+    /// Draws at least `size` numbers for each parent. Always returns parents.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 
-/// A user-defined struct with a call operator and needs_positive_fitness like those above. The parents that it returns
-/// are checked.
+/// A user-defined struct with a call operator and `needs_positive_fitness` like those above. The returned parents are
+/// checked.
 class OwnReproduction : public OwnPolicy {
 public:
     template <class Policy>

@@ -11,7 +11,7 @@ namespace placedpar {
 RouletteWheel::RouletteWheel(std::span<const double> fitness) : ends_(fitness.size()) {
     double end = 0;
     for (std::size_t i = 0; i < fitness.size(); ++i)
-        ends_[i] = end += fitness[i] > 0 ? fitness[i] : 0; // false for NaN, too
+        ends_[i] = end += fitness[i] > 0 ? fitness[i] : 0; // NaN counts as 0
     if (!std::isfinite(end))
         throw std::invalid_argument("roulette: the fitness values add up beyond a double");
 }
@@ -21,12 +21,12 @@ bool RouletteWheel::empty() const { return ends_.empty() || ends_.back() < std::
 std::size_t RouletteWheel::sector(double turn) const { return sectors({turn}).front(); }
 
 std::vector<std::size_t> RouletteWheel::sectors(std::vector<double> balls) const {
-    // The first sector that ends beyond the ball is never empty. Such a sector exists: with turn <= 1 - 2^-32 the
-    // product is below the last end, even when rounded.
+    // A ball is in the first sector that ends beyond it, so never in one of width 0. The last sector ends beyond every
+    // ball: because turn <= 1 - 2^-32, the product is below the last end even when rounded.
     for (double& ball : balls)
         ball *= ends_.back();
-    // This is std::upper_bound for all balls in turn, because each halving for one ball waits for the halving before
-    // it. It has no branch, which a processor would mispredict half of the time.
+    // This is std::upper_bound for all balls side by side. For a single ball, each halving would wait for the previous
+    // one. The loop has no branch, since a processor would mispredict it half of the time.
     std::vector<std::size_t> found(balls.size());
     for (std::size_t length = ends_.size(); length > 1;) {
         const std::size_t half = length / 2;
@@ -38,9 +38,9 @@ std::vector<std::size_t> RouletteWheel::sectors(std::vector<double> balls) const
 }
 
 std::vector<std::size_t> RouletteWheel::sectors(std::size_t balls, double turn) const {
-    // A ball's sector has the number of sector ends at or below the ball. The loop counts these ends without a branch
-    // that would be mispredicted half of the time. Rounding may put the last ball on the end of the wheel. It then lies
-    // in the last sector that is not empty, because the end of this sector is not counted.
+    // The index of a ball's sector is the number of sector ends at or below the ball. The loop counts these ends
+    // without a branch, which a processor would mispredict half of the time. Rounding may put the last ball at the end
+    // of the wheel. That end is not counted, so the ball is in the last sector that is not empty.
     const double all = static_cast<double>(balls), end = ends_.back(), turns = 1 / end;
     constexpr std::size_t past = 3;
     std::vector<double> places(balls + past, std::numeric_limits<double>::infinity());
@@ -50,7 +50,7 @@ std::vector<std::size_t> RouletteWheel::sectors(std::size_t balls, double turn) 
     for (double sector_end : ends_) {
         if (sector_end == end)
             break;
-        // The number of balls before this end is `before` plus 1 or 2; by rounding it may be `before` plus 0 or 3.
+        // Even with rounding, the number of balls before this end is between `before` and `before` + 3.
         auto before = static_cast<std::ptrdiff_t>(std::max(sector_end * turns * all - turn, 1.0)) - 1;
         const double* place = places.data() + before;
         before += (place[0] < sector_end) + (place[1] < sector_end) + (place[2] < sector_end);

@@ -7,7 +7,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the number of exchanges after which the turns of all islands begin again, at most 10 000.
+/// Returns the number of exchanges after which a sequential schedule of all islands repeats, at most 10 000.
 std::uint64_t exchanges_of_a_round(const Neighbours& neighbours) {
     constexpr std::uint64_t most = 10'000;
     std::uint64_t round = 1;

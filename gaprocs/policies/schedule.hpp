@@ -14,8 +14,8 @@
 
 namespace placedpar {
 
-// Each policy says to which of an island's neighbours its emigrants go at exchange 1, 2, 3, ... Generations are
-// numbered from 1, and an exchange follows every `every`-th generation.
+// Each policy says to which of an island's neighbours the emigrants go at a given exchange. Exchanges and generations
+// are numbered from 1. Exchange n follows generation n * `every`.
 
 struct BroadcastSchedule {
     static constexpr std::string_view name = "broadcast", about = "every `every` generations to all neighbours at once",
@@ -27,8 +27,8 @@ struct BroadcastSchedule {
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
 };
 
-/// Sends to the first neighbour at the first exchange, then to the second, and so on; after the last neighbour comes
-/// the first again. In a hypercube of two dimensions the neighbours are i xor 1 and i xor 2 (thesis 5.3.2).
+/// Sends to the first neighbour at the first exchange, to the second at the second, and so on; after the last neighbour
+/// comes the first again. In a hypercube of two dimensions the neighbours are i xor 1 and i xor 2 (thesis 5.3.2).
 struct SequentialSchedule {
     static constexpr std::string_view name = "sequential",
                                       about = "every `every` generations to one neighbour, each in turn",
@@ -40,8 +40,9 @@ struct SequentialSchedule {
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
 };
 
-/// No island waits for another. Emigrants go to all neighbours. An island accepts the emigrants that have arrived; from
-/// each neighbour only the last emigrants. The arrivals depend on the simulated times, and are the same in every run.
+/// Sends to all neighbours; no island waits for another. An island accepts the emigrants that have arrived, and of
+/// those from one neighbour only the latest. Which emigrants have arrived depends on simulated times, and is the same
+/// in every run.
 struct AsynchronousSchedule {
     static constexpr std::string_view name = "asynchronous",
                                       about = "every `every` generations to all neighbours, without waiting for them",
@@ -53,9 +54,9 @@ struct AsynchronousSchedule {
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
 };
 
-/// A user-defined struct with `every` as its first number, and a call operator like those above. Its result may depend
-/// only on its arguments, because both ends of a channel call it. It returns neighbours that are adjacent in the list.
-/// Islands that exchange wait for each other.
+/// A user-defined struct with `every` as its first number, and a call operator like those above. The call operator
+/// returns neighbours that are adjacent in the list. Its result may depend only on its arguments, because both the
+/// sending and the receiving island call it. Islands that exchange wait for each other.
 class OwnSchedule : public OwnPolicy {
 public:
     template <class Policy>
@@ -81,27 +82,26 @@ public:
 
     /// Returns whether islands that exchange wait for each other, so that all are in the same generation.
     bool in_step() const { return !std::holds_alternative<AsynchronousSchedule>(policy()); }
-    /// Returns whether emigrants go to one neighbour after another; otherwise they go to all neighbours at each
-    /// exchange.
+    /// Returns whether the schedule is sequential: emigrants go to one neighbour at each exchange.
     bool takes_turns() const { return std::holds_alternative<SequentialSchedule>(policy()); }
-    /// Returns whether the schedule is user-defined. The turns of a user-defined schedule are unknown.
+    /// Returns whether the schedule is user-defined. Its destinations then cannot be known in advance.
     bool is_own() const { return std::holds_alternative<OwnSchedule>(policy()); }
-    /// Returns whether an exchange follows the evaluation of the given generation. Generations count from 1.
+    /// Returns whether an exchange follows the evaluation of the given generation.
     bool is_due(std::uint64_t generation) const { return generation > 0 && generation % every() == 0; }
     /// Returns the number of generations from one exchange to the next.
     std::size_t every() const {
         return std::visit([](const auto& way) { return way.every; }, policy());
     }
 
-    /// Returns the neighbours to which an island's emigrants go after the evaluation of the given generation.
-    /// Generations count from 1.
+    /// Returns the neighbours to which an island's emigrants go after the evaluation of the given generation; none if
+    /// no exchange is due.
     std::span<const std::size_t> destinations(std::uint64_t generation, std::span<const std::size_t> neighbours) const;
 };
 
 /// Returns for each island the largest number of islands that send to it in one exchange. With a user-defined schedule,
-/// this is the number of all islands that have the island as a neighbour. Other schedules are tried for at most 10 000
-/// exchanges. These contain every combination of turns unless the numbers of neighbours have a very large common
-/// multiple. REQUIRES: neighbours as returned by Topology::neighbours().
+/// counts all islands that have the island as a neighbour. A sequential schedule is tried for at most 10 000 exchanges.
+/// The result may be too low if the schedule repeats only after more exchanges. REQUIRES: neighbours as returned by
+/// Topology::neighbours().
 std::vector<std::size_t> most_senders_at_once(const Schedule&, const Neighbours&);
 
 } // namespace placedpar

@@ -31,7 +31,7 @@ private:
     std::vector<std::size_t> others_;
 };
 
-/// Returns the neighbours of all islands; add_neighbours(i, list) adds those of island i.
+/// Returns the neighbours of all islands. add_neighbours(i, list) adds the neighbours of island i to the list.
 template <class Add>
 Neighbours neighbours_by(std::size_t islands, Add add_neighbours) {
     Neighbours all;
@@ -199,7 +199,8 @@ std::optional<OneWay> one_way(const Neighbours& neighbours) {
         bool reaches_all = std::ranges::all_of(part, [&](std::size_t to) { return reached[to].has_value(); });
         auto from = std::ranges::find_if(part, [&](std::size_t each) { return !reaches_all || !reaching[each]; });
         if (from == part.end())
-            continue; // every island reaches the first, and the first reaches every island
+            continue; // individuals of every island reach the part's first island, and its individuals reach every
+                      // island
         auto distance = distances(neighbours, *from);
         return OneWay{*from, *std::ranges::find_if(part, [&](std::size_t to) { return !distance[to]; })};
     }

@@ -12,17 +12,18 @@
 
 namespace placedpar {
 
-/// For each island the numbers of its neighbours, to which its emigrants may go. Islands are numbered from 0. A
+/// For each island, the numbers of the islands to which it may send emigrants. Islands are numbered from 0. A
 /// sequential schedule sends to the neighbours in this order.
 using Neighbours = std::vector<std::vector<std::size_t>>;
 
-// Each policy returns the neighbours of each of `islands` islands. It leaves out the island itself and repeated
-// neighbours, as in a torus of two columns. In all topologies except the star, the n-th neighbours of all islands are a
-// permutation of the islands. So if every island sends to its n-th neighbour, each receives from one island. REQUIRES:
-// islands >= 1. Throws UserError if the topology does not exist for this number of islands.
+// Each policy returns the neighbours of each of `islands` islands. An island is never its own neighbour, and has no
+// neighbour twice; in a torus of two columns, for example, east and west are the same neighbour. In the ring, the
+// hypercube, the torus and the complete topology, no two islands have the same n-th neighbour. So if every island sends
+// to its n-th neighbour, each island receives from one island. REQUIRES: islands >= 1. Throws UserError if there is no
+// such topology of `islands` islands.
 
-/// Connects each island to the next, and the last island to the first. With `ways` = 2 also connects each island to the
-/// one before it.
+/// Connects each island to the next, and the last to the first. If `ways` is 2, also connects each island to the
+/// previous one, and the first to the last.
 struct RingTopology {
     static constexpr std::string_view name = "ring", about = "to the next island; with 2 ways also to the one before",
                                       source = "thesis, appendix E";
@@ -43,8 +44,8 @@ struct HypercubeTopology {
     Neighbours operator()(std::size_t islands) const;
 };
 
-/// Connects the islands of a rectangle, which is closed in both directions, to the east, south, west and north. Island
-/// i is in row i / columns and column i % columns.
+/// Connects each island of a rectangle to its neighbours in the east, south, west and north, in this order. At an edge,
+/// the neighbour is at the opposite edge. Island i is in row i / columns and column i % columns.
 struct TorusTopology {
     static constexpr std::string_view name = "torus",
                                       about =
@@ -81,19 +82,19 @@ struct NoTopology {
     Neighbours operator()(std::size_t islands) const { return Neighbours(islands); }
 };
 
-/// Connects islands by a list. The list is not part of the policy's text, because a netlist's connections are its list.
-/// An island may only send or only receive, but must do at least one of them.
+/// Connects islands as listed in `neighbours`. The policy's text does not contain the list, because in a netlist the
+/// connections define it. An island may send without receiving, or receive without sending.
 struct GivenTopology {
     static constexpr std::string_view name = "given", about = "neighbours as listed",
                                       source = "as a netlist connects islands";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours neighbours;
-    /// Throws UserError if the list is for another number of islands. Throws it also if a neighbour does not exist, is
-    /// the island itself, or is listed twice.
+    /// Throws UserError if `neighbours` is for another number of islands, or if a neighbour does not exist, is the
+    /// island itself, or is listed twice.
     Neighbours operator()(std::size_t islands) const;
 };
 
-/// A user-defined struct with a call operator like those above. The lists that it returns are checked like those of
+/// A user-defined struct with a call operator like those above. The returned neighbours are checked as those of
 /// GivenTopology.
 class OwnTopology : public OwnPolicy {
 public:
@@ -117,22 +118,22 @@ public:
     bool is_given() const { return std::holds_alternative<GivenTopology>(policy()); }
     /// Returns whether islands exchange individuals: false for "none".
     bool exchanges() const { return !std::holds_alternative<NoTopology>(policy()); }
-    /// Throws UserError, with what would be right, if there is no island or the topology does not exist for this number
-    /// of islands. Throws it also if an island has no neighbours, except for the topology "none".
+    /// Throws UserError, with what would be right, if `islands` is 0 or there is no such topology of `islands` islands.
+    /// Throws it also if an island neither sends nor receives, except in the topology "none".
     Neighbours neighbours(std::size_t islands) const;
 };
 
-/// Returns for each island its distance from the island `from`: the number of exchanges in which individuals reach it,
-/// if each island sends to all its neighbours. The distance is 0 for `from` itself, and absent if individuals never
-/// arrive. REQUIRES: from < neighbours.size().
+/// Returns each island's distance from the island `from`: the number of exchanges that an individual needs from there,
+/// if each island sends to all its neighbours. The distance is absent if individuals of `from` never arrive. REQUIRES:
+/// from < neighbours.size().
 std::vector<std::optional<std::size_t>> distances(const Neighbours& neighbours, std::size_t from);
 
-/// Returns the parts of the topology that do not exchange with each other. The islands of each part are in ascending
-/// order, and so are the parts. A connected topology has one part.
+/// Returns the connected parts of the topology, ordered by their first islands. No individual moves from one part to
+/// another. The islands of each part are in ascending order.
 std::vector<std::vector<std::size_t>> separate_parts(const Neighbours& neighbours);
 
-/// Two islands of the same part, where individuals of the first never reach the second. An example is a one-way chain:
-/// nothing from its end reaches its beginning. one_way() returns the first such pair.
+/// Two islands of the same part, where individuals of island `from` never reach island `never_to`. In a one-way chain,
+/// for example, no individual moves from the end to the beginning. one_way() returns such a pair, if there is one.
 struct OneWay {
     std::size_t from, never_to;
 };

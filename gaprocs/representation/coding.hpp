@@ -8,7 +8,7 @@
 
 namespace placedpar {
 
-/// Return the Gray code of a number, and the number that has a Gray code.
+/// gray_code() returns the Gray code of a number; gray_decoded() is its inverse.
 constexpr std::uint64_t gray_code(std::uint64_t number) { return number ^ (number >> 1); }
 constexpr std::uint64_t gray_decoded(std::uint64_t code) {
     for (unsigned shift = 1; shift < 64; shift *= 2)
@@ -16,8 +16,8 @@ constexpr std::uint64_t gray_decoded(std::uint64_t code) {
     return code;
 }
 
-/// A view of a binary string whose fields are in Gray code, each field separately. A problem that reads a string by
-/// field(first, count) can read a GrayCoded string without change.
+/// A view of a binary string, each of whose fields is in Gray code. field() decodes a field, so a problem that reads
+/// strings by field(first, count) works with both codes.
 template <typename G>
 class GrayCoded {
 public:
@@ -33,15 +33,15 @@ private:
     const G& genome_;
 };
 
-/// The type that a problem reads: the string itself, or a view that decodes its fields from Gray code.
+/// The type of string that a problem reads: the string itself, or a view that decodes Gray code.
 template <bool gray>
 using StringRead = std::conditional_t<gray, GrayCoded<Genome>, const Genome&>;
 
-/// Returns the length of a string of `bits` bits after the insertion of `dont_care` bits between every two neighbours
-/// (thesis eq. 6.15). REQUIRES: bits > 0.
+/// Returns the length of a string of `bits` bits after `dont_care` bits have been inserted between every two
+/// neighbouring bits (thesis eq. 6.15). REQUIRES: bits > 0.
 constexpr std::size_t stuffed_bits(std::size_t bits, std::size_t dont_care) { return bits + dont_care * (bits - 1); }
-/// Returns the string without its don't-care bits. REQUIRES: genome.size() equals stuffed_bits(bits, dont_care) for
-/// some number of bits.
+/// Returns the string without its don't-care bits. REQUIRES: genome.size() == stuffed_bits(n, dont_care) for some n >
+/// 0.
 Genome unstuffed(const Genome& genome, std::size_t dont_care);
 
 } // namespace placedpar

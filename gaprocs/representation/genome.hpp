@@ -15,17 +15,17 @@ namespace placedpar {
 
 class RandomStream; // runtime/random.hpp
 
-/// A binary string of any length. It holds the parameters of a search, coded and concatenated (thesis 1.1, eq. 1.6).
+/// A binary string of any length, which codes one individual of a search (thesis 1.1, eq. 1.6).
 ///
-/// Bit 0 is the first, leftmost character, and the most significant bit of words()[0]. So a field of bits is read as a
-/// natural binary number by shifts alone:
+/// Bit 0 is the leftmost character of the text, and the most significant bit of words()[0]. So shifts suffice to read a
+/// field of bits as a natural binary number:
 ///
 ///     bit        0 1 2 ... 63    64 65 ...
 ///     words()   [0]              [1]            bits past size() are always zero
 class Genome {
 public:
     Genome() = default;
-    /// A string of `size` zeros.
+    /// Makes a string of `size` zeros.
     explicit Genome(std::size_t size) : words_((size + 63) / 64, 0), size_(size) {}
     Genome(const Genome&) = default;
     Genome(Genome&&) = default;
@@ -42,12 +42,11 @@ public:
 
     /// Reads a string of characters '0' and '1'. Throws std::invalid_argument for other characters.
     static Genome from_string(std::string_view text);
-    /// Returns a random string; each bit is 1 with probability 1/2. Draws one 32-bit number for each 32 bits or part of
-    /// them.
+    /// Returns a random string; each bit is 1 with probability 1/2. Draws one number for each 32 bits, rounded up.
     static Genome random(std::size_t size, RandomStream& random);
 
     std::size_t size() const { return size_; }
-    /// Returns the number of bytes of the string in a message.
+    /// Returns the number of bytes that the string takes in a message.
     std::size_t bytes() const { return (size_ + 7) / 8; }
     std::span<const std::uint64_t> words() const { return {words_.data(), words_.size()}; }
 
@@ -65,9 +64,9 @@ public:
     /// Sets the bits 64 * index to 64 * index + 63. REQUIRES: 64 * (index + 1) <= size().
     void set_word(std::size_t index, std::uint64_t value) { words_[index] = value; }
 
-    /// Exchanges the characters 0 ... count - 1 of two strings. REQUIRES: a.size() == b.size(), count <= a.size().
+    /// Exchanges the first `count` bits of two strings. REQUIRES: a.size() == b.size(), count <= a.size().
     friend void swap_leading(Genome& a, Genome& b, std::size_t count);
-    /// Exchanges the characters at which `mask` has a 1. REQUIRES: all three strings have the same size.
+    /// Exchanges the bits at which `mask` has a 1. REQUIRES: all three strings have the same size.
     friend void swap_where(Genome& a, Genome& b, const Genome& mask);
 
     // REQUIRES of the next three functions: both strings have the same size.

@@ -18,9 +18,9 @@ concept BinaryString = requires(const G& genome) {
     { genome.field(std::size_t{}, std::size_t{}) } -> std::convertible_to<std::uint64_t>;
 };
 
-/// A parameter, coded in a field of bits. The whole number n in the field stands for low + (high - low) n / 2^bits
-/// (thesis eq. 1.5). The range is [low, high): no number stands for `high`. A whole parameter, such as the delay of
-/// Table 5.1, is rounded down: with low = 1 and high = 5 it is 1, 2, 3 or 4.
+/// A parameter, coded in a field of bits. The whole number n in the field stands for `low` + (`high` - `low`) * n /
+/// 2^`bits` (thesis eq. 1.5). So no code stands for `high`. If the parameter is `whole`, such as the delay of Table
+/// 5.1, it is rounded down: with `low` = 1 and `high` = 5 it is 1, 2, 3 or 4.
 struct ParameterField {
     double low = 0, high = 1; ///< in the parameter's unit
     std::size_t bits = 10;
@@ -33,33 +33,33 @@ struct ParameterField {
         double value = low + resolution() * static_cast<double>(code);
         return whole ? std::floor(value) : value;
     }
-    /// Rounds a number of the range down if the parameter is a whole number. REQUIRES: low <= number <= high.
+    /// Returns the number, rounded down if the parameter is `whole`. REQUIRES: low <= number <= high.
     double rounded(double number) const { return whole ? std::min(std::floor(number), std::ceil(high) - 1) : number; }
-    /// Returns the difference between neighbouring codes' values.
+    /// Returns the difference between the values of neighbouring codes, before rounding.
     double resolution() const { return (high - low) / codes(); }
 };
 
 /// The coding of all parameters in one binary string, as consecutive fields (thesis eq. 1.6).
 class ParameterCoding {
 public:
-    /// The largest number of bits in a field, such that a double can hold each number.
+    /// The largest number of bits in a field; a double holds every whole number of so many bits.
     static constexpr std::size_t most_bits = 52;
 
-    /// Throws std::invalid_argument if there are no fields, if bits are outside 1 ... most_bits, if low or high is not
-    /// a finite number, or if low >= high.
+    /// Throws std::invalid_argument if there are no fields, if `bits` is outside 1 ... `most_bits`, or unless `low` <
+    /// `high` and the ends and the width of the range are finite.
     explicit ParameterCoding(std::vector<ParameterField> fields);
-    /// Codes several parameters by equal fields.
+    /// Codes each of `parameters` parameters in a field like `each`.
     ParameterCoding(std::size_t parameters, const ParameterField& each)
         : ParameterCoding(std::vector<ParameterField>(parameters, each)) {}
 
     std::size_t parameters() const { return fields_.size(); }
     const ParameterField& field(std::size_t parameter) const { return fields_[parameter]; }
-    /// Returns the number of bits of each field.
+    /// Returns the number of bits of every field.
     std::vector<std::size_t> fields() const;
     /// Returns the length of the whole string in bits.
     std::size_t bits() const { return bits_; }
-    /// Returns the parameters as real numbers in the ranges of their fields. Whole parameters still have to be
-    /// rounded().
+    /// Returns the representation of the parameters as real numbers in the ranges of their fields. The caller has to
+    /// round whole parameters, by ParameterField::rounded().
     RealVector reals() const;
 
     /// REQUIRES: parameter < parameters(), and a string of bits() bits.
@@ -71,7 +71,7 @@ public:
         double value = place.low + place.resolution * static_cast<double>(code);
         return place.whole ? std::floor(value) : value;
     }
-    /// Returns the values of a parameter for several individuals.
+    /// Returns the values of a parameter in several strings.
     template <std::size_t width, bool gray>
     [[gnu::always_inline]] Lanes<width> value(const StringsInLanes<width, gray>& strings, std::size_t parameter) const {
         const Field& place = places_[parameter];
@@ -87,7 +87,7 @@ public:
     }
 
 private:
-    /// The part of a field that value() needs, and its place in the string.
+    /// What value() needs of a field. `first` is the position of its first bit in the string.
     struct Field {
         std::size_t first, bits;
         double low, resolution;

@@ -33,7 +33,7 @@ Genome random_string(const RealVector& reals, RandomStream& random) {
     return genome;
 }
 
-/// Draws a permutation (Fisher and Yates).
+/// Returns a random permutation, by the shuffle of Fisher and Yates.
 Genome random_string(const Permutation& permutation, RandomStream& random) {
     std::vector<std::size_t> order(permutation.places());
     std::iota(order.begin(), order.end(), std::size_t{0});

@@ -13,15 +13,15 @@ namespace placedpar {
 
 class RandomStream;
 
-/// The kind of elements of a string. It determines how strings can be crossed and mutated.
+/// What a string consists of. It determines how strings can be crossed and mutated.
 enum class StringKind : unsigned char { binary, real, permutation };
 
 /// Returns "binary strings", "real vectors" or "permutations".
 std::string_view name_of(StringKind);
 
-// Each representation has bits(), the length of the string, and decode(), which returns the meaning of the string. Real
-// numbers and the places of a permutation take 64 bits each. So code that only passes strings on need not know their
-// kind.
+// Each representation has bits(), the length of the string, and decode(), which returns what the string codes. Every
+// string is a Genome; a real number or an entry of a permutation takes 64 bits. So code that only passes strings on
+// need not know their kind.
 
 /// A binary string that the problem itself interprets.
 class BitString {
@@ -36,7 +36,7 @@ private:
     std::size_t bits_;
 };
 
-/// A closed range; both ends belong to it.
+/// A range that includes both ends.
 struct RealRange {
     double low = 0, high = 1;
 };
@@ -44,7 +44,8 @@ struct RealRange {
 /// A vector of real numbers, each with its own range.
 class RealVector {
 public:
-    /// Throws std::invalid_argument if there are no ranges, if an end is not a finite number, or if low >= high.
+    /// Throws std::invalid_argument if there are no ranges, or unless `low` < `high` and the ends and the width of each
+    /// range are finite.
     explicit RealVector(std::vector<RealRange> ranges);
     /// Makes a vector whose numbers all have the same range.
     RealVector(std::size_t numbers, RealRange each) : RealVector(std::vector<RealRange>(numbers, each)) {}
@@ -55,7 +56,7 @@ public:
 
     // REQUIRES of the next three functions: a string of bits() bits.
     double value(const Genome& genome, std::size_t number) const;
-    /// Sets a number. A value outside the range is replaced by the nearest end of the range.
+    /// Sets a number. A value outside the number's range is replaced by the nearest end of the range.
     void set(Genome& genome, std::size_t number, double value) const;
     std::vector<double> decode(const Genome& genome) const;
 
@@ -90,24 +91,24 @@ public:
 
     StringKind kind() const { return static_cast<StringKind>(of_.index()); }
     std::size_t bits() const;
-    /// Returns the number of bits that stay together when a string is cut.
+    /// Returns the number of bits of a character: the bits that crossover keeps together.
     std::size_t unit() const { return kind() == StringKind::binary ? 1 : 64; }
-    /// REQUIRES of the next two functions: kind() is the representation that is asked for.
+    /// REQUIRES: kind() is StringKind::real for reals(), StringKind::permutation for permutation().
     const RealVector& reals() const { return std::get<RealVector>(of_); }
     const Permutation& permutation() const { return std::get<Permutation>(of_); }
 
     /// Returns a random string. Each bit is 1 with probability 1/2 (drawn as by Genome::random); each real number is
-    /// uniform in its range (one draw); each permutation is equally likely (at least places - 1 draws).
+    /// uniform in its range (one draw); all permutations are equally likely (at least places - 1 draws).
     Genome random(RandomStream& random) const;
     std::vector<Genome> random_population(std::size_t count, RandomStream& random) const;
 
-    /// Returns whether all strings belong to this representation: they have its length, each number is in its range,
-    /// and each place occurs once.
+    /// Returns whether all strings belong to this representation: each has bits() bits, each real number is in its
+    /// range, and each place of a permutation occurs once.
     bool holds(std::span<const Genome> strings) const;
 
     /// Returns the distance of two strings: for binary strings the number of bits in which they differ; for real
     /// vectors the Euclidean distance, with each number in units of the width of its range; for permutations the number
-    /// of neighbours in one closed tour that are not neighbours in the other. REQUIRES: both strings belong to this
+    /// of edges of one closed tour that the other tour does not have. REQUIRES: both strings belong to this
     /// representation.
     double distance(const Genome& a, const Genome& b) const;
 

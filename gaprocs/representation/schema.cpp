@@ -9,8 +9,8 @@ namespace placedpar {
 
 namespace {
 
-/// Adds all schemata that begin with the first `first` characters of `begun` and have `order` fixed positions in the
-/// rest.
+/// Adds all schemata that begin with the first `first` characters of `begun`; `order` of the other positions are not
+/// '*'.
 void add_schemata(std::string& begun, std::size_t first, std::size_t order, std::vector<Schema>& all) {
     if (begun.size() - first < order)
         return;

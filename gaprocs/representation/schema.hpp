@@ -14,7 +14,7 @@ namespace placedpar {
 /// schemata). '*' matches both 0 and 1.
 class Schema {
 public:
-    /// Reads a schema of the characters '0', '1' and '*'. Throws std::invalid_argument for other characters and for an
+    /// Reads a schema from a text of '0', '1' and '*'. Throws std::invalid_argument for other characters and for an
     /// empty text.
     static Schema from_string(std::string_view text);
 
@@ -31,14 +31,14 @@ public:
     friend bool operator==(const Schema&, const Schema&) = default;
 
 private:
-    Genome fixed_;  ///< 1 where the position is not '*'
-    Genome values_; ///< value at fixed positions; 0 at others
+    Genome fixed_;  ///< 1 at each position that is not '*'
+    Genome values_; ///< the schema's value at each position that is not '*'; otherwise 0
 };
 
 /// Returns the number of strings that match the schema: m(h, t) of eq. 6.2.
 std::size_t count_matches(const Schema&, std::span<const Genome> population);
 
-/// Returns all schemata of `size` positions with `order` fixed positions, in alphabetical order ('*' first).
+/// Returns all schemata of `size` positions, `order` of which are not '*', in alphabetical order ('*' first).
 std::vector<Schema> schemata_of_order(std::size_t size, std::size_t order);
 
 } // namespace placedpar
