@@ -12,23 +12,22 @@
 
 namespace placedpar {
 
-/// Returns the errors of the best individual of each island at each sample of the longest window. REQUIRES: the number
-/// of windows equals the number of individuals, and `samples` are enough for the longest window.
+/// Returns the errors of each island's best individual, as a choice needs them. `windows`: the length of each island's
+/// window in samples. REQUIRES: bests.size() == windows.size() > 0, and no window is longer than `samples`.
 ErrorsOfBest errors_of_best(const SearchProblem& problem, std::span<const Individual> bests,
                             std::span<const std::size_t> windows, std::span<const Sample> samples);
 
-/// Chooses one answer among the best individuals of several islands when the islands broadcast them. Keeps the answer
-/// until the next broadcast (thesis 5.3.2: "output the estimated parameters at the broadcasting frequency"). The
-/// islands do not change.
+/// Chooses one of the islands' best individuals as the answer of all islands, whenever the islands broadcast. The
+/// answer stays until the next broadcast (thesis 5.3.2: "output the estimated parameters at the broadcasting
+/// frequency"). The islands themselves are not affected.
 class ActiveErrorAnalysis {
 public:
-    /// `windows`: the length of each island's window, in samples. REQUIRES: `problem` outlives the analysis.
+    /// `windows`: the length of each island's window in samples. REQUIRES: `problem` outlives the analysis.
     ActiveErrorAnalysis(const SearchProblem& problem, std::vector<std::size_t> windows, IslandChoice choice,
                         RandomStream random);
 
-    /// Chooses the answer. `bests`: the best individual of each island. `samples`: the samples of the record so far,
-    /// the newest last. Throws as the choice. REQUIRES: one best for each window, and enough samples for the longest
-    /// window.
+    /// Chooses the answer. `bests`: the best individual of each island. `samples`: the samples so far, oldest first.
+    /// Throws as IslandChoice. REQUIRES: bests.size() is the number of islands, and no window is longer than `samples`.
     void analyse(std::span<const Individual> bests, std::span<const Sample> samples);
 
     /// Returns the island that the last analyse() chose. REQUIRES: analyse() was called.

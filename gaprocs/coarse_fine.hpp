@@ -10,18 +10,19 @@
 
 namespace placedpar {
 
-/// The settings of a pair: a "coarse" genetic algorithm and a "fine" one (thesis 6.2, Figure 6.6).
+/// The settings of a pair of searches, "coarse" and "fine" (thesis 6.2, Figure 6.6).
 struct CoarseFineSettings {
-    SearchSettings coarse, fine;        ///< both have the same window
-    Recoding coarse_reading;            ///< selects the most significant bits of the problem's fields
-    std::vector<std::size_t> fine_bits; ///< bits of each field in the fine search; a field with all of the problem's
-                                        ///< bits is searched without the bias point
+    SearchSettings coarse, fine;        ///< must have the same window
+    Recoding coarse_reading;            ///< says which most significant bits of the problem's fields the coarse search
+                                        ///< breeds
+    std::vector<std::size_t> fine_bits; ///< bits of each field in the fine search; a field with as many bits as the
+                                        ///< problem's ignores the bias point
 };
 
 /// Two searches over the same record. The coarse search has a coarse grid. The fine search has the problem's own grid,
-/// but only around the bias point, which is the best individual of the coarse search. The bias point comes from the
-/// coarse population of the same generation, so the fine population moves with it. The thesis does not specify this;
-/// the choice is ours.
+/// but only around the bias point, the best individual of the coarse search in the same generation. So the individuals
+/// of the fine search move with the bias point. The thesis does not say from which generation the bias point comes; the
+/// choice is ours.
 class CoarseFine {
 public:
     /// REQUIRES: `problem` is in natural binary and outlives the pair. Throws as SearchSettings::validate() and
@@ -36,13 +37,13 @@ public:
 
     const Search& coarse() const { return coarse_; }
     const Search& fine() const { return fine_; }
-    /// Return the best individual of the last generation as a string of the problem. REQUIRES: next_generation() was
+    /// Return the best individual of the last generation, as a string of the problem. REQUIRES: next_generation() was
     /// called.
     const Individual& coarse_best() const { return coarse_best_; }
     const Individual& fine_best() const { return fine_best_; }
 
 private:
-    /// Evaluates and breeds one generation. Returns its best individual as a string of the problem.
+    /// Evaluates and breeds one generation of a search. Returns the best individual, as a string of the problem.
     Individual evaluate_and_breed(Search& search, const Recoding& reading);
 
     const SearchProblem& problem_;

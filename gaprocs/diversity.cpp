@@ -38,7 +38,8 @@ Spread spread_of_bits(std::span<const Genome> population, std::size_t bits) {
     return spread;
 }
 
-/// Returns a number of each individual on a scale from 0, the lower end of its range, to 1, the upper end.
+/// Returns number `number` of each individual, scaled to 0 at the lower end of the number's range and 1 at the upper
+/// end.
 std::vector<double> places_of(std::span<const Genome> population, const RealVector& reals, std::size_t number) {
     auto [low, high] = reals.range(number);
     std::vector<double> places;
@@ -72,7 +73,7 @@ Spread spread_of_reals(std::span<const Genome> population, const RealVector& rea
     return spread;
 }
 
-/// Returns the pairs of neighbouring places in all tours, sorted.
+/// Returns a code for each pair of neighbouring places in each tour, sorted.
 std::vector<std::uint64_t> neighbours_in(std::span<const Genome> tours, const Permutation& permutation) {
     std::vector<std::uint64_t> pairs;
     for (const Genome& genome : tours) {
@@ -86,8 +87,8 @@ std::vector<std::uint64_t> neighbours_in(std::span<const Genome> tours, const Pe
     return pairs;
 }
 
-/// Computes the spread of tours. A pair of neighbours that only one of two tours has adds 1 to their squared distance.
-/// So the squared distance is twice Representation::distance().
+/// Computes the spread of tours. Each pair of neighbours that only one of two tours has adds 1 to the squared distance
+/// of the tours. So the squared distance is twice Representation::distance().
 Spread spread_of_tours(std::span<const Genome> population, const Permutation& permutation) {
     Spread spread{StringKind::permutation, 2 * static_cast<double>(permutation.places()), population.size()};
     auto pairs = neighbours_in(population, permutation);
@@ -104,13 +105,13 @@ double diversity_of(double squared_distance, const Spread& like) {
     return like.kind == StringKind::real ? std::sqrt(share) : share;
 }
 
-/// Walks through the coordinates of several populations in parallel.
+/// Goes through the coordinates of the centres of several populations, in step.
 class CentresInStep {
 public:
     explicit CentresInStep(std::span<const Spread> populations)
         : populations_(populations), next_(populations.size(), 0), means_(populations.size()) {}
 
-    /// Moves to the next coordinate that is not 0 in all populations. Returns false at the end.
+    /// Moves to the next coordinate that at least one centre has. Returns false at the end.
     bool step() {
         constexpr auto none = std::numeric_limits<std::uint64_t>::max();
         std::uint64_t which = none;
@@ -129,7 +130,7 @@ public:
 private:
     std::span<const Spread> populations_;
     std::vector<std::size_t> next_;
-    std::vector<double> means_; ///< mean of the current coordinate, by population
+    std::vector<double> means_; ///< the current coordinate of each population's centre
 };
 
 } // namespace
@@ -149,9 +150,9 @@ double diversity_within(const Spread& population) {
     return diversity_of(2 * population.squares / static_cast<double>(population.individuals - 1), population);
 }
 
-/// The mean squared distance of two individuals is a sum of three squared distances: first individual to its
-/// population's centre, second individual to its population's centre, and centre to centre. The mean over all pairs of
-/// centres is computed from the centres' distances from their own mean.
+/// The mean squared distance of two individuals from different populations is the sum of three terms: the mean squared
+/// distance of each individual from the centre of its population, and the squared distance of the two centres. The mean
+/// of the last term over all pairs of centres follows from the centres' distances from their own mean.
 double diversity_between(std::span<const Spread> populations) {
     auto count = static_cast<double>(populations.size());
     double from_own = 0, of_centres = 0;

@@ -11,24 +11,25 @@ namespace placedpar {
 ///
 /// The sum must not depend on which process evaluates which part of the window, nor on the order in which the parts are
 /// added. So each term is rounded to a multiple of 2^-20 and limited to +-2^23. A sum of at most 1024 such terms is a
-/// multiple of 2^-20 below 2^33 in size, which a double holds exactly. INVARIANT: any partition and any order of at
-/// most `exact_fitness_terms` terms give the same bits. Rounding changes a term by at most 5e-7; compare B = 400.
+/// multiple of 2^-20 of at most 2^33, which a double holds exactly. INVARIANT: at most `exact_fitness_terms` terms give
+/// the same sum, bit for bit, however they are divided and ordered. Rounding changes a term by at most 5e-7, which is
+/// small beside B = 400.
 inline constexpr double fitness_quantum = 0x1p-20;
 inline constexpr double fitness_term_limit = 0x1p23;
 inline constexpr std::size_t exact_fitness_terms = 1024;
 
-/// The constant 1.5 * 2^32. Adding and then subtracting it rounds a term to the nearest multiple of 2^-20, ties to
-/// even. The reason is that neighbouring doubles between 2^32 and 2^33 are 2^-20 apart. The limits of a term are not
-/// changed. Needs IEEE arithmetic, so never -ffast-math.
+/// 1.5 * 2^32. Adding and then subtracting this constant rounds a term to the nearest multiple of 2^-20, ties to even,
+/// because neighbouring doubles between 2^32 and 2^33 are 2^-20 apart. This needs IEEE arithmetic, so never
+/// -ffast-math.
 inline constexpr double fitness_rounding_shift = 0x1.8p32;
 
 /// Returns one sample's term of the fitness, for one individual (T is double) or for several (T is Lanes). `bias` is in
-/// the unit of the squared error. An error that is infinite or not a number gives the lower limit.
+/// the unit of the squared error. If the error is infinite or NaN, the term is -`fitness_term_limit`.
 template <typename T = double>
 T fitness_term(double bias, const std::type_identity_t<T>& error) {
     using std::max, std::min;
     T term = bias - error * error;
-    term = max(T(-fitness_term_limit), term); // this order of the arguments also maps NaN to the limit
+    term = max(T(-fitness_term_limit), term); // with the arguments in this order, NaN becomes the limit
     term = min(T(fitness_term_limit), term);
     return (term + fitness_rounding_shift) - fitness_rounding_shift;
 }

@@ -15,7 +15,7 @@ namespace placedpar {
 namespace {
 
 /// Returns the objective for a fitness: the fitness itself, or its negative if the objective is minimised. If the
-/// objective was not a finite number, returns the infinity that is the worst value.
+/// objective was not a finite number, returns the worst infinity. Without an objective, returns the fitness.
 double in_its_own_sign(double fitness, std::optional<Goal> goal) {
     if (goal && fitness == worst_fitness)
         fitness = -std::numeric_limits<double>::infinity();
@@ -172,7 +172,7 @@ std::vector<LogRow> GenerationLog::rows() const {
         for (; answer != answers.end() && answer->generation == g + 1; ++answer)
             rows.push_back(*answer);
     }
-    rows.insert(rows.end(), migration, migrations.end()); // migrations of a generation that was not bred
+    rows.insert(rows.end(), migration, migrations.end()); // migrations in a generation that no search has logged
     return rows;
 }
 

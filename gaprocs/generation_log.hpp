@@ -14,14 +14,14 @@
 
 namespace placedpar {
 
-/// A generation of one search, or of all searches together. An objective that is minimised is logged without negation:
-/// the best value is the least, and the objective is infinity if it was not a finite number.
+/// A generation of one search, or of all searches together. An objective is logged as it is, not as fitness: if it is
+/// minimised, the best value is the least. An objective that is not a finite number is logged as the worst infinity.
 struct LoggedGeneration {
-    std::optional<Time> time; ///< time of the generation; for all searches together, the latest time among them
-    double best_so_far; ///< best `best` of all generations so far; with a moving window, each value belongs to the
-                        ///< window of its time
-    double best, mean;  ///< fitness or objective; the mean is taken over the finite values
-    double diversity;   ///< diversity_within(); for all searches together, the mean of their values
+    std::optional<Time> time; ///< time of the generation; for all searches together, their latest time
+    double best_so_far; ///< best of `best` in all generations so far, although these belong to different windows if the
+                        ///< window moves
+    double best, mean;  ///< fitness or objective; `mean` omits values that are not finite
+    double diversity;   ///< diversity_within(); for all searches together, the mean over the searches
     double between = 0; ///< diversity_between(); only for all searches together
 
     friend bool operator==(const LoggedGeneration&, const LoggedGeneration&) = default;
@@ -35,7 +35,7 @@ struct LoggedMigration {
     bool accepted;
 };
 
-/// An answer of an analyst, which chooses the best individual of one search as the answer of all searches.
+/// An answer of an analyst: the best individual of the search that it chose.
 struct LoggedAnswer {
     std::uint64_t generation;
     std::string analyst;
@@ -50,7 +50,7 @@ struct LogRow {
     std::uint64_t generation; ///< from 1
     std::optional<Time> time;
     std::string_view search; ///< name of the search, or "all"
-    std::string_view from;   ///< source of an immigrant, or search that an analyst chose; otherwise empty
+    std::string_view from;   ///< search from which an immigrant came, or search that an analyst chose; otherwise empty
     std::string_view quantity;
     double value;
 
@@ -61,10 +61,10 @@ struct LogRow {
 class GenerationLog final : public SearchObserver {
 public:
     /// `searches`: names of the searches, in the order of the log. `comparable`: whether all searches solve the same
-    /// problem. Only then the log has rows for all of them together.
+    /// problem. If not, the log has no generations of all searches together.
     explicit GenerationLog(std::vector<std::string> searches, bool comparable = true);
 
-    /// Each throws std::invalid_argument for a search that is not in the log.
+    /// These functions throw std::invalid_argument for a search that is not in the log.
     void observe(const ObservedGeneration&) override;
     void observe(const ObservedMigration&) override;
     void observe(const ObservedAnswer&) override;
@@ -74,21 +74,21 @@ public:
     bool compares() const { return compared_; }
     /// Returns the generations of a search, generation 1 first.
     std::span<const LoggedGeneration> of(std::size_t search) const { return generations_.at(search); }
-    /// Returns the generations of all searches together, as far as all have completed them. Empty unless compares().
+    /// Returns the generations that all searches have completed, taken together; empty unless compares().
     std::span<const LoggedGeneration> of_all() const { return all_; }
-    /// Returns the migrations. Those to the same search are in the order of arrival.
+    /// Returns the migrations; those to the same search in the order of arrival.
     std::span<const LoggedMigration> migrations() const { return migrations_; }
-    /// Returns the answers. Those of the same analyst are in the order of generations.
+    /// Returns the answers; those of the same analyst in the order of the generations.
     std::span<const LoggedAnswer> answers() const { return answers_; }
 
-    /// Returns whether the best value is the least one. False before the first generation.
+    /// Returns whether the search minimises an objective; false before the first generation.
     bool minimises(std::size_t search) const { return goals_.at(search) == Goal::minimise; }
-    /// Returns whether the search has an objective instead of a record. False before the first generation.
+    /// Returns whether the search has an objective instead of a record; false before the first generation.
     bool has_objective(std::size_t search) const { return goals_.at(search).has_value(); }
 
     /// Returns the rows, sorted by generation and then by search; "all" and the analysts come last in a generation. The
-    /// order does not depend on the order of the calls of observe(). REQUIRES: the log outlives the rows, which refer
-    /// to it.
+    /// order in which searches called observe() has no influence. REQUIRES: the log outlives the rows, which refer to
+    /// its texts.
     std::vector<LogRow> rows() const;
 
 private:

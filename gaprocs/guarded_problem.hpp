@@ -4,8 +4,8 @@
 
 namespace placedpar {
 
-/// Returns the same family with guards for the problems of a program that is built on PlacedPar. Any exception from
-/// making a problem or its record, or from calling the problem, becomes a UserError that names the problem.
+/// Returns the same family, protected against errors in user-defined problems. Any exception from a problem's
+/// functions, or while the problem or its record of measurements is made, becomes a UserError with the problem's name.
 ProblemFamily guarded(const ProblemFamily&);
 
 } // namespace placedpar

@@ -10,7 +10,7 @@ namespace placedpar {
 
 namespace {
 
-/// Reads the string in a line. A message about it points to its first character.
+/// Reads the string in a line. An error message points to `begin`, the index of the string's first character.
 Genome read_line(const Representation& representation, const std::shared_ptr<const SourceFile>& file, std::size_t line,
                  std::size_t begin) {
     try {

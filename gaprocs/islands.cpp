@@ -35,7 +35,7 @@ void require_places(const IslandsSettings& settings, const Neighbours& neighbour
     }
 }
 
-/// Checks the settings that do not depend on the record. Throws UserError.
+/// Throws as IslandsSettings::validate_for(), without a check against the length of the record.
 void validate_islands(const IslandsSettings& settings) {
     settings.topology.require_numbers_in_range();
     settings.schedule.require_numbers_in_range();
@@ -190,8 +190,7 @@ std::vector<Migration> Islands::emigrants(std::size_t from) {
     return all;
 }
 
-/// Sends the emigrants. If a neighbour has not accepted earlier emigrants from the same island, the new ones replace
-/// them.
+/// Sends the emigrants. They replace earlier emigrants of this island that a neighbour has not yet received.
 void Islands::send_by_mail(std::size_t from) {
     auto leaving = emigrants(from);
     for (const Migration& each : leaving)

@@ -9,24 +9,25 @@ namespace placedpar {
 
 enum class Goal : unsigned char { minimise, maximise };
 
-/// The fitness of an individual whose objective is infinite or not a number. It is less than every other fitness, and
-/// finite, so that the fitness of a whole population can be added up.
+/// The fitness of an individual whose objective is infinite or NaN. It is the least fitness, but finite, so that the
+/// fitness of a whole population can be added up.
 inline constexpr double worst_fitness = -0x1p1000;
 
-/// A number that a problem states for an individual without any measurements.
+/// How a problem without measurements rates an individual: by one number, the objective, which is minimised or
+/// maximised.
 struct Objective {
     Goal goal = Goal::minimise;
     std::string unit = {};
     std::optional<double> optimum = {}; ///< the best possible value, if it is known
 
-    /// Returns the fitness, which is always maximised. It is the value, or the negated value if the objective is
-    /// minimised, limited to +-2^1000.
+    /// Returns the fitness for a value of the objective. Fitness is always maximised, so it is the value, or the
+    /// negated value if the objective is minimised, limited to +-2^1000.
     double fitness(double value) const {
         if (!std::isfinite(value))
             return worst_fitness;
         return std::clamp(goal == Goal::maximise ? value : -value, worst_fitness, -worst_fitness);
     }
-    /// Returns the objective of an individual with this fitness; nothing if the objective was not a finite number.
+    /// Returns the value of the objective for a fitness; nothing if the value was not a finite number.
     std::optional<double> value(double fitness) const {
         if (fitness == worst_fitness)
             return std::nullopt;

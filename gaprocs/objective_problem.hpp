@@ -17,29 +17,29 @@
 
 namespace placedpar {
 
-// An objective problem gives one number for each individual. It is a plain struct such as
+// An objective problem rates each individual by one number. It is a plain struct such as
 //
 //     struct Sphere {
 //         ParameterCoding representation() const { return ParameterCoding(3, {-5.12, 5.12, 16}); }
 //         double objective(std::span<const double> x) const { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; }
 //     };
 //
-// and minimise(Sphere{}) makes it a SearchProblem. The argument of objective() depends on the representation: numbers
-// (std::span<const double>) for a ParameterCoding or a RealVector, the string itself (const Genome&) for a BitString,
-// an order (std::span<const std::size_t>) for a Permutation. A ParameterCoding can be searched as bits, or directly as
-// the real numbers that it codes: see gaprocs/policies/coding.hpp. An objective that is infinite or not a number is
-// worse than every other. A problem returns infinity for an individual that is not allowed.
+// and minimise(Sphere{}) makes it a SearchProblem. The argument of objective() depends on the type of representation():
+// std::span<const double> for a ParameterCoding or a RealVector, const Genome& for a BitString, std::span<const
+// std::size_t> for a Permutation. With a ParameterCoding, the search may breed bits or the real numbers that they code:
+// see gaprocs/policies/coding.hpp. An objective that is infinite or NaN is worse than every other, so objective() may
+// return infinity for an individual that is not allowed.
 
-/// The functions of an objective problem: the representation of its strings, and the objective of what a string decodes
-/// to. Optional are parameter_names() and parameter_units(), by default "x_1", "x_2", ... without a unit;
-/// objective_unit(); and optimum(), the best possible objective.
+/// An objective problem has representation(), and objective() of what the representation decodes. It may also have
+/// parameter_names() and parameter_units(), by default "x_1", "x_2", ... without units; objective_unit(); and
+/// optimum(), the best possible objective.
 template <typename P>
 concept StatesObjective = requires(const P& problem, const Genome& genome) {
     { problem.objective(problem.representation().decode(genome)) } -> std::convertible_to<double>;
     { problem.representation().bits() } -> std::convertible_to<std::size_t>;
 };
 
-/// The SearchProblem that is made from an objective problem.
+/// Makes a SearchProblem of an objective problem.
 template <StatesObjective P>
 class ObjectiveProblemOf final : public SearchProblem {
 public:

@@ -16,11 +16,12 @@
 
 namespace placedpar {
 
-/// Sets sums[i] to the sum of individual i's terms over the samples, for several individuals at once.
-/// `parameters_from.operator()<width>(i)` returns the parameters of several individuals, from individual i on, as a
-/// container of Lanes. `terms(std::span<const T>)`, for any Lanes T, returns a function. This function is called with
-/// each sample in turn and returns the sample's terms. The sums have the same bits as in a loop over single
-/// individuals: every operation rounds in a lane as it does alone (runtime/vector_width.hpp).
+/// Sets sums[i] to the sum of individual i's terms over the samples. Computes several individuals at once.
+/// `parameters_from.operator()<width>(i)` returns the parameters of individual i and the following ones, as a container
+/// of Lanes. `terms(parameters)` takes these parameters as a std::span of Lanes. It returns a function that is called
+/// with one sample after another, and returns the terms of the sample. The sums have the same bits as in a loop over
+/// single individuals, because an operation on Lanes rounds like the same operation on a double
+/// (runtime/vector_width.hpp).
 template <typename ParametersFrom, typename Samples, typename Terms>
 void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& samples, const Terms& terms,
                        std::span<double> sums) {
@@ -41,8 +42,8 @@ void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& sam
     });
 }
 
-/// Does the same as sum_in_lanes_from(), with parameters that are computed for one individual at a time.
-/// `parameters_of(i)` always returns the same number of parameters.
+/// Does the same as sum_in_lanes_from(), but gets the parameters of one individual at a time: parameters_of(i) returns
+/// them. REQUIRES: all individuals have the same number of parameters.
 template <typename ParametersOf, typename Samples, typename Terms>
 void sum_terms_in_lanes(const ParametersOf& parameters_of, const Samples& samples, const Terms& terms,
                         std::span<double> sums) {
@@ -50,7 +51,7 @@ void sum_terms_in_lanes(const ParametersOf& parameters_of, const Samples& sample
         constexpr std::size_t count = Lanes<width>::count;
         std::vector<std::array<double, count>> numbers;
         for (std::size_t lane = 0; lane < count; ++lane) {
-            // Lanes beyond the last individual repeat it; their results are not used.
+            // If too few individuals are left, the other lanes repeat the last; their results are not used.
             const auto& of_one = parameters_of(std::min(first + lane, sums.size() - 1));
             numbers.resize(of_one.size());
             for (std::size_t j = 0; j < of_one.size(); ++j)
@@ -61,8 +62,8 @@ void sum_terms_in_lanes(const ParametersOf& parameters_of, const Samples& sample
     sum_in_lanes_from(side_by_side, samples, terms, sums);
 }
 
-/// Does the same as sum_terms_in_lanes(), for terms that do not depend on earlier samples: `term(std::span<const T>,
-/// sample)` returns a term.
+/// Does the same as sum_terms_in_lanes(), for terms that do not depend on earlier samples: `term(parameters, sample)`
+/// returns a term.
 template <typename ParametersOf, typename Samples, typename Term>
 void sum_in_lanes(const ParametersOf& parameters_of, const Samples& samples, const Term& term, std::span<double> sums) {
     auto terms = [&]<class T>(std::span<const T> parameters) {
@@ -71,10 +72,9 @@ void sum_in_lanes(const ParametersOf& parameters_of, const Samples& samples, con
     sum_terms_in_lanes(parameters_of, samples, terms, sums);
 }
 
-/// A problem that states its error as a function of its parameters, for double and for Lanes, so that several
-/// individuals can be evaluated at once. `parameters_of(string)` decodes the parameters into an array or vector, which
-/// always has the same length. `error_of<T>(parameters, sample)` returns the error: T is double for one individual, and
-/// Lanes<width> for several.
+/// A problem that states its error as a function of parameters, so that several individuals can be evaluated at once.
+/// `parameters_of(string)` decodes the parameters into an array or a vector, whose length is the same for all strings.
+/// `error_of<T>(parameters, sample)` returns the error. T is double for one individual, and Lanes<width> for several.
 template <typename P, typename G>
 concept ErrorOfParameters = requires(const P& problem, const G& genome, std::span<const Lanes<2>> parameters,
                                      std::span<const double> sample) {
@@ -83,16 +83,17 @@ concept ErrorOfParameters = requires(const P& problem, const G& genome, std::spa
 };
 
 /// A problem whose error at a sample depends on the earlier samples of the window, as in a simulation.
-/// `errors_along<T>(parameters)` returns a function, which is called with the samples of a window, oldest first, and
-/// returns the error at each. `parameters_of` is as for ErrorOfParameters. error_of() returns the error at the first
-/// sample of a window.
+/// `errors_along<T>(parameters)` returns a function that is called with one sample of a window after another, oldest
+/// first, and returns the error at the sample. `parameters_of` is as for ErrorOfParameters. `error_of` returns the
+/// error at the first sample of a window.
 template <typename P>
 concept ErrorAlongWindow = requires(const P& problem, std::span<const double> parameters,
                                     std::span<const double> sample) {
     { problem.template errors_along<double>(parameters)(sample) } -> std::convertible_to<double>;
 };
 
-/// Returns a function, which is called with the samples of a window, oldest first, and returns the error at each.
+/// Returns a function that is called with one sample of a window after another, oldest first, and returns the error at
+/// the sample.
 template <typename T, typename P>
 [[gnu::always_inline]] inline auto errors_along(const P& problem, std::span<const T> parameters) {
     if constexpr (ErrorAlongWindow<P>)
@@ -103,22 +104,22 @@ template <typename T, typename P>
         };
 }
 
-/// A problem that can decode several strings at once: `parameters_of_several(StringsInLanes)` returns the parameters as
-/// Lanes.
+/// A problem that can decode several strings at once: `parameters_of_several(strings)` takes StringsInLanes and returns
+/// the parameters as Lanes.
 template <typename P, bool gray>
 concept ParametersOfSeveral = requires(const P& problem, const StringsInLanes<2, gray>& strings) {
     { problem.parameters_of_several(strings)[0] } -> std::convertible_to<Lanes<2>>;
 };
 
-/// A problem that can prepare a sample once for all individuals: error_of<T>(parameters, prepared(sample)) returns the
-/// error at the sample.
+/// A problem that can prepare a sample once for all individuals: `error_of<T>(parameters, prepared(sample))` returns
+/// the error at the sample.
 template <typename P>
 concept PreparesSamples = requires(const P& problem, std::span<const Lanes<2>> parameters,
                                    std::span<const double> sample) {
     { problem.template error_of<Lanes<2>>(parameters, problem.prepared(sample)) } -> std::convertible_to<Lanes<2>>;
 };
 
-/// Computes the fitness of each string over samples that errors_along() can take.
+/// Computes the fitness of each string over `samples`, which may be prepared samples.
 template <bool gray, typename P, typename Samples>
 void fitness_over(const P& problem, std::span<const Genome> population, const Samples& samples, double bias,
                   std::span<double> fitness) {
@@ -139,7 +140,7 @@ void fitness_over(const P& problem, std::span<const Genome> population, const Sa
 }
 
 /// Computes the fitness of each string over the samples. The results have the same bits as if one individual were
-/// evaluated at a time. REQUIRES: strings of problem.bits(); fitness.size() == population.size().
+/// evaluated at a time. REQUIRES: every string has problem.bits() bits; fitness.size() == population.size().
 template <bool gray, typename P, typename Samples>
 void fitness_in_lanes(const P& problem, std::span<const Genome> population, const Samples& samples, double bias,
                       std::span<double> fitness) {

@@ -11,34 +11,34 @@
 
 namespace placedpar {
 
-/// Settings that suit a record. The user is warned of other settings.
+/// Settings that suit a record. A netlist with other settings gets a warning.
 struct RecordAdvice {
-    std::size_t trials =
-        0;           ///< generations per sample, if the record's own time is counted in generations; 0: any number
-    double bias = 0; ///< B of eq. 3.9, if its order of magnitude differs from the thesis's; 0: the thesis's B
+    std::size_t trials = 0; ///< right number of generations per sample, if changes of the record happen at stated
+                            ///< generations; 0: any number is right
+    double bias = 0; ///< suitable B of eq. 3.9; 0: the default suits
 };
 
-/// A record of measurements that takes time to make, for example by a simulation.
+/// A record of measurements that is made only when it is needed, for example by a simulation.
 struct RecordToMake {
-    std::size_t samples = 0; ///< number of samples that make() returns, known before make() is called
+    std::size_t samples = 0; ///< number of samples that make() will return
     std::function<std::vector<Sample>()> make = nullptr;
     RecordAdvice advice = {};
 };
 
-/// Problems that share a name and differ in their numbers, such as "sphere(dimensions = 3, bits = 16)". A family of
-/// objective problems is made from a struct with the name, the `about` line and the numbers of a policy. The struct is
-/// itself an objective problem (gaprocs/objective_problem.hpp), or its function problem() returns one. Problems with a
-/// record also state how the record is made.
+/// Problems that share a name and differ in their numbers, such as "sphere(dimensions = 3, bits = 16)". minimised() and
+/// maximised() make a family of objective problems from a struct that has `name`, `about` and numbers() like a policy.
+/// The struct is itself an objective problem (gaprocs/objective_problem.hpp), or its function problem() returns one.
 struct ProblemFamily {
     PolicyDescription description;
-    /// Makes the problem. REQUIRES: one number for each number of the description, each in its range. Throws as the
-    /// struct's representation().
+    /// Makes the problem. REQUIRES: `numbers` has a value in range for each number of the description. Throws what the
+    /// constructor or representation() of the problem throws.
     std::function<std::shared_ptr<const SearchProblem>(const std::vector<double>& numbers)> make;
-    /// Returns a way to make the record. Null for objective problems. REQUIRES: as for `make`.
+    /// Returns the record that belongs to the problem, not made yet. Null for objective problems. REQUIRES: as for
+    /// `make`.
     std::function<RecordToMake(const std::vector<double>& numbers)> record = nullptr;
 };
 
-/// Returns the problem for these numbers: the struct itself, or the result of its problem().
+/// Returns the problem with these numbers: the struct P itself, or the result of its problem().
 template <class P>
 auto problem_with(const std::vector<double>& numbers) {
     if constexpr (requires(const P& family) { family.problem(); })

@@ -83,7 +83,8 @@ const RecordedProblem& ProblemRegistry::find(std::string_view name) const {
                                 guess.empty() ? "" : "; " + guess));
 }
 
-/// Makes a problem. An error names the problem by the text that the caller asked for.
+/// Returns the problem of the family that `text` names; makes it if it has not been made before. An error names the
+/// problem with all its numbers.
 const RecordedProblem& ProblemRegistry::make(const ProblemFamily& family, std::string_view text) const {
     std::vector<double> numbers = read_policy(text, {family.description}).numbers;
     std::string full = family.description.text(numbers);

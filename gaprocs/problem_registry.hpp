@@ -13,12 +13,11 @@
 
 namespace placedpar {
 
-/// A search problem with its record of measurements. An objective problem has no record. Not thread-safe: the first
-/// call of record() may make the record.
+/// A search problem with its record of measurements; the record of an objective problem is empty. Not thread-safe: the
+/// first call of record() may make the record.
 class RecordedProblem {
 public:
-    /// Throws std::invalid_argument if the numbers in a sample do not match the problem's channels, or if an objective
-    /// problem has a record.
+    /// Throws std::invalid_argument as require_channels(), or if an objective problem has a record.
     RecordedProblem(std::shared_ptr<const SearchProblem> problem, std::vector<Sample> record);
     RecordedProblem(std::shared_ptr<const SearchProblem> problem, RecordToMake record)
         : problem_(std::move(problem)), samples_(record.samples), advice_(record.advice),
@@ -28,9 +27,9 @@ public:
     /// Returns the length of the record without making it.
     std::size_t samples() const { return samples_; }
     const RecordAdvice& advice() const { return advice_; }
-    /// Returns the samples in the order of time. If the record was added by add_to_make(), the first call makes it. The
-    /// first call then throws std::invalid_argument as the constructor does, or UserError if the number of samples
-    /// differs from RecordToMake::samples.
+    /// Returns the samples, oldest first. If this was constructed with a RecordToMake, the first call makes the record.
+    /// That call throws as the other constructor does, and UserError if the number of samples differs from
+    /// RecordToMake::samples.
     const std::vector<Sample>& record() const;
 
 private:
@@ -44,20 +43,20 @@ private:
 };
 
 /// The problems that a netlist may name, as in `problem = "boom"`. The registry is filled before a run. find() does not
-/// make a record: the process that reads the record makes it.
+/// make a record; the first RecordedProblem::record() does.
 class ProblemRegistry {
 public:
-    /// Add a problem. `record`: the samples, or a way to make them. Throw std::invalid_argument for an empty or
-    /// repeated name, for a null problem, or if the numbers in a sample do not match the problem's channels.
+    /// Add a problem. `record`: the samples, or how to make them. Throw std::invalid_argument for an empty or repeated
+    /// name and for a null problem, and as the constructors of RecordedProblem.
     void add(std::string name, std::shared_ptr<const SearchProblem> problem, std::vector<Sample> record = {});
     void add_to_make(std::string name, std::shared_ptr<const SearchProblem> problem, RecordToMake record);
 
-    /// Adds a family of problems. A problem of it is made when find() first asks for its name and numbers: "sphere",
-    /// "sphere(3)", "sphere(bits = 20)". Throws std::invalid_argument for an empty or repeated name.
+    /// Adds a family of problems. The first find() with a problem's numbers makes the problem: "sphere", "sphere(3)",
+    /// "sphere(bits = 20)". Throws std::invalid_argument for an empty or repeated name.
     void add(ProblemFamily family);
 
-    /// Returns the problem. Throws UserError if it does not exist (the message lists the existing problems), if its
-    /// numbers are wrong, or if it cannot be made from them. The reference is valid as long as the registry exists.
+    /// Returns the problem. Throws UserError if the name is unknown (the message lists the names), or if the numbers
+    /// are wrong or give no valid problem. The reference is valid as long as the registry exists.
     const RecordedProblem& find(std::string_view name) const;
 
     /// Returns the names in alphabetical order. A family is listed by its name without numbers.
@@ -73,7 +72,7 @@ private:
 
     std::map<std::string, RecordedProblem, std::less<>> problems_;
     std::map<std::string, ProblemFamily, std::less<>> families_;
-    mutable std::map<std::string, RecordedProblem> made_; ///< problems of families, by their full text
+    mutable std::map<std::string, RecordedProblem> made_; ///< problems made of families, by name with all numbers
 };
 
 } // namespace placedpar

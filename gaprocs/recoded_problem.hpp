@@ -11,18 +11,18 @@
 
 namespace placedpar {
 
-/// A problem for a search that breeds other strings than the problem reads: strings with fewer bits, or strings
-/// relative to a point that moves.
+/// Adapts a problem to a search that breeds other strings than the problem reads: strings with fewer bits, or relative
+/// to a bias point that moves.
 class RecodedProblem final : public SearchProblem {
 public:
-    /// The problem itself is read in natural binary. Throws as Recoding::validate(). Throws UserError if the problem's
-    /// strings are not binary, or if the problem states no fields. The bits of the fields must add up to the length of
-    /// the string.
+    /// Uses `problem` in natural binary. Throws as Recoding::validate() and SearchProblem::coded(). Throws UserError if
+    /// the problem's strings are not binary, or unless Recoding::problem_bits add up to their length and equal the
+    /// fields that the problem states, if it states any.
     RecodedProblem(const SearchProblem& problem, Recoding recoding);
 
-    /// Moves the point to which the bred strings are relative. REQUIRES: a string of the problem.
+    /// Sets the bias point, Recoding::around. REQUIRES: `around` is a string of the problem.
     void move_to(Genome around) { recoding_.around = std::move(around); }
-    /// Converts a bred string to the string that the problem reads.
+    /// Returns the problem's string for a bred string.
     Genome to_problem(const Genome& bred) const { return recoding_.to_problem(bred); }
 
     std::size_t bits() const override { return recoding_.length(); }

@@ -14,8 +14,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t most_field_bits = 63; // one bit less than a word has, because code_around() computes with signed
-                                            // numbers
+constexpr std::size_t most_field_bits = 63; // not 64, because code_around() computes with signed numbers
 
 std::size_t sum_of(const std::vector<std::size_t>& bits) {
     return std::accumulate(bits.begin(), bits.end(), std::size_t{0});
@@ -31,8 +30,7 @@ void validate_field(std::size_t number, std::size_t bits, std::size_t problem_bi
                         counted(bits, "bit"), problem_bits));
 }
 
-/// Returns a code around the centre, limited to the codes of the problem's field. `code` counts steps from the lowest
-/// code, which is 2^(bits - 1) steps below the centre.
+/// Returns `centre` - 2^(`bits` - 1) + `code`, limited to the codes of a field of `problem_bits` bits.
 std::uint64_t code_around(std::uint64_t centre, std::uint64_t code, std::size_t bits, std::size_t problem_bits) {
     auto highest = static_cast<std::int64_t>((std::uint64_t{1} << problem_bits) - 1);
     std::int64_t below = std::int64_t{1} << (bits - 1);

@@ -10,28 +10,30 @@
 
 namespace placedpar {
 
-/// Converts each field of the string that a search breeds to a field of the string that a problem reads in natural
-/// binary. The bred fields may have fewer bits, may be relative to a point, and may be in any coding of bits.
+/// Says how the strings that a search breeds are converted, field by field, to strings that a problem reads in natural
+/// binary. A bred field may have fewer bits than the problem's field, may be relative to a bias point, and may be in
+/// natural binary or Gray code.
 struct Recoding {
-    std::vector<std::size_t> problem_bits; ///< bits of each field of the problem's string
-    /// Bits of each field of the bred string, at most the number of bits of the problem's field. Without `around`, they
-    /// are the field's most significant bits (thesis 6.2). The problem's other bits are 0.
+    std::vector<std::size_t> problem_bits; ///< number of bits of each field of the problem's string
+    /// Number of bits of each field of the bred string, at most that of the problem's field. Without `around`, the bred
+    /// bits are the most significant bits of the problem's field (thesis 6.2), whose other bits are 0.
     std::vector<std::size_t> bits;
     Coding coding = Coding::natural; ///< coding of the bred fields
-    /// A string of the problem, which is the bias point of a "fine" genetic algorithm. A bred field with all bits of
-    /// the problem's field ignores this point. A field with fewer bits counts steps of the problem's field. It counts
-    /// from 2^(bits - 1) steps below this point, and the result is limited to the problem's range.
+    /// The bias point of a "fine" genetic algorithm, as a string of the problem. A bred field with as many bits as the
+    /// problem's field ignores the bias point. For a field with fewer bits, n bits, the problem's field is set to that
+    /// of the bias point, plus the bred number, minus 2^(n - 1), limited to the range of the problem's field.
     std::optional<Genome> around = std::nullopt;
 
-    /// Throws std::invalid_argument if there are no fields, if the coding has no bits, or if `bits` and `problem_bits`
-    /// have different lengths. Throws it also if a field has 0 bits, more than 63 bits, or more bits than the problem's
-    /// field. Throws it also if `around` does not have the length of the problem's string.
+    /// Throws std::invalid_argument if there are no fields, if the coding is "real", or if `bits` and `problem_bits`
+    /// have different lengths. Throws it also unless every field has 1 to 63 bits, and a bred field at most the bits of
+    /// the problem's field. Throws it also if `around` is not as long as the problem's string.
     void validate() const;
     /// Returns the length of the bred string in bits.
     std::size_t length() const;
     /// Returns the length of the problem's string in bits.
     std::size_t problem_length() const;
-    /// Returns the problem's string. REQUIRES: validate() throws nothing, and the bred string has length().
+    /// Returns the problem's string for a bred string. REQUIRES: validate() throws nothing, and bred.size() ==
+    /// length().
     Genome to_problem(const Genome& bred) const;
     std::vector<Genome> to_problem(std::span<const Genome> bred) const;
 };

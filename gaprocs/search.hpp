@@ -20,29 +20,28 @@
 
 namespace placedpar {
 
-/// The state of a traditional genetic algorithm. The search makes one generation at a time, but does not evaluate
-/// individuals. Its owner (a plain loop, a master with slaves, an island) computes the fitness of population() and
-/// passes it to next_generation(). The next generation depends only on the settings, the random stream and the fitness,
-/// and not on the process that computed the fitness. So algorithm A gives exactly the generations of the traditional
-/// algorithm.
+/// The state of a traditional genetic algorithm. A search breeds one generation at a time, but does not evaluate
+/// individuals. The caller (a plain loop, a master with slaves, an island) computes the fitness of population() and
+/// passes it to next_generation(). The next generation depends only on the settings, the random stream and the fitness.
+/// So algorithm A, whose slaves compute the fitness, gives exactly the generations of the traditional algorithm.
 ///
-/// An island calls, in this order: emigrants() after the evaluation, accept() for the immigrants, next_generation(). If
-/// immigrants come among the offspring, it calls next_generation() first, then accept_among_offspring().
+/// After an evaluation, an island calls emigrants(), then accept(), then next_generation(). If
+/// Acceptance::among_offspring(), it calls emigrants(), then next_generation(), then accept_among_offspring().
 ///
-/// An elite (SearchSettings::elite) is copied unchanged to the beginning of the next population, the best individual
-/// first. Only the strings are copied. The elite is evaluated again with all others, because its fitness changes when
-/// the window moves. While the window stays the same, the best fitness never decreases.
+/// The elite (SearchSettings::elite) is copied unchanged to the beginning of the next population, the best individual
+/// first. Only the strings are copied: the elite is evaluated again like all others, because its fitness changes when
+/// the window moves. If there is an elite, the best fitness never decreases while the window stays the same.
 class Search {
 public:
     /// Takes the first individuals from SearchSettings::initial and draws the others. Throws as
-    /// SearchSettings::validate(). Throws UserError for a crossover or a mutation that does not fit the representation,
-    /// and for initial individuals of another length.
+    /// SearchSettings::validate() and require_fitting_operators(). Throws UserError if an initial individual does not
+    /// have representation.bits() bits.
     Search(Representation representation, const SearchSettings& settings, RandomStream random);
-    /// Makes a search of binary strings. Throws also std::invalid_argument for 0 bits.
+    /// Makes a search of binary strings. Throws as above, and std::invalid_argument for 0 bits.
     Search(std::size_t bits, const SearchSettings& settings, RandomStream random)
         : Search(BitString(bits), settings, std::move(random)) {}
-    /// Starts from a given population of binary strings. Throws std::invalid_argument also if the population does not
-    /// have settings.population strings, or if its strings have different lengths.
+    /// Starts from a given population of binary strings. Throws as above. Throws std::invalid_argument if the
+    /// population does not have settings.population strings, or if they have different lengths.
     Search(std::vector<Genome> population, const SearchSettings& settings, RandomStream random);
 
     const Representation& representation() const { return representation_; }
@@ -51,35 +50,34 @@ public:
     std::vector<Genome> take_population() && { return std::move(population_); }
     /// Returns the number of generations evaluated so far.
     std::uint64_t generation() const { return generation_; }
-    /// Returns how often no individual had positive fitness. The whole population except the elite was then drawn anew.
-    /// The thesis does not mention this case, in which all sectors of the roulette wheel are empty.
+    /// Returns how often the population, except the elite, was drawn anew because Reproduction found no parents. The
+    /// thesis does not mention this case: no fitness is positive, so the roulette wheel has no sectors.
     std::uint64_t redraws() const { return redraws_; }
 
-    /// A function that is called after the evaluation of each generation and before breeding. Its arguments are this
-    /// search and the fitness. Immigrants are then already in the population. Without a listener, nothing is computed
-    /// for it.
+    /// A function that next_generation() calls before it breeds. At that time the population includes the immigrants of
+    /// accept().
     using Listener = std::function<void(const Search&, std::span<const double> fitness)>;
     void listen(Listener listener) { listener_ = std::move(listener); }
 
-    /// Ends the evaluated generation: keeps its best individual, then reproduces, crosses and mutates. Throws
-    /// std::invalid_argument unless there is one finite fitness for each individual.
+    /// Keeps the best individual of the evaluated generation, then breeds the next: reproduction, crossover and
+    /// mutation. Throws std::invalid_argument unless there is one finite fitness for each individual.
     void next_generation(std::span<const double> fitness);
 
-    /// Returns the best individual of the last evaluated generation. The best of all generations would mean little,
-    /// because the fitness changes with the window. Throws std::logic_error before the first next_generation().
+    /// Returns the best individual of the last evaluated generation. Earlier generations are not comparable, because
+    /// the fitness changes with the window. Throws std::logic_error before the first next_generation().
     const Individual& best() const;
 
-    /// Returns copies of the emigrants with their fitness, by default of the best individual. Draws from this search's
-    /// random stream. Throws as next_generation(), and UserError if the population has fewer individuals than
-    /// emigrants.
+    /// Returns copies of the emigrants with their fitness; by default, the best individual emigrates. Draws from this
+    /// search's random stream. Throws as next_generation() and as Emigration.
     std::vector<Individual> emigrants(std::span<const double> fitness, const Emigration& emigration = {});
-    /// Replaces individuals, by default the worst, by immigrants: their strings in population(), and their fitness in
-    /// `fitness`. Returns for each immigrant the index of the individual that it replaced. Draws from this search's
-    /// random stream. Throws as next_generation(), also for a string of another length. Throws UserError if there are
-    /// more immigrants than individuals outside the elite. REQUIRES: !acceptance.among_offspring().
+    /// Replaces individuals by immigrants, both in population() and in `fitness`; by default, an immigrant replaces the
+    /// worst individual. Returns for each immigrant the index of the individual that it replaced. Draws from this
+    /// search's random stream. Throws as next_generation() and as Acceptance, and std::invalid_argument for an
+    /// immigrant of another length. REQUIRES: !acceptance.among_offspring().
     Places accept(std::span<const Individual> immigrants, std::span<double> fitness, const Acceptance& acceptance = {});
-    /// Replaces individuals of the new population by immigrants, except the elite at its beginning. The immigrants are
-    /// evaluated with the new population. Throws as accept(). REQUIRES: next_generation() was called just before.
+    /// Replaces individuals of the population that next_generation() has bred, except the elite, by immigrants. Throws
+    /// as Acceptance, and std::invalid_argument for an immigrant of another length. REQUIRES: the population has not
+    /// been evaluated since next_generation().
     Places accept_among_offspring(std::span<const Individual> immigrants);
 
 private:
@@ -96,7 +94,7 @@ private:
     double mutation_probability_;
     RandomStream random_;
     std::vector<Genome> population_;
-    std::vector<Genome> offspring_; ///< memory for the next population, reused
+    std::vector<Genome> offspring_; ///< the next population while it is bred; a member to reuse the memory
     std::optional<Individual> best_;
     std::uint64_t generation_ = 0;
     std::uint64_t redraws_ = 0;

@@ -16,25 +16,26 @@ namespace placedpar {
 
 class SearchProblem; // gaprocs/search_problem.hpp
 
-/// An evaluated generation before it breeds. It includes the immigrants that were accepted; immigrants among the
-/// offspring come later.
+/// An evaluated generation before it breeds. Its population includes the accepted immigrants, but not immigrants among
+/// the offspring, which come after breeding.
 struct ObservedGeneration {
-    std::string_view search;  ///< name of the process; in the library, "traditional" or a name such as "island[2]"
+    std::string_view search;  ///< name of the process; without processes, "traditional" or a name such as "island[2]"
     std::uint64_t number;     ///< from 1
-    std::optional<Time> time; ///< virtual time at which the genetic operators are done; nothing in the library
+    std::optional<Time> time; ///< virtual time at which the genetic operators of the generation end; nothing without a
+                              ///< simulated machine
     const Representation& representation;
     std::span<const Genome> population;
     std::span<const double> fitness; ///< one for each individual
     std::optional<Goal> goal =
-        {}; ///< goal of an objective problem; if the objective is minimised, the fitness is the negated objective
+        {}; ///< goal of the objective, if there is one; Goal::minimise: the fitness is the negated objective
 };
 
-/// An immigrant that was accepted or rejected.
+/// An individual that came to an island.
 struct ObservedMigration {
     std::string_view from, to;
     std::uint64_t generation; ///< generation of the search `to`, from 1
     std::optional<Time> time; ///< as in ObservedGeneration
-    double fitness;           ///< fitness of Migration::individual (gaprocs/islands.hpp)
+    double fitness;           ///< fitness of Migration::individual, see gaprocs/islands.hpp
     bool accepted;            ///< false: rejected
 };
 
@@ -47,28 +48,28 @@ struct ObservedAnswer {
     std::span<const double> values;     ///< values of the parameters
 };
 
-/// Receives the events of the searches of one run. The observer must not affect the searches.
+/// Receives the events of all searches of a run. An observer must not affect the searches.
 ///
-/// 1. The generations of a search come in order, without gaps.
-/// 2. The immigrants of a generation come after it, and before the next generation of the same search. They come in the
-/// order of acceptance or rejection.
+/// 1. The generations of a search are reported in order, without gaps.
+/// 2. The immigrants of a generation are reported after the generation, and before the next generation of the same
+/// search, in the order in which they were accepted or rejected.
 /// 3. The order of events of different searches is not specified.
 /// 4. References and views in the arguments are valid only during the call.
 ///
-/// Without an observer, a search compares a pointer with null once in each generation (Search::listen).
+/// Without an observer, the cost is one comparison in each generation (Search::listen).
 class SearchObserver {
 public:
     virtual void observe(const ObservedGeneration&) = 0;
     virtual void observe(const ObservedMigration&) = 0;
-    /// Receives an analyst's answer. The answers of an analyst come in the order of generations.
+    /// The answers of an analyst are reported in the order of the generations.
     virtual void observe(const ObservedAnswer&) = 0;
 
 protected:
     ~SearchObserver() = default;
 };
 
-/// Returns a listener for Search::listen() that passes generations to an observer. `now` returns the time; it is null
-/// in the library. REQUIRES: the observer outlives the search.
+/// Returns a listener for Search::listen() that passes generations to an observer. `now` returns the virtual time; null
+/// without a simulated machine. REQUIRES: the observer outlives the search.
 Search::Listener told_to(SearchObserver& observer, std::string search, const SearchProblem&, Time (*now)() = nullptr);
 
 } // namespace placedpar

@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-/// A problem whose string has don't-care bits between every two bits of the original string.
+/// A problem whose strings have don't-care bits between every two neighbouring bits of the original string.
 class StuffedProblem final : public SearchProblem {
 public:
     /// REQUIRES: the strings of `plain` are binary.

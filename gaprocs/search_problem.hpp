@@ -19,13 +19,14 @@
 
 namespace placedpar {
 
-/// The numbers measured at one sampling instant, in the order that the problem defines.
+/// The numbers measured at one time, in the order that the problem defines.
 using Sample = std::vector<double>;
 
-/// The functions of a problem that a search needs. A plain struct can have them without including this header. If the
-/// genome's type is a template parameter and the struct reads it by field(first, count), the problem allows every
-/// Coding. Optional are `coding()`, the ParameterCoding of its string; `true_parameters()`, the values from which a
-/// simulated record was made; and the members of ErrorOfParameters, which make the evaluation of a population faster.
+/// The functions of a problem that a search needs. A plain struct can have them without including this header. A
+/// problem works with natural binary and Gray code if its functions are templates of the genome's type and read the
+/// genome by field(first, count). A problem may also have `coding()`, the ParameterCoding of the string;
+/// `true_parameters()`, the parameters from which a simulated record was made; and the members of ErrorOfParameters,
+/// which make the evaluation of a population faster.
 template <typename P, typename G = Genome>
 concept Searchable = requires(const P& problem, const G& genome, std::span<const double> sample) {
     { problem.bits() } -> std::convertible_to<std::size_t>;
@@ -36,8 +37,8 @@ concept Searchable = requires(const P& problem, const G& genome, std::span<const
     { problem.parameter_units() } -> std::convertible_to<std::vector<std::string>>;
 };
 
-/// A type-erased search problem, which processes can find by its name. It is immutable, so several processes may share
-/// it.
+/// A type-erased search problem, which processes find by name in a ProblemRegistry. A SearchProblem is immutable, so
+/// several processes may share it.
 class SearchProblem {
 public:
     virtual ~SearchProblem() = default;
@@ -46,51 +47,51 @@ public:
     virtual std::size_t bits() const = 0;
     /// Returns the representation of the string.
     virtual Representation representation() const { return BitString(bits()); }
-    /// Returns how many numbers a sample has; 0 for a problem with an objective().
+    /// Returns the number of numbers in a sample; 0 for a problem with an objective().
     virtual std::size_t channels() const = 0;
-    /// Returns the objective of a problem that is searched without a record, and nothing for a problem with a record.
-    /// With an objective, fitness() ignores the samples and the bias.
+    /// Returns the objective of a problem that needs no record of measurements; nothing for a problem with a record. If
+    /// there is an objective, fitness() ignores the samples and the bias.
     virtual std::optional<Objective> objective() const { return std::nullopt; }
-    /// Returns whether the error at a sample depends on the first sample of its window. If it does, the error
-    /// evaluations of one individual cannot be split between processes.
+    /// Returns whether the error at a sample depends on the first sample of the window. If so, the errors of one
+    /// individual cannot be divided among processes.
     virtual bool depends_on_window() const { return false; }
     /// Returns the errors of one individual at the samples of a window, oldest first. REQUIRES: as error().
     virtual std::vector<double> errors(const Genome& genome, std::span<const Sample> window) const;
-    /// Returns the error of one individual at one sample, as the first sample of a window (eq. 3.8). REQUIRES: a string
-    /// of bits() bits, a sample of channels() numbers, and no objective().
+    /// Returns the error of one individual at one sample (eq. 3.8). If depends_on_window(), the sample is taken as the
+    /// first of a window. REQUIRES: a string of bits() bits, a sample of channels() numbers, and no objective().
     virtual double error(const Genome& genome, std::span<const double> sample) const = 0;
-    /// Returns the sum of fitness_term() over the samples, with one virtual call for each individual.
+    /// Returns the fitness of one individual: the sum of fitness_term() over the samples, or the fitness of the
+    /// objective().
     virtual double fitness(const Genome& genome, std::span<const Sample> samples, double bias) const = 0;
-    /// Computes the fitness() of each individual of a population, with the same bits as fitness(). If the problem's
-    /// error is a function of its parameters, computes several individuals at once. REQUIRES: out.size() ==
-    /// population.size().
+    /// Sets out[i] to fitness() of individual i, bit for bit. For a problem that satisfies ErrorOfParameters, computes
+    /// several individuals at once. REQUIRES: out.size() == population.size().
     virtual void fitness_of(std::span<const Genome> population, std::span<const Sample> samples, double bias,
                             std::span<double> out) const = 0;
-    /// Returns the parameters that the string codes. The next two functions return their names and units.
+    /// Return the parameters that the string codes, their names and their units.
     virtual std::vector<double> decode(const Genome& genome) const = 0;
     virtual std::vector<std::string> parameter_names() const = 0;
     virtual std::vector<std::string> parameter_units() const = 0;
     /// Returns the true values of the parameters; empty if they are unknown.
     virtual std::vector<double> true_parameters() const { return {}; }
 
-    /// Returns the number of bits of each field of the string, in the order of the fields and without don't-care bits.
-    /// Empty if the problem does not state its fields.
+    /// Returns the number of bits of each field of the string, without don't-care bits; empty if the problem does not
+    /// state its fields.
     virtual std::vector<std::size_t> fields() const { return {}; }
     /// Returns the coding of the string.
     virtual Coding coding() const = 0;
-    /// Returns the same problem with its string in another coding. Throws UserError if the string cannot have this
+    /// Returns the same problem with strings in another coding. Throws UserError if the problem cannot have this
     /// coding.
     std::shared_ptr<const SearchProblem> coded(Coding) const;
 
 private:
-    /// Does the same as coded(). REQUIRES: the coding has no don't-care bits.
+    /// Does the work of coded() for a coding without don't-care bits.
     virtual std::shared_ptr<const SearchProblem> coded_plainly(Coding) const = 0;
 };
 
-/// Throws the UserError of coded() for a coding that a problem's string cannot have.
+/// Throws the UserError of coded() that says that a problem cannot have this coding.
 [[noreturn]] void refuse_coding(Coding);
 
-/// The SearchProblem of a plain struct.
+/// Makes a SearchProblem of a plain struct.
 template <Searchable P, bool gray = false>
 class SearchProblemOf final : public SearchProblem {
 public:

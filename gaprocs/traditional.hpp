@@ -11,21 +11,21 @@
 
 namespace placedpar {
 
-/// The answer of a search after the last generation with a sample.
+/// The answer of a search after a sample.
 struct Estimate {
     std::size_t sample; ///< number of the sample in the record, from 0
-    Individual best;    ///< best individual of the sample's last generation
+    Individual best;    ///< best individual of the last generation before the next sample
     std::vector<double> parameters;
 };
 
 struct SearchResult {
-    std::vector<Estimate> estimates; ///< one for each sample; samples before SlidingWindow::ready() have none
+    std::vector<Estimate> estimates; ///< one for each sample from the first at which SlidingWindow::ready()
     std::uint64_t generations = 0;
     std::uint64_t redraws = 0;
     std::vector<Genome> population; ///< population after the last generation, not yet evaluated
 
-    /// Returns the best of all estimates; among equals the first. Only useful if the fitness does not depend on a
-    /// moving window, as for an objective. Throws std::logic_error if there are no estimates.
+    /// Returns the fittest of all estimates; among equals the first. Useful for an objective; with a moving window,
+    /// fitness values of different samples are not comparable. Throws std::logic_error if there are no estimates.
     const Estimate& best() const;
 };
 
@@ -33,12 +33,12 @@ struct SearchResult {
 std::vector<double> evaluate(const SearchProblem& problem, std::span<const Genome> population,
                              std::span<const Sample> window, double bias);
 
-/// Runs the traditional genetic algorithm over a record (thesis figure 1.1, 3.1.1), without processes, a machine or
-/// times. Algorithm A must give the same results bit for bit. Observers see the search under the name "traditional".
-/// Throws as SearchSettings::validate() and settings_for(), and UserError for a window longer than the record.
+/// Runs the traditional genetic algorithm over a record (thesis figure 1.1, 3.1.1), without a simulated machine.
+/// Algorithm A must give the same results bit for bit. The observer gets the search under the name "traditional".
+/// Throws as SearchSettings::validate(), settings_for(), WindowSettings::validate_for() and require_channels().
 SearchResult run_traditional(const SearchProblem& problem, std::span<const Sample> record,
                              const SearchSettings& settings, RandomStream random, SearchObserver* observer = nullptr);
-/// Runs the algorithm on an objective, without a record. Gives one estimate for each generation.
+/// Runs the algorithm on a problem with an objective. Gives one estimate for each generation.
 SearchResult run_traditional(const SearchProblem& problem, std::size_t generations, const SearchSettings& settings,
                              RandomStream random, SearchObserver* observer = nullptr);
 
