@@ -11,8 +11,8 @@ class Catalogue;
 /// Adds all kinds of this folder.
 void add_classical_kinds(Catalogue&);
 
-// These functions return the processes of the classical networks, one network per file. Each process ends when it has
-// done the work that its parameters state.
+// Each function returns the process kinds of one classical network, which have a file of their own. A process ends when
+// it has done the work that its parameters state.
 
 std::vector<ProcessKind> philosopher_kinds();    ///< csp.philosopher, csp.fork, csp.butler
 std::vector<ProcessKind> sieve_kinds();          ///< csp.numbers, csp.sieve

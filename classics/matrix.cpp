@@ -1,5 +1,5 @@
 // Multiplication by a matrix on a mesh (Hoare, Communicating Sequential Processes, CACM 21, 1978, section 6.2). Each
-// process holds an element of the matrix. Vectors come from the west, sums from the north.
+// csp.cell holds an element of the matrix. Elements of vectors come from the west, sums from the north.
 
 #include "classics/kinds.hpp"
 

@@ -1,5 +1,5 @@
 // Dijkstra's dining philosophers, as in Hoare (Communicating Sequential Processes, 1985, section 2.5). The forks are
-// processes too. A butler never lets all philosophers sit down, and so prevents the deadlock.
+// processes, too. A butler can prevent the deadlock by never letting all philosophers sit down at the same time.
 
 #include "classics/kinds.hpp"
 
@@ -17,7 +17,7 @@ namespace placedpar {
 
 namespace {
 
-/// A message without content: occam's `c ! ANY`, which takes a byte on a wire.
+/// A message without content, as occam's `c ! ANY`. It takes one byte on a link.
 struct Signal {
     WireForm wire_form() const { return WireForm(1); }
 };
@@ -51,7 +51,8 @@ void serve_as_fork(ProcessEnvironment& environment) {
         alt(std::span<const Input<Signal>>(hands), [&](std::size_t hand, Signal) { hands[hand].input(); });
 }
 
-/// Returns the guards: standing philosophers may sit down while a seat is free; seated philosophers may get up.
+/// Returns a guard for each philosopher: a seated philosopher may always get up, a standing philosopher may sit down if
+/// a seat is free.
 std::vector<Guard> guards_of(const std::vector<Input<Signal>>& philosophers, const std::vector<bool>& sits,
                              std::int64_t seats) {
     bool seat_free = std::ranges::count(sits, true) < seats;

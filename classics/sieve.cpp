@@ -1,6 +1,6 @@
 // The sieve of Eratosthenes as a pipeline (Hoare, Communicating Sequential Processes, CACM 21, 1978, section 6.1; an
-// idea of McIlroy's). Each process keeps the first number that it gets, which is a prime, and passes on the numbers
-// that are not multiples of this prime.
+// idea of McIlroy's). The first number that a csp.sieve gets is a prime. The process keeps it, and passes on the
+// numbers that are not its multiples.
 
 #include "classics/kinds.hpp"
 
@@ -21,7 +21,7 @@ void count_up(ProcessEnvironment& environment) {
     to.output({end_of_numbers});
 }
 
-/// The output of a process in the pipeline. Numbers that leave the last process are dropped.
+/// The output of a csp.sieve. If it is not connected, numbers are dropped.
 class Onwards {
 public:
     explicit Onwards(const ProcessEnvironment& environment) : connected_(environment.connected("out")) {

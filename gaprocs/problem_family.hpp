@@ -15,7 +15,7 @@ namespace placedpar {
 struct RecordAdvice {
     std::size_t trials = 0; ///< right number of generations per sample, if changes of the record happen at stated
                             ///< generations; 0: any number is right
-    double bias = 0; ///< suitable B of eq. 3.9; 0: the default suits
+    double bias = 0;        ///< suitable B of eq. 3.9; 0: the default suits
 };
 
 /// A record of measurements that is made only when it is needed, for example by a simulation.

@@ -44,9 +44,9 @@ struct SearchSettings {
     std::vector<Genome> initial = {};
     WindowSettings window;
 
-    /// Throws UserError unless 2 <= `population` <= `largest_population`, or if there are more initial individuals than
-    /// that, or fewer than two individuals outside the elite. Throws it also if a probability is outside 0 ... 1 or a
-    /// policy's number is out of range. Throws as WindowSettings::validate().
+    /// Throws UserError unless 2 <= `population` <= `largest_population`, if there are more than `population` initial
+    /// individuals, or if fewer than two individuals are outside the elite. Throws it also if a probability is outside
+    /// 0 ... 1 or a policy's number is out of range. Throws as WindowSettings::validate().
     void validate() const;
 };
 

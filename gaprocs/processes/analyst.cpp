@@ -49,8 +49,9 @@ std::vector<std::size_t> windows_of(const std::vector<AnalysedIsland>& islands) 
     return windows;
 }
 
-/// Receives the best individual of each island and chooses the answer among them by active error analysis. REQUIRES:
-/// the network has passed check_analyst(), so there is at least one island, and all islands have the same host.
+/// Receives the best individual of each island, and chooses one of them as the answer by active error analysis.
+/// REQUIRES: the network has passed check_analyst(), so there is at least one island, and all islands have the same
+/// host.
 class Analyst {
 public:
     Analyst(ProcessEnvironment& environment, const SearchProblem& problem, SearchObserver* observer)
@@ -79,7 +80,7 @@ private:
         return reports;
     }
 
-    /// Receives samples from the host until `count` samples have come. An island reports this count with its best.
+    /// Receives samples from the host until `count` have come, the number that an island states in its report.
     void take_samples(std::size_t count) {
         for (; taken_ < count; ++taken_)
             samples_.push(from_host_.input().sample);
@@ -90,8 +91,8 @@ private:
         }
     }
 
-    /// Returns the number of error evaluations in one analysis. The errors of each best are evaluated at the samples of
-    /// the longest window. If errors depend on the first sample of a window, each window is evaluated separately.
+    /// Returns the number of error evaluations in one analysis. Each best individual is evaluated at the the newest
+    /// samples, as many as in the longest window or, if the problem depends_on_window(), in each window separately.
     std::size_t errors_to_find() const {
         const std::vector<std::size_t> windows = windows_of(islands_);
         std::size_t of_each = problem_.depends_on_window()
@@ -131,14 +132,14 @@ private:
     Input<HostMessage> from_host_;
     std::vector<AnalysedIsland> islands_;
     std::size_t longest_window_;
-    SlidingWindow samples_; ///< samples of the longest window
+    SlidingWindow samples_; ///< the newest samples, as many as in the longest window
     std::size_t taken_ = 0; ///< number of samples received
     ActiveErrorAnalysis analysis_;
     std::size_t answers_ = 0;
 };
 
-/// Reads the problem and its coding from the first island. check_analyst() and check_island() have found them equal for
-/// all islands.
+/// Runs an analyst with the problem and the coding of the first island. check_islands() has made sure that all islands
+/// that exchange have the same.
 void run_analyst(ProcessEnvironment& environment, const ProblemRegistry& problems, SearchObserver* observer) {
     const Network& network = environment.network();
     std::size_t first = peers_at(network, environment.index(), "from_islands").front().process;

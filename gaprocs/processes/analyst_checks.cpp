@@ -74,7 +74,7 @@ private:
                                    std::get<std::string>(island.parameters.at("problem")), name(analyst_)));
     }
 
-    /// REQUIRES: every port from_host is connected. The reader of netlists checks this before.
+    /// REQUIRES: every port `from_host` is connected, which the reader of netlists has checked.
     void check_host() {
         auto host = [&](std::size_t process) { return other_end(network_, process, "from_host")->process; };
         for (const Peer& each : reporters_)
@@ -100,15 +100,15 @@ private:
         return static_cast<std::size_t>(longest);
     }
 
-    /// The analyst gives an answer only at an exchange at which all windows are full. Warns if the longest window is
-    /// not full even at the last exchange.
+    /// Warns if the longest window is not full even at the last exchange, because the analyst answers only at an
+    /// exchange with full windows.
     void warn_of_no_answer() {
         Archipelago archipelago(network_);
         auto run = run_of(network_, archipelago, archipelago.number_of(first_island()), problems_);
         if (!run)
             return;
         std::size_t every = schedule_of(instance(first_island())).every(),
-                    last = run->generations() / every * every; // generation of the last exchange
+                    last = run->generations() / every * every; // generation of the last exchange; 0 if there is none
         if (last > 0 && run->samples_at(last) >= longest_window())
             return;
         std::string why = last == 0

@@ -39,8 +39,8 @@ Archipelago::Archipelago(const Network& network) {
 
 std::size_t Archipelago::number_of(std::size_t process) const { return numbers_.at(process); }
 
-/// Adds the neighbours in the order of the ports' subscripts, because Process::ports lists the ends of an array in this
-/// order.
+/// Adds the neighbours in the order of the ports' subscripts, in which ProcessInstance::ports lists the ends of an
+/// array.
 void Archipelago::add_neighbours(const Network& network, PlacedIsland& self) {
     for (const PortBinding& binding : network.processes[self.process].ports)
         if (base_name(binding.port) == "to_neighbours" || base_name(binding.port) == "from_neighbours")
@@ -64,8 +64,8 @@ void Archipelago::add_neighbour(const Network& network, PlacedIsland& self, cons
         self.neighbours.push_back(number->second);
 }
 
-/// Puts the neighbours in the order of the topology if the topology names exactly these neighbours. Otherwise keeps the
-/// order of the connections.
+/// Puts the island's neighbours in the order of the named topology `text`, if that has exactly these neighbours.
+/// Otherwise keeps the order of the connections.
 void Archipelago::order_neighbours(const std::string& text, std::size_t island) {
     auto [known, is_new] = topologies_.try_emplace(text);
     NamedTopology& named = known->second;
@@ -73,7 +73,7 @@ void Archipelago::order_neighbours(const std::string& text, std::size_t island) 
     if (is_new && !topology.is_given())
         try {
             named.neighbours = topology.neighbours(islands_.size());
-        } catch (const UserError& does_not_fit) { // check_islands() reports this
+        } catch (const UserError& does_not_fit) { // check_islands() reports the error
             named.does_not_fit = does_not_fit.what();
         }
     std::vector<std::size_t>& connected = islands_[island].neighbours;
@@ -92,8 +92,8 @@ void Archipelago::add_parts(const Network& network) {
         }
 }
 
-/// Keeps an entry only while an island of the run holds the archipelago. Until then the network exists, and no other
-/// network can have its address.
+/// An entry is removed when no island holds the archipelago any more. While an island does, the network exists, so no
+/// other network can have the same address.
 std::shared_ptr<const Archipelago> archipelago_of(const Network& network) {
     static std::mutex one_at_a_time;
     static std::map<std::pair<const Network*, std::uint64_t>, std::weak_ptr<const Archipelago>> all;

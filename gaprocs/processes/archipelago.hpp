@@ -12,42 +12,42 @@
 
 namespace placedpar {
 
-/// An island of a netlist. Islands refer to each other by number.
+/// An island of a netlist.
 struct PlacedIsland {
     std::size_t process;                 ///< index in Network::processes
     std::vector<std::size_t> neighbours; ///< numbers of the neighbours, in the order of a sequential schedule
-    std::map<std::size_t, std::string> ports_to, ports_from; ///< the island's ports, by number of the neighbour
-    /// Describes the faulty connections, by port: a connection of the island to itself, a second connection to the same
+    std::map<std::size_t, std::string> ports_to, ports_from; ///< ports to and from other islands, by number of the
+                                                             ///< other island
+    /// Error messages about connections, by port: a connection to the island itself, a second connection to the same
     /// island, or a connection to a process that is not an island.
     std::map<std::string, std::string> refused;
     std::size_t part; ///< index in Archipelago::parts()
 };
 
-/// The connections that a topology, named in the netlist, would make between all islands.
+/// A topology that the netlist names, applied to all islands.
 struct NamedTopology {
     Neighbours neighbours;
-    std::string does_not_fit; ///< reason why the topology does not fit the number of islands; "" if it fits
+    std::string does_not_fit; ///< why there is no such topology of so many islands; "" if there is
 };
 
 /// The islands of a netlist: the processes of the kind ga.island. Islands are numbered from 0 in the order of their
-/// declarations. An island's neighbours are in the order of its topology if the topology names the same neighbours,
-/// else in the order of the connections. Construction takes time proportional to the size of the netlist, so all
-/// islands share one archipelago.
+/// declarations. An island's neighbours are in the order of the topology that the island names, if it has the same
+/// neighbours; otherwise in the order of the connections. The constructor reads the whole netlist, so all islands share
+/// one archipelago.
 class Archipelago {
 public:
     explicit Archipelago(const Network&);
 
     const std::vector<PlacedIsland>& islands() const { return islands_; }
-    /// Returns the number of the island. REQUIRES: the process is an island.
+    /// Returns the number of an island. REQUIRES: `process` is an island's index in Network::processes.
     std::size_t number_of(std::size_t process) const;
     const Neighbours& neighbours() const { return neighbours_; }
     const std::vector<std::vector<std::size_t>>& parts() const { return parts_; }
-    /// Returns the part of an island: itself and all islands with which it exchanges, directly or through other
-    /// islands.
+    /// Returns the island and all islands with which it exchanges, directly or through other islands.
     const std::vector<std::size_t>& part_of(std::size_t island) const { return parts_[islands_[island].part]; }
     /// Returns the largest number of samples that an island of the same part needs before its first generation.
     std::size_t samples_needed_around(std::size_t island) const { return samples_needed_[islands_[island].part]; }
-    /// REQUIRES: some island has this text as its parameter `topology`, and the text is not "given".
+    /// REQUIRES: `text` is the parameter `topology` of an island.
     const NamedTopology& topology(const std::string& text) const { return topologies_.at(text); }
 
 private:
@@ -64,14 +64,14 @@ private:
     std::map<std::size_t, std::size_t> numbers_; ///< by process
 };
 
-/// Returns the archipelago that all islands of a running network share. REQUIRES: the network outlives the archipelago
-/// and does not change.
+/// Returns the archipelago that all islands of a network share. REQUIRES: the network outlives the archipelago and does
+/// not change.
 std::shared_ptr<const Archipelago> archipelago_of(const Network&);
 
-/// Returns the schedule of an island. The interval is in the parameter `schedule`, as in "sequential(5)", or else in
-/// `exchange_every`.
+/// Returns the schedule of an island. The number of generations from one exchange to the next is in the parameter
+/// `schedule`, as in "sequential(5)", or otherwise in `exchange_every`.
 Schedule schedule_of(const ProcessInstance&);
-/// Returns whether the text of a schedule contains the interval, as "sequential(5)" does.
+/// Returns whether the text of a schedule contains this number of generations, as "sequential(5)" does.
 bool says_how_often(const std::string& schedule);
 
 } // namespace placedpar

@@ -9,16 +9,16 @@ namespace placedpar {
 
 class ProcessEnvironment;
 
-/// One end of the channel between the two searches of a pair (CoarseFine, gaprocs/coarse_fine.hpp). In each generation
-/// the coarse search sends its best string, the bias point. The fine search receives the bias point before it evaluates
-/// the same generation, and searches around it. A coarse search that is not connected sends nothing.
+/// One end of the channel between the two searches of a pair (see CoarseFine, gaprocs/coarse_fine.hpp). In each
+/// generation the coarse search sends its best string, the bias point. The fine search receives the bias point before
+/// it evaluates the same generation.
 class BiasPointEnd {
 public:
-    /// REQUIRES: the problem outlives this object.
+    /// REQUIRES: `problem` outlives this object.
     BiasPointEnd(const ProcessEnvironment&, RecodedProblem&, const Workload&);
 
     void before_generation();
-    /// Sends the bias point. `best`: the best individual of the generation, in the coding of the coarse search.
+    /// In a coarse search, sends the bias point. `best`: the best individual of the generation, as the search bred it.
     void after_generation(const Genome& best);
 
 private:

@@ -78,8 +78,8 @@ void Estimates::judge_fittest() {
         accurate_since_ = now();
 }
 
-/// Returns the response time. It is never negative: a search without a processor answers at the same time at which it
-/// takes the sample.
+/// Returns the response time. It is at least 0: a search without a processor answers at the time at which it takes the
+/// sample, and its answer may be noted first.
 Time Estimates::response(std::size_t search, const Answer& answer) const {
     return std::max(answer.came - taken_.at(processes_[search]).at(answer.samples - 1), Time{});
 }
@@ -117,7 +117,7 @@ std::size_t Estimates::fittest() const {
     return fittest;
 }
 
-/// Returns the parameters of a search's last estimate, decoded with the coding of the same search.
+/// Returns the parameters of a search's last estimate, decoded by the coding of this search.
 std::vector<double> Estimates::values_of(std::size_t search) const {
     return problem_of(search)->decode(last_[search].best.genome);
 }

@@ -73,7 +73,7 @@ void Farm::send_to_all(Task::Kind kind, std::span<const Share> shares, std::span
     });
 }
 
-/// Returns the next result to arrive from any slave.
+/// Waits for the next result of any slave, and returns it.
 Fitnesses Farm::receive() {
     if (from_slaves_.size() == 1)
         return from_slaves_.front().input();
@@ -83,8 +83,8 @@ Fitnesses Farm::receive() {
     return next;
 }
 
-/// Receives the results of all slaves. If results come in order, the last result on each channel is that of the nearest
-/// slave.
+/// Receives the results of all slaves. If results come in order, the nearest slave's result is the last on each
+/// channel.
 void Farm::take_from_all(std::vector<double>& fitness) {
     if (!settings_.results_in_order || from_slaves_.size() == 1) {
         for (std::size_t slave = 0; slave < settings_.slaves; ++slave)
@@ -99,7 +99,7 @@ void Farm::take_from_all(std::vector<double>& fitness) {
         }
 }
 
-/// Packs a task into a message: converts the measurements word by word, and copies the strings.
+/// Makes a task, and spends the time of copying the strings and converting the measurements word by word.
 Task Farm::make_task(Task::Kind kind, std::size_t slave, const Share& share, std::span<const Genome> population,
                      bool measurements) {
     Task task;
@@ -122,7 +122,7 @@ Task Farm::make_task(Task::Kind kind, std::size_t slave, const Share& share, std
     return task;
 }
 
-/// Unpacks a result and adds its terms to the fitness.
+/// Adds the terms of a result to the fitness, and spends the time of copying the message.
 void Farm::take(const Fitnesses& result, std::vector<double>& fitness) {
     compute(block_move(result.bytes));
     add_terms(result.share, result.terms, fitness);

@@ -12,48 +12,48 @@
 
 namespace placedpar {
 
-/// Evaluates a population by a master and its slaves (algorithm A). The slaves behind each channel of the master form a
-/// tree, and pass on messages for each other. The master may have one channel to a chain of slaves, a channel to each
-/// slave of a star, or any other tree. In each generation the master sends the tasks, evaluates its own share, then
-/// receives the results. Tasks for the nearest slaves are sent first. Without slaves the master evaluates all
-/// individuals.
+/// The master's part of algorithm A: evaluates a population with the help of slaves. Master and slaves form a tree,
+/// such as a chain or a star; slaves pass on messages for the slaves behind them. In each generation the master sends
+/// the tasks, those for the nearest slaves first, evaluates its own share, then receives the results. Without slaves
+/// the master evaluates all individuals.
 ///
-/// The fitness is independent of the number of slaves, of their connections, and of the evaluator of each individual
-/// (see fitness.hpp).
+/// The fitness does not depend on the number of slaves, on their connections, or on the process that evaluates an
+/// individual (see fitness.hpp).
 class Farm {
 public:
     struct Settings {
         std::size_t slaves = 0;
         SlaveRoutes routes = {};
         Split split = Split::individuals;
-        double own_share = 1; ///< master's share as a fraction of a slave's share, 0 ... 1; not used by Split::demand
+        double own_share = 1; ///< ratio of the master's share to a slave's share, 0 ... 1; not used by Split::demand
         Sending sending = Sending::in_turn;
-        std::size_t tasks_under_way = 1; ///< largest number of unanswered tasks of a slave; for Split::demand
+        std::size_t tasks_under_way = 1; ///< largest number of unanswered tasks of a slave; more than 1 only with
+                                         ///< Split::demand
         bool measurements_every_generation =
-            false; ///< true: send the measurements in every generation; false: only when they are new
-        bool results_in_order = false; ///< true: receive channel by channel, the farthest slave first; false: receive
-                                       ///< each result when it is ready
+            false;                     ///< true: send the window in every generation; false: only after measure()
+        bool results_in_order = false; ///< true: receive all results on one channel, the farthest slave's first, then
+                                       ///< those on the next; false: receive each result when it is ready
         double bias = 0;
     };
 
     Farm(const SearchProblem&, const Workload&, const Settings&, std::vector<Output<Task>> to_slaves,
          std::vector<Input<Fitnesses>> from_slaves);
 
-    /// Sets new measurements. Each slave receives them with its next task.
+    /// Sets the window of measurements. Each slave receives it with the slave's next task.
     void measure(Window);
     /// Returns the fitness of every individual. REQUIRES: measure() was called.
     std::vector<double> evaluate(std::span<const Genome> population);
     /// Does all communication of a generation with new measurements, but evaluates nothing. The thesis measured C_time2
-    /// in this way. With Split::demand each slave gets 1/(slaves + 1) of the individuals, as if all evaluators had the
-    /// same speed. REQUIRES: slaves > 0.
+    /// in this way. With Split::demand the slaves together get slaves/(slaves + 1) of the individuals. REQUIRES: slaves
+    /// > 0.
     void rehearse(std::span<const Genome> population);
     /// Ends the slaves.
     void end();
 
-    /// Resets the two stopwatches below.
+    /// Resets `send_to_receive` and `own_evaluation`.
     void forget_times() { send_to_receive = own_evaluation = Stopwatch{}; }
-    /// These stopwatches measure T_sr, the time of a generation from the first sending to the last receiving, and
-    /// P_time2, the time of the master's own evaluations.
+    /// `send_to_receive` measures T_sr, the time of a generation from the first send to the last receive.
+    /// `own_evaluation` measures P_time2, the time of the master's own evaluations.
     Stopwatch send_to_receive, own_evaluation;
 
 private:
@@ -78,7 +78,7 @@ private:
     Settings settings_;
     TaskOutlets to_slaves_;
     std::vector<Input<Fitnesses>> from_slaves_;
-    std::vector<std::size_t> in_turn_; ///< slaves in the order in which the master sends their tasks
+    std::vector<std::size_t> in_turn_; ///< slaves in the order in which the master sends tasks to them
     Window window_;
     bool measurements_are_new_ = false;
 };

@@ -9,8 +9,8 @@
 
 namespace placedpar {
 
-/// Deals out individuals one by one, each to an idle evaluator. Slaves receive them in tasks. The master's own
-/// evaluator is a process of low priority beside the dealer, and receives them over a soft channel.
+/// Keeps account of a generation in which individuals are dealt out one by one, each to an idle evaluator: a slave or
+/// the master's own evaluator. The master's evaluator is a process of low priority on the master's processor.
 class Farm::Dealer {
 public:
     Dealer(std::size_t population, std::size_t window, std::size_t slaves, bool measurements_are_new)
@@ -23,7 +23,7 @@ public:
         return {individual * window_, (individual + 1) * window_, window_};
     }
     void received() { ++received_; }
-    /// Returns true at the slave's first task, with which new measurements are sent; otherwise false.
+    /// Returns true if new measurements have to be sent with the slave's next task, that is, with the first.
     bool owes_measurements(std::size_t slave) {
         bool owed = lacks_measurements_[slave];
         lacks_measurements_[slave] = false;
@@ -56,7 +56,7 @@ void Farm::deal_to_all(Dealer& dealer, std::span<const Genome> population, std::
         bool own_evaluator_works = true;
         auto deal_to_self = [&] {
             own_evaluator_works = dealer.anything_left();
-            work.out().output(own_evaluator_works ? dealer.next() : Share{}); // an empty share ends the evaluator
+            work.out().output(own_evaluator_works ? dealer.next() : Share{}); // an empty share ends evaluate_own_share
         };
         deal_to_self();
         std::vector<Guard> guards;
@@ -102,7 +102,7 @@ void Farm::rehearse_on_demand(std::span<const Genome> population, std::vector<do
     });
 }
 
-/// Sends each slave its first tasks, up to the largest number of unanswered tasks.
+/// Sends each slave as many tasks as it may have unanswered.
 void Farm::deal_to_slaves(Dealer& dealer, Task::Kind kind, std::span<const Genome> population) {
     for (std::size_t task = 0; task < settings_.tasks_under_way; ++task)
         for (std::size_t slave : in_turn_)

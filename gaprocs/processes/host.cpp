@@ -34,7 +34,7 @@ std::size_t samples_to_send(const ProcessEnvironment& environment, std::size_t r
     return wanted == 0 ? recorded : wanted;
 }
 
-/// Returns the samples of the record. For an objective, returns one empty sample for each generation.
+/// Returns the samples to send; for an objective, one empty sample for each generation.
 std::vector<Sample> samples_of(const ProcessEnvironment& environment, const RecordedProblem& recorded) {
     if (recorded.problem()->objective())
         return empty_record(static_cast<std::size_t>(environment.integer("generations")));
@@ -42,7 +42,7 @@ std::vector<Sample> samples_of(const ProcessEnvironment& environment, const Reco
     return {first, first + static_cast<std::ptrdiff_t>(samples_to_send(environment, recorded.samples()))};
 }
 
-/// Measures the times of one stage.
+/// Collects the times that samples take for one stage of their path.
 class Stage {
 public:
     void note(Time time) {
@@ -50,7 +50,7 @@ public:
         longest_ = std::max(longest_, time);
         ++count_;
     }
-    /// Reports the mean and the longest time, if there is any.
+    /// Reports the mean and the longest time; nothing if there are no times.
     void report(ProcessEnvironment& environment, const std::string& name) const {
         if (count_ == 0)
             return;
@@ -63,8 +63,8 @@ private:
     std::size_t count_ = 0;
 };
 
-/// The host computer's process. It sends each sample to every master, as soon as the master takes it, and receives the
-/// estimates. The samples come from the record, or from the sensors if sensors are connected.
+/// The host computer's process. It sends each sample to every master as soon as the master takes it, and receives the
+/// estimates. The samples come from the sensors, or from the record if no sensors are connected.
 class Host {
 public:
     Host(ProcessEnvironment& environment, const ProblemRegistry& problems)
@@ -110,7 +110,7 @@ private:
         to_masters_[master].output(message);
     }
 
-    /// Passes on each sample of the sensors to all masters at once.
+    /// Passes on each sample of the sensors to all masters in parallel.
     void pass_on() {
         auto sensors = environment_.input<HostMessage>("from_sensors");
         for (bool end = false; !end;) {
@@ -140,7 +140,7 @@ private:
         answered.output(no_more);
     }
 
-    /// Sends a finding whenever all searches have answered a sample.
+    /// Sends a finding to the alarm whenever all searches have answered a sample.
     void tell_alarm() {
         auto alarm = environment_.output<Finding>("to_alarm");
         std::vector<std::size_t> answered(answered_.size(), 0);
@@ -172,9 +172,9 @@ private:
     std::vector<Peer> masters_;
     Estimates estimates_;
     Stage from_sensors_, to_all_;
-    std::vector<Time> read_at_; ///< of the sensors' samples
-    /// One channel for each search, empty without an alarm. The component that receives the estimates of the search
-    /// outputs the number of samples that the search has answered; tell_alarm() inputs it.
+    std::vector<Time> read_at_; ///< times at which the sensors read their samples
+    /// One channel for each search, if there is an alarm. receive() outputs the number of samples that the search has
+    /// answered; tell_alarm() inputs this number.
     std::deque<Channel<std::size_t>> answered_;
 };
 
@@ -230,7 +230,7 @@ ProcessKind host_kind(const ProblemRegistry& problems) {
                              std::size_t process) { return check_host(network, process, problems); },
         .is_determinate =
             [](const Network& network, std::size_t process) {
-                // With an accuracy or an alarm, the order of the host's components matters.
+                // With an accuracy or an alarm, results depend on the order in which estimates arrive.
                 return std::get<double>(network.processes[process].parameters.at("accuracy")) == 0 &&
                        !other_end(network, process, "to_alarm");
             }};

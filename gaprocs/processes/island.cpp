@@ -66,8 +66,8 @@ ProcessKind with_exchange(ProcessKind searching, const ProblemRegistry& problems
         return check_islands(network, problems, [&](std::size_t island) { return check_search(network, island); });
     };
     searching.is_determinate = [](const Network& network,
-                                  std::size_t process) { // an asynchronous island depends on the time at which letters
-                                                         // arrive
+                                  std::size_t process) { // an asynchronous island depends on the times at which
+                                                         // emigrants arrive
         return schedule_of(network.processes[process]).in_step();
     };
     return searching;

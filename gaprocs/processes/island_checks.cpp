@@ -26,7 +26,7 @@ namespace placedpar {
 
 namespace {
 
-/// Maps the text of a schedule to a number for each island: how many islands at most send to it in one exchange.
+/// Maps the text of a schedule to most_senders_at_once() with this schedule.
 using SendersBySchedule = std::map<std::string, std::vector<std::size_t>>;
 
 /// Collects the complaints about one island.
@@ -90,8 +90,8 @@ private:
                                            Topology::named(topology).text(), archipelago_.islands().size()));
     }
 
-    /// Refuses an island without connections among connected islands, which is probably a mistake. If no island is
-    /// connected, they are independent searches.
+    /// Refuses an island without connections if another island has some; this is probably a mistake. If no island has
+    /// connections, they are independent searches.
     void require_some_neighbour() {
         auto connected = [](const PlacedIsland& island) {
             return !island.ports_to.empty() || !island.ports_from.empty();
@@ -164,7 +164,7 @@ private:
 
     void check_room() {
         if (integer(process_, "elite") > integer(process_, "population") - 2)
-            return; // the process's own check reports this
+            return; // check_search() reports this
         std::size_t most = most_immigrants_at_once();
         try {
             Acceptance::validate_for(most, static_cast<std::size_t>(integer(process_, "population")),
@@ -190,7 +190,7 @@ private:
             {archipelago_.islands()[island].process, std::move(about), std::move(message), std::move(hint), true});
     }
 
-    /// Warns of parts that do not exchange with each other. Only the first island warns.
+    /// Warns if islands do not exchange with each other. Only the first island warns.
     void warn_of_parts() {
         const auto& parts = archipelago_.parts();
         if (number_ != 0)
@@ -214,8 +214,8 @@ private:
                  "a ring leads back to the first island");
     }
 
-    /// Warns that no island is connected, unless all islands have topology = "none". The warning names the first island
-    /// that has not.
+    /// Warns that no island is connected, unless all islands have topology = "none". The warning is about the first
+    /// island that has not.
     void warn_of_islands_alone() {
         for (std::size_t island = 0; island < archipelago_.islands().size(); ++island)
             if (Topology::named(text(instance(island), "topology")).is_given())
@@ -225,7 +225,8 @@ private:
                             "connect to_neighbours[0] of each; or say topology = \"none\", if that is meant");
     }
 
-    /// Warns if the run ends before the first exchange. Among islands in step, only the first warns.
+    /// Warns if the run ends before the first exchange. Of islands that exchange in step, only the first of a part
+    /// warns.
     void warn_of_no_exchange() {
         Schedule schedule = schedule_of(process_);
         const auto& part = archipelago_.part_of(number_);

@@ -12,7 +12,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns whether both islands compute the same fitness for a string.
+/// Returns whether the fitness of a string is the same on both islands.
 bool same_window(const ProcessInstance& a, const ProcessInstance& b) {
     return a.parameters.at("window") == b.parameters.at("window") && a.parameters.at("bias") == b.parameters.at("bias");
 }
@@ -66,7 +66,7 @@ std::vector<Migration> IslandExchange::exchange(Search& search, std::span<const 
     return arrivals;
 }
 
-/// Returns no emigrants if the exchange has no destination. A choice of emigrants might draw random numbers.
+/// Returns the emigrants. Chooses none, and so draws no random numbers, if the exchange has no destinations.
 Emigrants IslandExchange::leaving(Search& search, std::span<const double> fitness) const {
     Emigrants emigrants;
     emigrants.generation = search.generation() + 1;
@@ -105,8 +105,8 @@ std::vector<Migration> IslandExchange::take_arrivals() {
     return arrivals;
 }
 
-/// Evaluates immigrants from islands with another window; for an asynchronous schedule, all immigrants. Other
-/// immigrants keep their fitness, which was computed over the same samples.
+/// Evaluates immigrants from islands with another window; with an asynchronous schedule, all immigrants. Other
+/// immigrants keep their fitness, which was computed from the same samples.
 void IslandExchange::evaluate_arrivals(std::span<Migration> arrivals, std::span<const Sample> window) const {
     if (problem_.objective())
         return; // an objective is the same on all islands

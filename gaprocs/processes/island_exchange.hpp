@@ -19,44 +19,44 @@ namespace placedpar {
 
 class ProcessEnvironment;
 
-/// Exchanges individuals between an island process and its neighbours, by the rules of Islands (gaprocs/islands.hpp).
+/// Exchanges individuals between an island process and its neighbours, as Islands does (gaprocs/islands.hpp).
 ///
-/// In step, one process for each channel sends or receives. All of them run in parallel, and the exchange ends when the
-/// last of them ends. No topology can deadlock: every island makes its exchanges in the same order, and each exchange
-/// uses all of its channels in parallel (P. Welch's I/O-PAR). The topology and the schedule determine the channels of
-/// an exchange, so both ends of a channel know when it is used.
+/// If islands exchange in step, the island sends and receives on all channels of an exchange in parallel (P. Welch's
+/// I/O-PAR), and waits until all have finished. All islands make their exchanges in the same order, so no topology can
+/// deadlock. The topology and the schedule determine the channels of an exchange, so both ends of a channel know when
+/// it is used.
 ///
-/// In asynchronous exchange, one process for each neighbour sends and another receives into a letter box. Both run at
-/// high priority in parallel with the search. The search gives emigrants to each idle sender, and empties the letter
-/// boxes. Receivers are always ready, so no sender waits for long. An island that ends sends a last message to its
-/// neighbours.
+/// In asynchronous exchange, each outgoing channel has a sending process and each incoming channel a receiving process.
+/// They run at high priority, in parallel with the search. At an exchange, the search gives its emigrants to each idle
+/// sender, and takes the latest emigrants from each receiver. Receivers are always ready, so no sender waits for long.
+/// An island that ends sends an end message to its neighbours.
 class IslandExchange {
 public:
     /// REQUIRES: the process is an island, and its network has passed check_islands().
     IslandExchange(const ProcessEnvironment&, const SearchProblem&, const SearchSettings&, const Workload&);
 
-    /// Returns the number of samples needed before the first generation; in step, the largest number that any island of
-    /// the part needs.
+    /// Returns the number of samples needed before the first generation, as samples_awaited(); 0 for an objective.
     std::size_t samples_to_begin() const { return samples_to_begin_; }
-    /// Returns whether an exchange is due after the evaluation of the generation.
+    /// Returns whether this island has an exchange after the evaluation of the generation.
     bool is_due(std::uint64_t generation) const { return has_neighbours_ && schedule_.is_due(generation); }
-    /// Returns whether the island reports its best to an analyst after the generation. An island without neighbours
-    /// reports, too.
+    /// Returns whether the island sends its best individual to an analyst after the generation. An island without
+    /// neighbours does, too.
     bool reports_after(std::uint64_t generation) const { return schedule_.is_due(generation); }
-    /// Runs the search. In asynchronous exchange, runs the sending and receiving processes in parallel with it.
+    /// Runs `search`; in asynchronous exchange, in parallel with the sending and receiving processes.
     void beside_mail(const std::function<void()>& search);
-    /// Sends the emigrants, and returns the immigrants in the order of acceptance. Immigrants from islands with another
-    /// window are evaluated again, which takes computing time. REQUIRES: is_due(search.generation() + 1).
+    /// Sends the emigrants, and returns the immigrants in the order in which they are to be accepted. If necessary,
+    /// evaluates immigrants in this island's window, which takes computing time. REQUIRES: is_due(search.generation() +
+    /// 1).
     std::vector<Migration> exchange(Search&, std::span<const double> fitness, std::span<const Sample> window);
     const Acceptance& acceptance() const { return acceptance_; }
-    /// Returns the process name of the island. REQUIRES: this island receives immigrants from it.
+    /// Returns the process name of another island. REQUIRES: this island receives immigrants from the other.
     const std::string& name_of(std::size_t island) const;
 
 private:
     struct Outgoing {
         std::size_t to;
         Output<Emigrants> output;
-        bool idle = true; ///< in asynchronous exchange: the last letter has been sent
+        bool idle = true; ///< in asynchronous exchange: the sender has no emigrants left to send
         Channel<InPlace<Emigrants>> letters;
 
         Outgoing(std::size_t island, Output<Emigrants> end, const std::string& process)
@@ -68,7 +68,7 @@ private:
         Input<Emigrants> input;
         std::vector<std::size_t> its_neighbours;
         bool other_window; ///< the sender's window differs from this island's
-        Emigrants last;    ///< last emigrants received; empty once accepted
+        Emigrants last;    ///< latest emigrants received; empty after exchange() has taken them
     };
 
     Emigrants leaving(Search&, std::span<const double> fitness) const;
@@ -79,7 +79,7 @@ private:
     void send_letters(Outgoing&);
     void receive_letters(Incoming&);
 
-    std::shared_ptr<const Archipelago> archipelago_; ///< shared with islands that begin later in the run
+    std::shared_ptr<const Archipelago> archipelago_; ///< held so that islands that begin later can share it
     const SearchProblem& problem_;
     double bias_;
     Workload workload_;

@@ -9,26 +9,26 @@
 
 namespace placedpar {
 
-/// Returns the number of samples that an island needs before its first generation. If islands exchange in step, all
-/// islands of a part need the same number: the largest that any of them needs.
+/// Returns the number of samples for which an island waits before its first generation. If islands exchange in step,
+/// all islands of a part wait for the largest number that any of them needs.
 std::size_t samples_awaited(const Network&, const Archipelago&, std::size_t island);
 /// Returns the number of samples that a ga.host sends to the process. For an objective, whose samples are empty, this
-/// is the number of generations. Returns nothing if the samples come from another kind of process, or if the problem
-/// does not exist.
+/// is the number of generations. Returns nothing if no ga.host is connected, or if the host's problem does not exist.
 std::optional<std::size_t> samples_sent_to(const Network&, std::size_t process, const ProblemRegistry&);
 
-/// The length of an island's search.
+/// The course of an island's search, counted in samples and generations.
 struct IslandRun {
     std::size_t samples; ///< samples received
-    std::size_t first;   ///< samples received before the first generation
+    std::size_t first;   ///< samples received up to the first generation
     std::size_t trials;  ///< generations per sample
 
     std::size_t generations() const { return samples < first ? 0 : (samples - first + 1) * trials; }
-    /// Returns the number of samples received before the generation. Generations count from 1.
+    /// Returns the number of samples received before the generation is made. Generations are numbered from 1.
     std::size_t samples_at(std::size_t generation) const { return first + (generation - 1) / trials; }
 };
 
-/// Reads an island's run from the netlist. Returns nothing if samples_sent_to() returns nothing.
+/// Reads an island's run from the netlist. Returns nothing if samples_sent_to() does, or if the island's problem does
+/// not exist.
 std::optional<IslandRun> run_of(const Network&, const Archipelago&, std::size_t island, const ProblemRegistry&);
 
 } // namespace placedpar

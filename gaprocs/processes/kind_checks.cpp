@@ -71,8 +71,8 @@ public:
         for (const char* port : {"from_master", "to_master"})
             check_single(port);
         auto circle = circle_of(network_, process_);
-        if (circle.empty() || *std::ranges::min_element(circle) != process_) // only the first slave of a circle reports
-                                                                             // it
+        if (circle.empty() || *std::ranges::min_element(circle) != process_) // only the slave that is declared first
+                                                                             // reports the circle
             return;
         std::string names;
         for (auto each = circle.rbegin(); each != circle.rend(); ++each)
@@ -99,7 +99,7 @@ private:
     bool has_objective() const { return recorded_ && recorded_->problem()->objective(); }
     bool given(const std::string& parameter) const { return network_.processes[process_].given.contains(parameter); }
 
-    /// Returns whether an earlier process names the same problem. That process has reported the error.
+    /// Returns whether an earlier process names the same problem, and so has reported that it does not exist.
     bool refused_before() const {
         auto first = network_.processes.begin(), self = first + static_cast<std::ptrdiff_t>(process_);
         return std::any_of(first, self, [&](const ProcessInstance& other) {
@@ -114,7 +114,7 @@ private:
         complaints_.push_back({process, std::move(about), std::move(message), std::move(hint)});
     }
 
-    /// Checks that the port is a single channel and not an array.
+    /// Checks that the port is a single end and not an array.
     void check_single(const char* port) {
         for (const PortBinding& binding : network_.processes[process_].ports)
             if (base_name(binding.port) == port && binding.port != port)
@@ -128,7 +128,7 @@ private:
         complaints_.push_back({process_, std::move(about), std::move(message), std::move(hint), true});
     }
 
-    /// Warns of settings that do not suit the record. Among processes with the same setting, only the first warns.
+    /// Warns of settings that do not suit the record. Of processes with the same setting, only the first warns.
     void warn_of_advice() {
         const RecordAdvice& advice = recorded_->advice();
         if (advice.trials != 0 && std::cmp_not_equal(integer("trials"), advice.trials) && !is_as_before("trials"))
@@ -181,8 +181,8 @@ private:
                        hint);
     }
 
-    /// Checks that each estimate comes from a search that takes its samples from this host. The host measures response
-    /// times and must know when each sample was taken.
+    /// Checks that each estimate comes from a search that gets its samples from this host. To measure response times,
+    /// the host must know when the search has taken each sample.
     void check_estimates() {
         for (const Peer& search : peers_at(network_, process_, "from_masters")) {
             auto host = search.process == nowhere ? std::nullopt : other_end(network_, search.process, "from_host");
@@ -330,8 +330,8 @@ private:
     std::size_t process_;
     const ProblemRegistry& problems_;
     const RecordedProblem* recorded_ = nullptr;
-    std::shared_ptr<const SearchProblem>
-        coded_problem_; ///< the problem in this process's coding; null if the problem does not allow this coding
+    std::shared_ptr<const SearchProblem> coded_problem_; ///< the problem in this process's coding; null if the problem
+                                                         ///< does not exist or cannot have this coding
     std::vector<Complaint> complaints_;
 };
 

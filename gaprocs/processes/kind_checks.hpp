@@ -9,20 +9,21 @@
 
 namespace placedpar {
 
-// These checks are made on a netlist before it runs, after the checks of ranges and of ports. They refuse settings with
-// which a process could not work, and connections on which a process would wait for ever.
+// These functions check a netlist before it runs, after ranges and ports have been checked. They refuse settings with
+// which a process cannot work, and connections on which a process would wait for ever.
 
-/// Checks that the problem exists, and that its record has enough samples for the host to send.
+/// Checks that the problem exists, that its record has the samples that the host is to send, and that each estimate
+/// comes from a search that gets its samples from this host.
 std::vector<Complaint> check_host(const Network&, std::size_t process, const ProblemRegistry&);
-/// Checks that the problem exists, that the slave has one predecessor, and that it is not part of a circle.
+/// Checks that the problem exists, that the slave gets tasks from one process, and that it is not part of a circle of
+/// slaves.
 std::vector<Complaint> check_slave(const Network&, std::size_t process, const ProblemRegistry&);
-/// Checks that the settings of the search agree with each other and with the problem's record. If the process has
+/// Checks that the settings of the search agree with each other, with the problem and with the host. If the process has
 /// slaves, checks that they form a tree with the stated number of slaves. Each slave must have work and the same
-/// problem, and each message must be short enough.
+/// problem, and no message may be too long.
 std::vector<Complaint> check_search(const Network&, std::size_t process, const ProblemRegistry&);
 
-/// Returns the problem that a process names, or null if it does not exist. The checks above report a missing problem
-/// once.
+/// Returns the problem that a process names, or null if it does not exist. The checks above report a missing problem.
 const RecordedProblem* named_problem(const ProblemRegistry&, const ProcessInstance&);
 
 } // namespace placedpar

@@ -8,11 +8,11 @@ namespace placedpar {
 
 class Catalogue;
 
-/// Adds the kinds below to the catalogue. A process finds its problem in `problems` by name. Searches report to the
-/// observer if it is not null. REQUIRES: `problems` and the observer outlive every run.
+/// Adds the kinds below to the catalogue. Processes find their problems in `problems` by name. Searches report to the
+/// observer, unless it is null. REQUIRES: `problems` and the observer outlive every run.
 void add_genetic_algorithm_kinds(Catalogue&, const ProblemRegistry& problems, SearchObserver* observer = nullptr);
 
-// Each kind has a file that holds its body and describes its purpose, ports, parameters and measurements.
+// The file of each kind holds its body and describes its purpose, ports, parameters and measurements.
 
 ProcessKind host_kind(const ProblemRegistry& problems);     ///< ga.host, in host.cpp
 ProcessKind slave_kind(const ProblemRegistry& problems);    ///< ga.slave, in slave.cpp

@@ -12,12 +12,13 @@
 
 namespace placedpar {
 
-/// The greatest length of a message in bytes. The netlist states the length of each message on the wire (thesis,
-/// appendix E: 148 bytes of measurements, 240 of strings, 240 of fitness). The size of this program's own data has no
-/// influence. A word before the bytes holds the type and the count, as in occam's counted array, whose count is an INT.
+/// The greatest length of a message in bytes. The netlist states how many bytes a message takes on a link (thesis,
+/// appendix E: 148 bytes of measurements, 240 of strings, 240 of fitness); the size of the C++ data does not matter.
+/// One word before these bytes holds the type and the length of the message. The length is limited to a positive INT,
+/// as in occam's counted arrays.
 inline constexpr std::int64_t largest_message_bytes = 0x7fffffff;
 
-/// Returns the length of a message in bytes. It holds `individuals` strings or fitnesses of `bytes_each` bytes, and
+/// Returns the length in bytes of a message with `individuals` strings or fitness values of `bytes_each` bytes, and
 /// `others` further bytes. Throws UserError if the length exceeds largest_message_bytes.
 std::uint32_t message_bytes(std::size_t individuals, std::uint32_t bytes_each, std::uint32_t others = 0);
 
@@ -30,7 +31,7 @@ struct SizedMessage {
 struct HostMessage : SizedMessage {
     bool end = false;
     Sample sample;
-    Time read_at{}; ///< when sensors read it (ga.sensors)
+    Time read_at{}; ///< time at which the sensors read the sample, if there is a ga.sensors
     bool operator==(const HostMessage& other) const {
         return bytes == other.bytes && end == other.end && sample == other.sample;
     }
@@ -41,21 +42,21 @@ using Window = std::shared_ptr<const std::vector<Sample>>;
 /// Carries strings from a master to a slave, which evaluates them.
 struct Task : SizedMessage {
     enum class Kind { evaluate, rehearse, end } kind = Kind::end;
-    std::size_t slave = 0;   ///< number of the addressed slave, counted from the master
-    std::size_t master = 0;  ///< number of the sending master among the masters of a pipeline
-    std::size_t address = 0; ///< 0: the task is for the receiving slave; otherwise for a slave behind it, numbered from
-                             ///< 1 as in SlaveRoutes
+    std::size_t slave = 0;   ///< number of the addressed slave among the master's slaves
+    std::size_t master = 0;  ///< number of the master among the masters of a ga.pipeline; 0 without one
+    std::size_t address = 0; ///< 0: the task is for the receiving slave; n > 0: for slave n - 1 behind it, as numbered
+                             ///< by SlaveRoutes
     Share share;
     std::vector<Genome> strings; ///< all individuals that have evaluations in the share
-    Window window;               ///< the measurements; null if the slave has received them before
+    Window window;               ///< the measurements; null if the slave already has them
     double bias = 0;
     Coding coding = Coding::natural; ///< coding of the strings
-    bool results_in_order = false; ///< true: in each round return the farthest slave's result first; false: return each
-                                   ///< result when it is ready
+    bool results_in_order = false;   ///< true: pass on the results of the slaves behind first, then the own result;
+                                     ///< false: pass on each result when it is ready
     std::size_t tasks_under_way = 1; ///< largest number of unanswered tasks of the addressed slave
 };
 
-/// Answers a task with the sums of the share's evaluations, one for each individual.
+/// Answers a task with the result of evaluate_share().
 struct Fitnesses : SizedMessage {
     bool end = false;                  ///< true in the answer to Task::Kind::end
     std::size_t slave = 0, master = 0; ///< copied from the task
@@ -64,8 +65,8 @@ struct Fitnesses : SizedMessage {
     std::vector<double> terms;
 };
 
-/// A message between two processes of one processor. They share its memory, so only the address of the message is
-/// passed.
+/// A message between two processes of one processor. They share the processor's memory, so only the address of the
+/// message is passed.
 template <class T>
 struct InPlace {
     T message;
@@ -79,24 +80,25 @@ struct Emigrants : SizedMessage {
     std::vector<Individual> individuals;
 };
 
-/// Carries the best individual. A search sends it to its host after the generations of each sample; an island sends it
-/// to the analyst at each exchange.
+/// Carries the best individual of a search. A search sends it to the host after the generations of each sample, an
+/// island to the analyst at each exchange.
 struct EstimateMessage : SizedMessage {
     bool end = false; ///< true: the search has ended
     std::uint64_t generation = 0;
-    std::size_t samples = 0; ///< samples that the search has received so far
+    std::size_t samples = 0; ///< number of samples that the search has received so far
     Individual best;
 };
 
-/// Reports the fittest estimate after a sample, from a host to its alarm.
+/// Carries the fittest estimate after a sample, from the host to the alarm.
 struct Finding : SizedMessage {
     bool end = false;
-    std::size_t sample = 0;         ///< counted from 1
-    Time read_at{}, sent_at{};      ///< when the sensors read the sample, and when the host had the finding
-    std::vector<double> parameters; ///< decoded
+    std::size_t sample = 0;         ///< number of the sample, from 1
+    Time read_at{}, sent_at{};      ///< time at which the sensors read the sample, and time at which the host sent the
+                                    ///< finding
+    std::vector<double> parameters; ///< decoded parameters of the estimate
 };
 
-/// Carries the bias point from the coarse search to the fine search, which searches around it.
+/// Carries the bias point from the coarse search to the fine search, which searches around this point.
 struct BiasPoint : SizedMessage {
     Genome string; ///< a string of the problem, in natural binary
 };

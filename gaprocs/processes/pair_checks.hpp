@@ -9,9 +9,9 @@
 
 namespace placedpar {
 
-/// Returns the errors of a ga.coarse or ga.fine in a netlist before it runs, beyond the checks of every search. Refused
-/// are fields that differ from the problem's, or that cannot be bred with the stated number of bits. A fine search must
-/// also have the host, problem, fields, windows, trials and coding of its coarse search.
+/// Returns the errors of a ga.coarse or ga.fine in a netlist before it runs; check_search() returns others. The fields
+/// must be those of the problem, and the stated bits of each field must be possible. A fine search must have the same
+/// host, problem, fields, coding, window, trials and bias as its coarse search.
 std::vector<Complaint> check_pair(const Network&, std::size_t process, const ProblemRegistry&);
 
 } // namespace placedpar

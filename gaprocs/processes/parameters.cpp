@@ -36,7 +36,7 @@ void set_policy(Step& usual, const std::string& text) {
         usual = Step::named(text);
 }
 
-/// Returns the initial individuals; empty if the search draws all of them at random.
+/// Returns the first individuals of the first population; the search draws the others at random.
 std::vector<Genome> read_initial_population(const ProcessEnvironment& environment, const SearchProblem& problem) {
     const std::string& initial = environment.text("initial");
     std::string name = initial.substr(0, initial.find('('));

@@ -15,33 +15,33 @@ namespace placedpar {
 
 class ProcessEnvironment;
 
-// These functions convert the parameters of the process kinds to the types that the processes use.
+// These functions read the parameters of a process into the types that the process uses.
 
-Split split_named(const std::string&); ///< by the name in the parameter "split"
-/// Returns the length of a string in a message, in bytes: `stated`, or if `stated` is 0, the problem's number of bits
-/// rounded up to whole bytes.
+Split split_named(const std::string&); ///< `name`: value of the parameter `split`
+/// Returns the number of bytes that a string takes in a message: `stated`, or, if `stated` is 0, the bits of the
+/// problem's string rounded up to whole bytes.
 std::uint32_t string_bytes(std::int64_t stated, const SearchProblem&);
-/// Reads the costs and the lengths of messages. An objective has no measurements to send.
+/// Reads the costs and the lengths of messages; for an objective, 0 bytes of measurements.
 Workload read_workload(const ProcessEnvironment&, const SearchProblem&);
 Workload read_slave_workload(const ProcessEnvironment&); ///< reads only the values that a slave uses
 Coding read_coding(const ProcessEnvironment&);
-/// Returns the name of the process's random stream: the parameter `stream`, or if `stream` is empty, the name of the
+/// Returns the name of the process's random stream: the parameter `stream`, or, if `stream` is empty, the name of the
 /// process.
 std::string stream_name(const ProcessEnvironment&);
-/// Reads the settings of the search. Replaces a policy "usual" by the policy of usual_settings(). Throws as
-/// settings_for().
+/// Reads the settings of the search; "usual" stands for the policy of usual_settings(). Throws as settings_for(), and
+/// if the initial population cannot be made or read from a file.
 SearchSettings read_search_settings(const ProcessEnvironment&, const SearchProblem&);
 Farm::Settings read_farm_settings(const ProcessEnvironment&);
 
-/// Returns the number of samples that the search needs before its first generation, without regard to other islands.
+/// Returns the number of samples that the search itself needs before its first generation; see also samples_awaited().
 /// REQUIRES: the problem has a record.
 std::size_t samples_needed(const ProcessInstance&);
 
-/// Returns true for ga.coarse and ga.fine, which breed recoded strings of their problem.
+/// Returns whether the process is a ga.coarse or a ga.fine, which search a RecodedProblem.
 bool breeds_recoded(const ProcessInstance&);
 /// Reads the number of bits of each field, as in "2 7 7". Throws UserError unless all are numbers from 1 to 63.
 std::vector<std::size_t> bits_named(const std::string&);
-/// Returns the recoding of a ga.coarse or ga.fine; a fine search begins around the string of zeros. Throws as
+/// Returns the recoding of a ga.coarse or ga.fine. The first bias point of a ga.fine is the string of zeros. Throws as
 /// Recoding::validate().
 Recoding read_recoding(const ProcessInstance&);
 

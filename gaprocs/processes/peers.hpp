@@ -10,8 +10,7 @@
 
 namespace placedpar {
 
-// These functions find the processes to which a process is connected in the netlist. The checks and the process itself
-// use them.
+// These functions find the processes to which a process is connected in the netlist.
 
 /// Returns the connected ends of a port, in the order of their subscripts. REQUIRES: `port` has no subscript.
 std::vector<PortBinding> ends_of(const Network&, std::size_t process, std::string_view port);
@@ -22,7 +21,8 @@ std::optional<ChannelEnd> other_end(const Network&, std::size_t process, std::st
 
 struct Peer {
     std::string port;    ///< port of this process, with its subscript
-    std::size_t process; ///< process at the other end; `nowhere` if the other end is an edge
+    std::size_t process; ///< index of the process at the other end; `nowhere` if the other end is an edge of the
+                         ///< network
 };
 /// Returns the peer at each end of a port, in the order of the subscripts.
 std::vector<Peer> peers_at(const Network&, std::size_t process, std::string_view port);

@@ -18,8 +18,9 @@ namespace placedpar {
 
 namespace {
 
-/// Runs two processes of high priority: one passes the masters' tasks on to the slaves, the other passes the slaves'
-/// results on to the masters. Each slave queues its tasks and answers them in turn.
+/// Consists of two processes of high priority: one passes the masters' tasks on to the slaves, the other passes the
+/// slaves' results on to the masters. A slave may get tasks of several masters; it queues them and answers them in
+/// turn.
 class Pipeline {
 public:
     explicit Pipeline(const ProcessEnvironment& environment)
@@ -46,8 +47,8 @@ private:
             to.output(Task{});
     }
 
-    /// Passes on a master's tasks of one generation, one task for each slave. Other masters wait until the last task
-    /// has been sent. Returns false when the master has ended.
+    /// Passes on the tasks of one generation of a master, one task for each slave; other masters have to wait
+    /// meanwhile. Returns false if the master has ended.
     bool pass_generation_on(std::size_t master) {
         for (std::size_t sent = 0; sent < slaves_; ++sent) {
             Task task = from_masters_[master].input();

@@ -8,8 +8,9 @@
 
 namespace placedpar {
 
-/// Checks that the slaves behind a pipeline form trees. Each master's results must return from the pipeline to which
-/// its tasks go. A master must have no other slaves, and must send each slave one task per generation.
+/// Checks a ga.pipeline. The slaves behind it must form trees. Each master must receive its results from the pipeline
+/// to which it sends its tasks, must have no other slaves, and must send each slave one task per generation (not
+/// `split` = "demand").
 std::vector<Complaint> check_pipeline(const Network&, std::size_t process);
 
 } // namespace placedpar

@@ -36,7 +36,7 @@ Parameters population_parameters() {
     };
 }
 
-/// Checks that the text is the name of a file or of a policy. An empty text selects the first policy.
+/// Checks that the text names a file or a policy. An empty text selects the first policy.
 void check_initial(const std::string& text) {
     if (text.empty() || std::filesystem::exists(text))
         return;

@@ -32,10 +32,10 @@ ParameterDescription policy(std::string name, std::string by_default, std::strin
                                                    std::move(about)));
 }
 
-/// The value in a netlist that selects the policy of usual_settings(), which suits the problem.
+/// The value of a parameter that selects the policy of usual_settings() for the problem.
 inline constexpr std::string_view usual = "usual";
 
-/// Describes a parameter that chooses the policy of a step, with the default "usual".
+/// Describes a parameter as policy() does, with the default "usual".
 template <class Step>
 ParameterDescription usual_policy(std::string name, std::string about) {
     ParameterDescription description = policy<Step>(std::move(name), std::string(usual), std::move(about));
@@ -50,7 +50,7 @@ ParameterDescription usual_policy(std::string name, std::string about) {
 ParameterDescription problem();
 ParameterDescription cycles_per_error();
 ParameterDescription fitness_bytes();
-/// Describes a parameter that gives the length of a part of a message, in bytes.
+/// Describes a parameter for the number of bytes that something takes in a message.
 ParameterDescription bytes_in_message(std::string name, std::int64_t by_default, std::string about);
 
 /// Returns the parameters that every process with a population has, including `problem`.

@@ -31,7 +31,7 @@ Farm make_farm(const ProcessEnvironment& environment, const SearchProblem& probl
 
 class SearchProcess {
 public:
-    /// `recoded`: the same problem if the process is one of a pair; otherwise null.
+    /// `recoded`: `problem` if the process belongs to a pair; otherwise null.
     SearchProcess(ProcessEnvironment& environment, const SearchProblem& problem, RecodedProblem* recoded,
                   SearchObserver* observer)
         : environment_(environment), problem_(problem), observer_(observer),
@@ -86,7 +86,7 @@ private:
         return environment_.connected(port) ? environment_.output<EstimateMessage>(port) : Output<EstimateMessage>();
     }
 
-    /// Starts measuring at the first full window. From then on all generations cost the same.
+    /// Starts the measurements, at the first full window. From then on all generations take the same time.
     void begin_timing() {
         farm_.forget_times();
         execution_ = operators_ = Stopwatch{};
@@ -119,8 +119,8 @@ private:
             tell_migrations();
     }
 
-    /// Keeps the best individual with its decoded parameters. A fine search will later decode the same string around
-    /// another point.
+    /// Keeps the best individual and its decoded parameters. Decoding later would be wrong in a fine search, because
+    /// the bias point moves.
     void note_best() {
         if (best_ && search_.best().fitness <= best_->fitness)
             return;
@@ -149,8 +149,8 @@ private:
                                 each.individual.fitness, each.place.has_value()});
     }
 
-    /// Measures C_time2 and ends the slaves (the thesis's slaves never ended). Waits first until all other work of the
-    /// machine is done, so that the figures of the work do not change.
+    /// Measures C_time2, then ends the slaves (the thesis's slaves never ended). First waits until all other work of
+    /// the machine is done, so that the rehearsal does not change its times.
     void leave_slaves() {
         wait_until_work_is_over();
         if (timing_ && rehearsals_ > 0)
@@ -188,15 +188,15 @@ private:
         environment_.measure("S_time2", operators_.mean_milliseconds(), "ms");
     }
 
-    /// Reports the rate of generations. Does nothing on a workstation, where a run takes no time.
+    /// Reports the generations per second; nothing on a workstation, where a run takes no time.
     void report_rate() {
         auto timed = static_cast<double>(search_.generation() - generations_before_timing_);
         if (double milliseconds = rate_.mean_milliseconds(); milliseconds > 0)
             environment_.measure("generations_per_second", timed / milliseconds * 1000, "1/s");
     }
 
-    /// Returns the best individual of the last generation, which was evaluated with the newest measurements. For an
-    /// objective, returns the best of all generations.
+    /// Returns the best individual: for an objective, of all generations; otherwise of the last generation, which was
+    /// evaluated with the newest measurements.
     const Individual& best_known() const { return problem_.objective() ? *best_ : search_.best(); }
 
     void report_best_known() {
@@ -210,21 +210,21 @@ private:
     SearchSettings settings_;
     Workload workload_;
     Input<HostMessage> from_host_;
-    Output<EstimateMessage> to_host_, to_analyst_; ///< not connected if no process receives the estimates
+    Output<EstimateMessage> to_host_, to_analyst_; ///< not connected if the port is not
     Farm farm_;
     bool has_slaves_;
     std::int64_t rehearsals_;
     std::optional<IslandExchange> exchange_;
-    std::optional<BiasPointEnd> bias_point_; ///< only for a process of a pair
+    std::optional<BiasPointEnd> bias_point_; ///< only if the process belongs to a pair
 
     std::size_t samples_ = 0; ///< number of samples received
     SlidingWindow window_;
     Search search_;
-    std::optional<Individual> best_; ///< best individual of all generations; only for objectives
+    std::optional<Individual> best_; ///< fittest individual of all generations; used only for an objective
     std::vector<double> values_of_best_;
     Fingerprint populations_;
-    std::vector<Migration> migrations_; ///< immigrants of this generation, with their source island; after breeding
-                                        ///< also the index that each replaced
+    std::vector<Migration> migrations_; ///< immigrants of this generation; Migration::place is set when the generation
+                                        ///< is bred
 
     bool timing_ = false;
     std::uint64_t generations_before_timing_ = 0;

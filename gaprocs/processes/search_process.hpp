@@ -6,10 +6,10 @@
 
 namespace placedpar {
 
-/// Adds the body and the check of a search to a described kind, and returns the kind. All processes with a population
-/// have this body: the traditional algorithm, the master of algorithm A, the island of algorithm B, and an island with
-/// slaves. The connected ports decide how the process behaves. If the observer is not null, it is given every
-/// generation. REQUIRES: `problems` and the observer outlive every run.
+/// Returns `described` with the body and the check of a search. All processes with a population have this body: the
+/// traditional algorithm, the master of algorithm A, the island of algorithm B, and the searches of a pair. The kind
+/// and the connected ports decide what the process does. Reports every generation to the observer, unless it is null.
+/// REQUIRES: `problems` and the observer outlive every run.
 ProcessKind searching(ProcessKind described, const ProblemRegistry& problems, SearchObserver* observer);
 
 } // namespace placedpar

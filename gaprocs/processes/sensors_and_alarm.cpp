@@ -15,8 +15,8 @@ namespace placedpar {
 
 namespace {
 
-/// Outputs each sample of a record at the time at which the sensors read it. If the host is late, the sample and its
-/// successors wait in memory.
+/// Outputs a sample of the record at the end of every period. If the host is late, samples wait; `read_at` is still the
+/// end of the sample's period.
 void read_sensors(ProcessEnvironment& environment, const ProblemRegistry& problems) {
     const auto& record = problems.find(environment.text("problem")).record();
     const auto asked = static_cast<std::size_t>(environment.integer("samples"));
@@ -39,7 +39,7 @@ void read_sensors(ProcessEnvironment& environment, const ProblemRegistry& proble
     environment.measure("longest_wait", in_milliseconds(latest), "ms");
 }
 
-/// Raises the alarm when the first parameter has exceeded the limit in `in_a_row` successive findings.
+/// Raises the alarm when the first parameter has exceeded `limit` in `in_a_row` successive findings.
 void watch(ProcessEnvironment& environment) {
     auto host = environment.input<Finding>("from_host");
     const auto needed = environment.integer("in_a_row");

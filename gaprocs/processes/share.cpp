@@ -6,7 +6,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the master's number of units of work, from a total of `units`.
+/// Returns the number of units of work that the master keeps, of `units` in all.
 std::size_t master_units(std::size_t units, std::size_t slaves, double own_share) {
     if (slaves == 0)
         return units;
@@ -16,8 +16,8 @@ std::size_t master_units(std::size_t units, std::size_t slaves, double own_share
 } // namespace
 
 std::vector<Share> deal(std::size_t population, std::size_t window, std::size_t slaves, Split split, double own_share) {
-    // The unit of work is one evaluation or one individual. If units do not divide equally, the first slaves get one
-    // unit more.
+    // The unit of work is one error evaluation or one individual. If the units cannot be divided equally, the first
+    // slaves get one unit more.
     std::size_t unit = split == Split::evaluations ? 1 : window;
     std::size_t units = population * window / unit;
     std::size_t dealt = units - master_units(units, slaves, own_share);

@@ -9,41 +9,40 @@
 
 namespace placedpar {
 
-/// A part of the work of one generation: the error evaluations first ... last - 1. Evaluation e evaluates individual e
-/// / window at sample e % window.
+/// A part of the work of one generation: the error evaluations `first` ... `last` - 1. Evaluation e is that of
+/// individual e / `window` at sample e % `window`.
 struct Share {
     std::size_t first = 0, last = 0;
     std::size_t window = 1; ///< number of samples in the window
 
     std::size_t evaluations() const { return last - first; }
     std::size_t first_individual() const { return first / window; }
-    /// Returns the number of individuals of which the share holds at least one evaluation.
+    /// Returns the number of individuals with at least one evaluation in the share.
     std::size_t individuals() const { return first == last ? 0 : (last - 1) / window - first_individual() + 1; }
 };
 
 /// The rule by which a master and its slaves share the evaluations of a generation.
 enum class Split {
-    individuals, ///< whole individuals in equal numbers; the first evaluators get one more if the numbers do not divide
+    individuals, ///< whole individuals, in equal numbers or one more for the first slaves
     demand,      ///< whole individuals, one at a time, each to an idle evaluator
-    evaluations  ///< single error evaluations in equal numbers
+    evaluations  ///< single error evaluations, in equal numbers or one more for the first slaves
 };
 
-/// Returns a share for each slave, followed by the master's share. The slaves' shares differ by at most one unit. The
-/// master's share is `own_share` times a slave's share, rounded down. Split::demand deals as Split::individuals.
-/// REQUIRES: window > 0, 0 <= own_share <= 1.
+/// Returns a share for each slave, followed by the master's share, which is `own_share` times a slave's share, rounded
+/// down. Split::demand deals as Split::individuals. REQUIRES: window > 0, 0 <= own_share <= 1.
 std::vector<Share> deal(std::size_t population, std::size_t window, std::size_t slaves, Split, double own_share = 1);
 
-/// Returns an upper bound for the number of individuals in one task that deal() makes for a slave, whatever the window.
-/// The bound is exact for Split::individuals, may be one too high for Split::evaluations, and is 1 for Split::demand.
-/// REQUIRES: slaves > 0.
+/// Returns an upper bound of the number of individuals in a slave's task, for any length of the window. The bound is
+/// exact for Split::individuals, may be one too high for Split::evaluations, and is 1 for Split::demand. REQUIRES:
+/// slaves > 0.
 std::size_t most_individuals(std::size_t population, std::size_t slaves, Split, double own_share = 1);
 
-/// Returns for each individual of the share the sum that the share adds to its fitness. `strings`: the share's
-/// individuals.
+/// Returns, for each individual of the share, the sum of the fitness terms that the share contains. `strings`: the
+/// share's individuals.
 std::vector<double> evaluate_share(const SearchProblem&, const Share&, std::span<const Genome> strings,
                                    std::span<const Sample> window, double bias);
 
-/// Adds the terms, as evaluate_share() returns them, to the fitness of the population.
+/// Adds the result of evaluate_share() to the fitness of the population.
 void add_terms(const Share&, std::span<const double> terms, std::span<double> fitness);
 
 } // namespace placedpar

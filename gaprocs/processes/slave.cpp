@@ -24,10 +24,10 @@ namespace {
 
 struct NextTask {};
 
-/// A slave of algorithm A: three processes on one processor. Two processes of high priority pass messages on: one
-/// passes tasks away from the master, the other passes results towards it. A process of low priority evaluates. If the
-/// slave may have several unanswered tasks, a fourth process queues them, so that tasks for slaves farther away never
-/// wait for the evaluator.
+/// A slave of algorithm A: three processes on one processor. One process of high priority passes tasks on to the slaves
+/// behind, another passes results on towards the master. A process of low priority evaluates. If the slave may have
+/// several unanswered tasks, a fourth process queues them, so that tasks for the slaves behind never wait for the
+/// evaluation.
 class Slave {
 public:
     Slave(const ProcessEnvironment& environment, std::shared_ptr<const SearchProblem> problem)
@@ -38,7 +38,8 @@ public:
           own_tasks_("task of " + environment.process()), kept_tasks_("kept task of " + environment.process()),
           next_task_("next task of " + environment.process()), own_results_("result of " + environment.process()) {}
 
-    /// Runs the slave. The first task states the order of the results and the largest number of unanswered tasks.
+    /// Reads the order of the results and the largest number of unanswered tasks from the first task, then runs the
+    /// slave.
     void run() {
         Task first = from_master_.input();
         results_in_order_ = first.results_in_order;
@@ -60,8 +61,8 @@ private:
             task = from_master_.input();
     }
 
-    /// Passes a task to a slave farther away or to this slave's evaluator. Passes the end to all of them and returns
-    /// false.
+    /// Passes a task on to a slave behind this slave, or to this slave's own evaluation. Passes the end on to all of
+    /// them, and then returns false.
     bool pass_task_on(Task task) {
         bool ended = task.kind == Task::Kind::end;
         if (ended)
@@ -77,7 +78,7 @@ private:
         return !ended;
     }
 
-    /// Queues tasks for the evaluator in the order of arrival.
+    /// Queues the tasks that this slave evaluates, first in, first out.
     void keep_tasks() {
         std::deque<Task> kept;
         bool ended = false;
@@ -102,13 +103,13 @@ private:
         to_master_.output(end_of_results());
     }
 
-    /// Passes on one round of results. It begins with the results of the slaves farther away, channel by channel and
-    /// the farthest first. It ends with this slave's own result. Returns false at the end.
+    /// Passes on the results of one generation: first those of the slaves behind, channel by channel and the farthest
+    /// first, then this slave's own result. Returns false at the end message.
     bool pass_round_on() {
         for (const Input<Fitnesses>& from : from_slaves_)
             for (bool last = false; !last;) {
                 Fitnesses result = from.input();
-                last = result.end || result.hops == 0; // the result of the next slave is the last of a round
+                last = result.end || result.hops == 0; // the nearest slave's result is the last of a generation
                 pass_on(std::move(result));
             }
         return send(own_results_.in().input().message);
@@ -129,7 +130,7 @@ private:
         }
     }
 
-    /// Returns false at the end message of the channel.
+    /// Returns false if the result is the end message.
     bool pass_on(Fitnesses result) {
         ++result.hops;
         return send(std::move(result));

@@ -48,7 +48,7 @@ public:
     void follow(std::size_t process, const PortBinding& tasks, const std::vector<PortBinding>& from) {
         const ChannelEnd& to = end_beyond(n_, tasks);
         if (is_of_kind(n_, to, "ga.pipeline"))
-            return follow(to.process); // check_pipeline() checks the way back of the results
+            return follow(to.process); // check_pipeline() checks the path of the results
         if (!is_slave(n_, to)) {
             ++tree.others;
             return;
@@ -79,7 +79,7 @@ private:
         return n_.processes[process].name + "." + port;
     }
 
-    /// Returns the opposite port: "from_slaves[2]" for "to_slaves[2]".
+    /// Returns the port of the opposite direction: "from_slaves[2]" for "to_slaves[2]".
     static std::string counterpart(const std::string& port, const std::string& base) {
         return base + port.substr(base_name(port).size());
     }
@@ -88,7 +88,7 @@ private:
         tree.complaints.push_back({process, port.port, std::move(message), std::move(hint)});
     }
 
-    /// Returns whether the ends are one end without a subscript, or have the subscripts 0, 1, 2 ...
+    /// Returns whether there is a single end without a subscript, or the subscripts are 0, 1, 2 ...
     bool are_numbered(std::size_t process, const std::vector<PortBinding>& ends) {
         if (ends.size() == 1 && subscripts_of(ends[0].port).empty())
             return true;
@@ -137,7 +137,7 @@ std::vector<std::size_t> circle_of(const Network& network, std::size_t slave) {
         if (before->process == slave)
             return way;
         if (std::ranges::count(way, before->process) > 0)
-            return {}; // the process follows a circle
+            return {}; // the slave is behind a circle, not in it
         way.push_back(before->process);
     }
 }

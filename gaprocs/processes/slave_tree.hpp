@@ -10,27 +10,25 @@ namespace placedpar {
 
 /// The slaves of a master, as a netlist connects them: a chain, a star, or any other tree.
 struct SlaveTree {
-    /// The slaves' processes, depth first: a slave, then all slaves behind its first channel, then all slaves behind
-    /// its second channel.
+    /// Indices of the slaves in Network::processes, depth first: a slave, then all slaves behind its first channel,
+    /// then all slaves behind its second channel, and so on.
     std::vector<std::size_t> slaves;
-    std::size_t others = 0; ///< number of processes of other kinds that receive tasks; the slaves behind them are
-                            ///< unknown
+    std::size_t others = 0; ///< number of processes that receive tasks, but are neither slaves nor pipelines; slaves
+                            ///< behind them are not found
     std::vector<Complaint> complaints;
 };
 
-/// Follows the channels of tasks from a master, also through a ga.pipeline to slaves that several masters share.
-/// Reports ports that are not numbered from 0 on, and a slave that is reached twice. Reports a slave whose results do
-/// not return to the sender of its tasks, and results from a process that receives no tasks. Stops following a channel
-/// at its first error.
+/// Follows the channels of tasks from a master, also through a ga.pipeline. Complains of ports that are not numbered 0,
+/// 1, 2, ..., and of a slave that is reached twice. Complains of a slave whose results do not go to the process that
+/// sends its tasks, and of results from a process that gets no tasks. Stops following a channel at the first error.
 SlaveTree follow_slaves(const Network&, std::size_t master);
 
-/// Returns how many slaves a master or a slave has behind each of its channels to slaves, except for the last channel.
-/// A process that is neither a slave nor a pipeline counts as one slave. REQUIRES: follow_slaves() reports no
-/// complaints.
+/// Returns the number of slaves behind each channel of a master or a slave, except the last. A process that is neither
+/// a slave nor a pipeline counts as one slave. REQUIRES: follow_slaves() reports no complaints.
 std::vector<std::size_t> count_slaves_behind(const Network&, std::size_t process);
 
-/// Returns the slaves that form a circle with this slave. No master's tasks can reach them. Empty if the slave is not
-/// in a circle.
+/// Returns the slaves of the circle to which this slave belongs; empty if it belongs to none. No master's tasks reach a
+/// slave in a circle.
 std::vector<std::size_t> circle_of(const Network&, std::size_t slave);
 
 } // namespace placedpar

@@ -7,12 +7,12 @@
 namespace placedpar {
 
 /// Measures a section of a process's program repeatedly with the transputer's timer, as the thesis did, and computes
-/// the mean time. At low priority the timer's clock ticks every 64 us, which limits the resolution of a reading.
+/// the mean time. At low priority the timer's clock ticks only every 64 us.
 class Stopwatch {
 public:
     void start() { started_ = timer_.read(); }
-    /// REQUIRES: the process has the same priority as at start(), because each priority has its own clock. Since
-    /// start(), less than half of the clock's period has passed; on a T2 at low priority, 2.1 s.
+    /// REQUIRES: the process has the same priority as at start(), because each priority has its own clock. Less than
+    /// half of the clock's period has passed since start(); on a T2 at low priority, half of the period is 2.1 s.
     void stop() {
         measured_ += timer_.minus(timer_.read(), started_) * timer_.tick();
         ++times_;

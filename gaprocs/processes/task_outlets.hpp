@@ -14,8 +14,9 @@ namespace placedpar {
 
 /// The order in which a master sends over its channels to slaves.
 enum class Sending {
-    in_turn, ///< one message after another: the master waits until each message has been sent
-    at_once  ///< a process of high priority sends on each channel, while the master prepares the next message
+    in_turn, ///< the master sends one message after another
+    at_once  ///< each channel has a sending process of high priority, so the master can prepare the next message
+             ///< meanwhile
 };
 
 /// A master's channels to its slaves.
@@ -25,18 +26,18 @@ public:
         : channels_(std::move(channels)), sending_(sending) {}
 
     std::size_t count() const { return channels_.size(); }
-    /// Runs the body, which may call send(). Returns when all tasks have been sent.
+    /// Runs `body`. Returns when all tasks have been sent. REQUIRES: send() is called only by `body`.
     void during(const std::function<void()>& body, const SourceLocation& = SourceLocation::current());
     void send(std::size_t channel, Task);
 
 private:
-    using Handed = InPlace<std::optional<Task>>; ///< empty: no more tasks
+    using Handed = InPlace<std::optional<Task>>; ///< nothing: there are no more tasks
 
     void send_all_handed(std::size_t channel);
 
     std::vector<Output<Task>> channels_;
     Sending sending_;
-    std::vector<Channel<Handed>*> handed_; ///< channels to the sending processes, by channel to slaves
+    std::vector<Channel<Handed>*> handed_; ///< channels from the master to the sending processes
 };
 
 } // namespace placedpar

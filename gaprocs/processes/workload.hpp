@@ -10,7 +10,7 @@ namespace placedpar {
 
 class ProcessEnvironment;
 
-/// The costs of the program on the machine, as stated in the netlist.
+/// The costs of a process on the machine, as stated in the netlist.
 struct Workload {
     Cycles error_evaluation{};       ///< cost for one individual and one sample
     Cycles genetic_operators{};      ///< cost of reproduction, crossover and mutation for one individual
@@ -20,8 +20,8 @@ struct Workload {
     std::uint32_t measurement_bytes = 0;
 };
 
-/// Returns the cycles that a copy between two blocks of external memory takes. Each word is read and written: 13.3
-/// Mbyte/s at 20 MHz (T800 databook).
+/// Returns the cycles that a copy of `bytes` bytes from external memory to external memory takes. Each word is read and
+/// written, at 13.3 Mbyte/s for 20 MHz (T800 databook).
 constexpr Cycles block_move(std::uint32_t bytes) {
     const std::int64_t words = (std::int64_t{bytes} + 3) / 4;
     return hardware::instructions::block_move_start + 2 * words * hardware::Memory::outside;

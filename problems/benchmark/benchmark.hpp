@@ -4,8 +4,7 @@
 
 namespace placedpar {
 
-/// Adds the problems on which optimisers are usually compared, with their parameters: functions of real numbers, binary
-/// strings, tours.
+/// Adds the usual benchmark problems (functions of real numbers, binary strings, tours), each with its parameters.
 void add_benchmark_problems(ProblemRegistry&);
 
 } // namespace placedpar

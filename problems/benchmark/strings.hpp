@@ -11,7 +11,7 @@
 
 namespace placedpar {
 
-// Problems of binary strings that are to be maximised.
+// Problems of binary strings, whose objectives are to be maximised.
 
 /// The number of ones.
 struct OneMax {
@@ -26,8 +26,9 @@ struct OneMax {
 };
 
 /// Deceptive traps (D. Goldberg, "Simple genetic algorithms and the minimal, deceptive problem", 1987; K. Deb and D.
-/// Goldberg, "Analyzing deception in trap functions", 1993). A block of only ones counts its size, any other block the
-/// number of its zeros minus 1. Changes of single bits therefore lead away from the optimum.
+/// Goldberg, "Analyzing deception in trap functions", 1993). The objective is a sum over the blocks: a block of ones
+/// adds `size`, any other block adds the number of its zeros minus 1. So improvements by single bits lead away from the
+/// optimum.
 struct Trap {
     static constexpr std::string_view name = "trap",
                                       about = "deceptive traps: in each block, single bit changes lead away from the "
@@ -42,18 +43,17 @@ struct Trap {
     double optimum() const { return static_cast<double>(blocks * size); }
 };
 
-/// A sum with one number for each bit of the string. The number depends on the bit and the k bits after it; after the
-/// last bit comes the first.
+/// The objective is a sum of one contribution for each bit of the string. A contribution depends on the bit and the k
+/// bits after it; after the last bit comes the first.
 class Landscape {
 public:
-    /// `contributions` holds 2^(k + 1) numbers for each bit, indexed by the bits i ... i + k read as a natural binary
-    /// number. REQUIRES: bits > k; bits * 2^(k + 1) contributions.
+    /// `contributions` holds 2^(k + 1) numbers for each bit i. The index among them is the natural binary number in the
+    /// bits i ... i + k. REQUIRES: bits > k; contributions.size() == bits * 2^(k + 1).
     Landscape(std::size_t bits, std::size_t k, std::vector<double> contributions);
 
     BitString representation() const { return BitString(bits_); }
     double objective(const Genome& genome) const;
-    /// Returns the exact optimum, computed by dynamic programming around the ring; nullopt if that would take more than
-    /// 2^24 steps.
+    /// Returns the exact optimum, by dynamic programming; nothing if this would take more than 2^24 steps.
     std::optional<double> optimum() const;
 
 private:
@@ -66,8 +66,8 @@ private:
     std::vector<double> contributions_;
 };
 
-/// NK landscapes (S. Kauffman, "The Origins of Order", 1993) with neighbouring bits. The contributions are uniform
-/// between 0 and 1 / bits.
+/// NK landscapes (S. Kauffman, "The Origins of Order", 1993) with adjacent neighbours. The contributions are uniform
+/// random numbers between 0 and 1 / `bits`.
 struct NkLandscape {
     static constexpr std::string_view name = "nk",
                                       about = "a landscape in which the value of each bit depends on `k` neighbours, "

@@ -43,8 +43,7 @@ struct CircleTour {
     Tour problem() const;
 };
 
-/// Cities on the crossings of a square lattice of spacing 1. The shortest tour has only steps of 1, and one diagonal if
-/// the number of cities is odd. In a single row, it goes along the row and back.
+/// Cities on the crossings of a square lattice of spacing 1. The shortest tour is known; see shortest_on_lattice().
 struct LatticeTour {
     static constexpr std::string_view name = "tour-lattice",
                                       about = "the travelling salesman with cities on a lattice of spacing 1";

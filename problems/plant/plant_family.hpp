@@ -6,8 +6,8 @@
 
 namespace placedpar {
 
-/// Identification of chapter 5's plant as netlists name it: "plant", "plant(noise = 0.3)", "plant(lasts = 0)". The
-/// defaults are those of PlantExperiment. `seed` determines the records.
+/// Returns the problems that netlists name "plant", "plant(noise = 0.3)", "plant(lasts = 0)": identification of chapter
+/// 5's plant. The defaults are those of PlantExperiment. `seed` determines the input and the noise of the records.
 ProblemFamily plant_family(std::uint64_t seed);
 
 } // namespace placedpar

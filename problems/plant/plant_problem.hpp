@@ -17,8 +17,8 @@ namespace placedpar {
 
 /// A plant in pole-zero form (thesis eq. 5.9): poles alpha +- j beta, zeros gamma +- j delta, gain b0, delay d.
 ///
-/// The plant of 5.8 has the zeros 0 and -.5, which are not a conjugate pair. Therefore a negative delta stands for the
-/// real pair gamma +- |delta|: gamma = delta = -.25 is exactly the plant of 5.8.
+/// The plant of eq. 5.8 has the real zeros 0 and -.5. So that the search can find them, a negative delta stands for the
+/// real zeros gamma +- |delta|. The zeros of eq. 5.8 are gamma = delta = -.25.
 template <typename T>
 struct PoleZeroPlantOf {
     T d, alpha, beta, gamma, delta, b0;
@@ -43,8 +43,8 @@ private:
     void behind_the_delay(const Numerator& numerator, Weights& weights) const requires std::same_as<T, double> {
         std::copy(numerator.begin(), numerator.end(), weights.begin() + 1 + static_cast<int>(d));
     }
-    /// Sets the weights of several plants, each with its own delay. Adds the numerator at each possible delay,
-    /// multiplied by 1 at the plant's own delay and by 0 at the others.
+    /// Sets the weights of several plants, which may have different delays. Adds the numerator at each possible delay,
+    /// multiplied by 1 in the lanes of the plants with this delay and by 0 in the others.
     void behind_the_delay(const Numerator& numerator, Weights& weights) const {
         for (std::size_t delay = 1; delay + 3 < weights.size(); ++delay) {
             T here = max(T(0.0), 1 - abs(d - static_cast<double>(delay)));
@@ -55,12 +55,13 @@ private:
 };
 using PoleZeroPlant = PoleZeroPlantOf<double>;
 
-/// Returns d, alpha, beta, gamma, delta and b0 of a plant. Its zeros 0 and -b1 are a real pair. REQUIRES: complex
+/// Returns d, alpha, beta, gamma, delta and b0 of a plant, whose zeros are 0 and -b1. REQUIRES: the plant has complex
 /// poles.
 std::vector<double> parameters_of(const Plant& plant);
 
 /// Identification of a PoleZeroPlant as a search problem. The string d | alpha | beta | gamma | delta | b0 has 37 bits
-/// (Table 5.1). The error is y(k) - y-hat(k), predicted from measured past outputs. Samples come from plant_record().
+/// (Table 5.1). The error is y(k) - y-hat(k), where y-hat(k) is predicted from the two measured outputs before. Samples
+/// come from plant_record().
 class PlantProblem {
 public:
     PlantProblem();
@@ -83,7 +84,7 @@ public:
         return error_of<double>(weights, sample);
     }
 
-    /// Returns the weights as the parameters of an individual, so that error_of() does not use the delay as an index.
+    /// Returns the weights, not d, alpha, ..., because error_of() for Lanes cannot use the delay as an index.
     template <BinaryString G>
     std::array<double, plant_channels - 1> parameters_of(const G& genome) const {
         return plant(genome).weights();
@@ -100,11 +101,11 @@ public:
     std::vector<std::string> parameter_names() const { return {"d", "alpha", "beta", "gamma", "delta", "b0"}; }
     std::vector<std::string> parameter_units() const { return {"samples", "", "", "", "", ""}; }
 
-    /// Returns y-hat(k) from the two outputs before it, measured or simulated, and the inputs of sample k.
+    /// Returns y-hat(k) from y(k-1), y(k-2), which may be simulated, and the inputs in sample k.
     template <typename T, typename Output>
     static T predicted(std::span<const T> weights, const Output& last, const Output& before,
                        std::span<const double> sample) {
-        // Written out, because a loop takes longer.
+        // Not a loop, which would be slower.
         return weights[0] * last + weights[1] * before + weights[2] * sample[3] + weights[3] * sample[4] +
                weights[4] * sample[5] + weights[5] * sample[6] + weights[6] * sample[7] + weights[7] * sample[8];
     }
@@ -119,8 +120,8 @@ private:
     ParameterCoding coding_;
 };
 
-/// A PlantProblem whose error comes from a simulation. The two outputs before the first sample of a window are
-/// measured; later outputs are the simulated plant's own y-hat.
+/// A PlantProblem in which y-hat(k) is simulated. At the first sample of a window, it is computed from two measured
+/// outputs; later, from the previous y-hat.
 class SimulatedPlantProblem : public PlantProblem {
 public:
     template <typename T>

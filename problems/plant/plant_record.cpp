@@ -31,7 +31,7 @@ double gaussian(RandomStream& random) {
     return radius * std::cos(2 * std::numbers::pi * random.uniform());
 }
 
-/// Returns the input u(0), u(1), ...
+/// Returns the input u(0), u(1), ..., each 1 or -1.
 std::vector<double> input_signal(std::size_t samples, RandomStream& random) {
     PseudoRandomBits bits(random.below(PseudoRandomBits::period));
     std::vector<double> input;
@@ -41,7 +41,7 @@ std::vector<double> input_signal(std::size_t samples, RandomStream& random) {
     return input;
 }
 
-/// Returns the signal at k - delay; 0 before its beginning.
+/// Returns signal[k - delay]; 0 if k < delay.
 double past(const std::vector<double>& signal, std::size_t k, std::size_t delay) {
     return k < delay ? 0 : signal[k - delay];
 }
@@ -64,7 +64,7 @@ public:
         return sample;
     }
 
-    /// Returns the sample that arrives in generation 0.
+    /// Returns the index of the sample that arrives in generation 0.
     std::size_t first() const { return experiment_.settling + experiment_.window - 1; }
 
 private:

@@ -4,8 +4,8 @@
 
 namespace placedpar {
 
-/// A pseudo random binary sequence of period 127, from a shift register of seven bits (x^7 + x^6 + 1). In each period
-/// every pattern of seven bits except seven zeros occurs once.
+/// A pseudo random binary sequence of period 127, from a shift register of seven bits (x^7 + x^6 + 1). In each period,
+/// every pattern of seven bits occurs once, except seven zeros.
 class PseudoRandomBits {
 public:
     static constexpr std::size_t period = 127;
