@@ -10,7 +10,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Makes a line whose slope is `code` / 256.
+/// Returns a line of slope `code` / 256.
 Individual line_of(std::uint64_t code) {
     Individual line{Genome(8), 0};
     line.genome.set_field(0, 8, code);
@@ -19,7 +19,7 @@ Individual line_of(std::uint64_t code) {
 
 } // namespace
 
-TEST_CASE("the errors of each island's best are computed over the newest samples") {
+TEST_CASE("the errors of each island's best individual are those at the newest samples") {
     auto problem = make_search_problem(LineProblem());
     std::vector<Sample> samples{{100, 0}, {1, 0.5}, {2, 0.5}};
     std::vector<Individual> bests{line_of(128), line_of(64)};
@@ -39,7 +39,7 @@ TEST_CASE("errors that depend on the first sample of a window are computed separ
           std::vector<std::vector<std::vector<double>>>{{{.25, -.25, -.25}, {.5, .5, 1.5}}, {{-.5, -.5}, {0, 1}}});
     ErrorMatrix matrix(found, ErrorMatrix::Sum::squares);
     CHECK(matrix.error(0, 0) == 3 * .0625);
-    CHECK(matrix.error(1, 0) == .5); // more than in the longer window that contains this one
+    CHECK(matrix.error(1, 0) == .5); // more than in the longer window, although that contains this window
     CHECK(matrix.error(1, 1) == 1);
 }
 
@@ -47,7 +47,7 @@ TEST_CASE("the answer is the chosen island's best until the next analysis") {
     auto problem = make_search_problem(LineProblem());
     ActiveErrorAnalysis analysis(*problem, {4, 2}, IslandChoice::named("row"), RandomStream(1, "answer"));
     std::vector<Individual> bests{line_of(128), line_of(64)};
-    // The slope has changed from 1/2 to 1/4; the short window contains only samples after the change.
+    // The slope changes from 1/2 to 1/4. The short window contains only samples after the change.
     std::vector<Sample> samples{{1, 0.5}, {1, 0.501}, {1, 0.25}, {1, 0.26}};
     analysis.analyse(bests, samples);
     CHECK(analysis.island() == 1);

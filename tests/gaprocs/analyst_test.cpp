@@ -1,4 +1,4 @@
-// Tests the analyst of islands on the simulated machine against the library's active error analysis.
+// Tests ga.analyst on the simulated machine against the library's active error analysis.
 
 #include "gaprocs/active_error_analysis.hpp"
 #include "gaprocs/generation_log.hpp"
@@ -129,7 +129,7 @@ TEST_CASE("an analyst does not change the islands' generations") {
     CHECK(with.measured("analyst", "slope") > 0);
 }
 
-TEST_CASE("the log has an answer behind its generation, with the analyst and the chosen island") {
+TEST_CASE("in the log, an answer comes after the rows of its generation, with the analyst and the chosen island") {
     IslandNetlist netlist{nested_windows()};
     netlist.settings.schedule = Schedule::named("broadcast(1)");
     GenerationLog log = logged(with_analyst(netlist, "choice = \"fixed(2)\""));
@@ -140,7 +140,8 @@ TEST_CASE("the log has an answer behind its generation, with the analyst and the
     CHECK(rows.back().time > rows[rows.size() - 2].time);
 }
 
-TEST_CASE("an analysis costs the error evaluations of the longest window, or of every window if errors depend on it") {
+TEST_CASE("an analysis costs the error evaluations of the longest window, or of every window if errors depend on the "
+          "window") {
     IslandNetlist netlist{nested_windows()};
     netlist.settings.schedule = Schedule::named("broadcast(1)");
     auto busy = [&](const char* problem, int cycles) {
@@ -154,14 +155,14 @@ TEST_CASE("an analysis costs the error evaluations of the longest window, or of 
                 return in_milliseconds(processor.busy);
         return 0.0;
     };
-    // There are 6 answers from 4 islands. Each error takes 1000 cycles of 50 ns.
+    // Each of 6 answers evaluates the best of 4 islands. An error takes 1000 cycles of 50 ns.
     constexpr double of_a_sample = 6 * 4 * 1000 * 50e-6;
     CHECK(busy("\"line\"", 1000) - busy("\"line\"", 0) == doctest::Approx(of_a_sample * 10).epsilon(0.001));
     CHECK(busy("\"along\"", 1000) - busy("\"along\"", 0) ==
           doctest::Approx(of_a_sample * (10 + 7 + 5 + 3)).epsilon(0.001));
 }
 
-TEST_CASE("an analyst is refused at its place if it cannot compare its islands") {
+TEST_CASE("an analyst that cannot compare its islands is refused at its place in the netlist") {
     IslandNetlist netlist{nested_windows()};
     auto says = [](const std::string& text, const std::string& part, const std::string& marked) {
         std::string refusal = refusal_of(text);
@@ -185,7 +186,7 @@ TEST_CASE("an analyst is refused at its place if it cannot compare its islands")
          "the samples of \"analyst\" come from another process than those of \"island[0]\"", "analyst.from_host");
 }
 
-TEST_CASE("an analyst that would never answer is a warning at its place") {
+TEST_CASE("an analyst that would never answer gives a warning at the analyst's place") {
     auto said = [](std::size_t every, const std::string& host = "host (problem = \"line\")") {
         IslandNetlist netlist{nested_windows()};
         netlist.settings.schedule = BroadcastSchedule{every};
@@ -196,8 +197,8 @@ TEST_CASE("an analyst that would never answer is a warning at its place") {
         auto text = replaced(with_analyst(netlist, ""), "host (problem = \"line\")", host);
         return render(read_netlist_text(text, catalogue, {}, "analyst.cfs").diagnostics);
     };
-    // There are 12 samples. From the fifth on, each has two generations, so there are 16. The 11th generation is the
-    // first with ten samples, which the longest window needs.
+    // There are 12 samples, with two generations each from the fifth sample on, so 16 generations. The longest window
+    // needs ten samples; the 11th generation is the first that has them.
     CHECK(said(16) == "");
     CHECK(said(11) == "");
     std::string never = said(17), early = said(9, "host (problem = \"line\", samples = 9)");

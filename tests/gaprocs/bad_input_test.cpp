@@ -20,7 +20,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A problem whose bounds are reversed, and whose numbers may have 0 bits.
+/// A problem whose bounds are reversed by default, and whose fields may have 0 bits.
 struct Reversed {
     std::size_t bits = 4;
     double low = 5, high = -5;
@@ -28,7 +28,7 @@ struct Reversed {
     double objective(std::span<const double> x) const { return x[0]; }
 };
 
-/// Returns the refusal of a search of the sphere with the changed settings.
+/// Returns the error message of a search of the sphere with changed settings.
 std::string refusal_of_settings(void (*change)(SearchSettings&)) {
     auto sphere = minimise(PlainSphere{});
     SearchSettings settings = usual_settings(*sphere);
@@ -41,7 +41,7 @@ std::string refusal_of_settings(void (*change)(SearchSettings&)) {
     return "";
 }
 
-/// Returns the refusal of a netlist whose master has these parameters.
+/// Returns the error message of a netlist whose master has these parameters.
 std::string refusal_of_master(const std::string& parameters) {
     Cluster cluster{.slaves = 0, .population = 30, .master_parameters = "rehearsals = 0, " + parameters};
     try {
@@ -182,7 +182,7 @@ TEST_CASE("a genome of 4096 bits is searched") {
     CHECK(result.best().best.fitness > 2400);
 }
 
-TEST_CASE("a search in which no individual is allowed continues and finds no solution") {
+TEST_CASE("a search in which no individual has a finite objective continues and finds no solution") {
     auto nowhere = minimise(Nowhere{});
     for (const char* reproduction : {"ranking", "scaled", "tournament"}) {
         SearchSettings settings = usual_settings(*nowhere);

@@ -15,15 +15,14 @@
 
 namespace placedpar {
 
-/// Clusters of a master and a chain of slaves, which solve the line problem; returned as a netlist.
+/// A netlist of one or several masters, each with a chain of slaves, by default for the line problem.
 struct Cluster {
     int slaves = 0;
-    int islands = 1; ///< several islands form a ring
+    int islands = 1; ///< number of masters; several are islands in a ring
     int population = 30;
     std::string split = "individuals";
     std::string measurements = "sample";
-    std::string even_processor = "clock = 20M"; ///< attributes of processors with even numbers; the master's has number
-                                                ///< 0
+    std::string even_processor = "clock = 20M"; ///< attributes of processors 0, 2, ...; processor 0 is the master's
     std::string odd_processor = "clock = 20M";
     std::string workstation = "linkspeed = 20M";
     std::string master_parameters = "rehearsals = 2";

@@ -12,7 +12,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A problem with two numbers of 8 bits. Its optimum is at 200 and 77.
+/// A problem of two numbers of 8 bits. The optimum is at 200 and 77.
 struct TwoNumbers {
     std::size_t bits() const { return 16; }
     std::size_t channels() const { return 1; }
@@ -42,7 +42,7 @@ CoarseFineSettings pair_settings() {
 } // namespace
 
 TEST_CASE(
-    "the coarse search finds the cell of the optimum and the fine search its number, the same for the same seed") {
+    "the coarse search finds the cell of the optimum, the fine search the optimum, and the same seed gives the same") {
     auto problem = make_search_problem(TwoNumbers());
     CoarseFine pair(*problem, pair_settings(), 3), again(*problem, pair_settings(), 3);
     for (CoarseFine* each : {&pair, &again}) {

@@ -1,4 +1,4 @@
-// Tests the closed form of diversity against the distances of all pairs.
+// Tests diversity, which is computed without a loop over pairs, against the distances of all pairs.
 
 #include "gaprocs/diversity.hpp"
 #include "runtime/random.hpp"
@@ -44,7 +44,8 @@ double within(const std::vector<Genome>& population) {
 
 Spread four_bits(std::initializer_list<const char*> texts) { return spread_of(test::strings(texts), BitString(4)); }
 
-/// Checks the closed form against all pairs, for several sizes of population. One population is almost uniform.
+/// Compares diversity with the distances of all pairs, for several sizes of population. In one population almost all
+/// individuals are equal.
 void check_pairs(const Representation& representation, double greatest, bool of_squares = false) {
     RandomStream random(1, "diversity");
     Pairs pairs{representation, greatest, of_squares};

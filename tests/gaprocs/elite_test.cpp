@@ -23,7 +23,7 @@ SearchSettings with_elite(std::size_t elite, std::size_t population) {
     return settings;
 }
 
-/// Returns how often the best fitness falls from one generation to the next, in the same window.
+/// Returns how often the best fitness falls from one generation to the next while the window stays the same.
 int falls(const SearchSettings& settings, std::uint64_t seed) {
     auto problem = make_search_problem(LineProblem{});
     auto window = line_record(10);
@@ -75,7 +75,7 @@ TEST_CASE("the elite stays when no individual has positive fitness and the other
         CHECK(search.population()[i] != Genome(64));
 }
 
-TEST_CASE("while the window stays the same, the best is never lost with an elite, but is lost without one") {
+TEST_CASE("while the window stays the same, the best fitness never falls with an elite, but does without one") {
     int lost = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         lost += falls(with_elite(0, 8), seed);
@@ -89,7 +89,7 @@ TEST_CASE("while the window stays the same, the best is never lost with an elite
 }
 
 TEST_CASE("when the window moves, the elite is evaluated again") {
-    // The line changes its slope after ten samples, so the former best must not keep its old fitness.
+    // The slope of the line changes after ten samples, so the former best must not keep the old fitness.
     auto record = line_record(30);
     for (std::size_t k = 10; k < 30; ++k)
         record[k][1] = 40.0 / 256 * record[k][0];

@@ -1,4 +1,4 @@
-// Tests the estimates that islands send to their host after the generations of each sample.
+// Tests the estimates that islands send to the host after the generations of each sample.
 
 #include "tests/gaprocs/island_netlist.hpp"
 
@@ -24,7 +24,7 @@ IslandNetlist four_islands() {
     return netlist;
 }
 
-/// Returns connections that send the estimates of the islands from `first` on back to the host.
+/// Returns the netlist, in which the islands from `first` on send estimates to the host.
 std::string returning(const IslandNetlist& netlist, std::size_t first = 0) {
     std::string text = netlist.text();
     for (std::size_t i = first; i < islands; ++i)
@@ -32,7 +32,7 @@ std::string returning(const IslandNetlist& netlist, std::size_t first = 0) {
     return text;
 }
 
-/// Returns the number of samples that an island searches: all samples, from the one that fills the window on.
+/// Returns the number of samples after which an island makes generations: from the first full window on.
 std::size_t samples_searched() { return line_samples - SearchSettings{}.window.length + 1; }
 
 double generations_ms(const RunReport& report, std::size_t island, double trials) {
@@ -50,7 +50,7 @@ void check_best_is_of_its_island(const RunReport& report) {
 
 } // namespace
 
-TEST_CASE("estimates return for every sample that was searched, and do not change the generations") {
+TEST_CASE("an estimate comes after every sample with generations, and estimates do not change the generations") {
     IslandNetlist netlist = four_islands();
     RunReport silent = run_on_line(netlist.text()), report = run_on_line(returning(netlist));
     REQUIRE(report.result.ending == Ending::completed);
@@ -62,7 +62,7 @@ TEST_CASE("estimates return for every sample that was searched, and do not chang
     check_best_is_of_its_island(report);
 }
 
-TEST_CASE("the response time of an estimate is the time of its sample's generations, apart from the links' time") {
+TEST_CASE("the response time of an estimate is the time of a sample's generations, apart from the time on the links") {
     RunReport report = run_on_line(returning(four_islands()));
     double generations = generations_ms(report, 0, 5), response = report.measured("host", "response");
     CHECK(response == doctest::Approx(generations).epsilon(0.005));
@@ -75,7 +75,7 @@ TEST_CASE("the response time of an estimate is the time of its sample's generati
     CHECK(longer.measured("host", "response") > 1.9 * response);
 }
 
-TEST_CASE("some islands may return estimates while others do not") {
+TEST_CASE("some islands may send estimates while others do not") {
     RunReport report = run_on_line(returning(four_islands(), 2));
     REQUIRE(report.result.ending == Ending::completed);
     CHECK(report.measured("host", "estimates") == 2 * samples_searched());
@@ -94,7 +94,7 @@ TEST_CASE("islands on workstations, which take no time, answer at once") {
     CHECK(report.measured("host", "response") < 1);
 }
 
-TEST_CASE("an island may not return estimates to a host that does not send its samples") {
+TEST_CASE("an island may not send estimates to a host from which it does not get its samples") {
     std::string text = four_islands().text() +
                        "process other; use \"ga.host\" for other; place other on sun; other (problem = \"line\");\n"
                        "process master; use \"ga.master\" for master; place master on t0; master (problem = "

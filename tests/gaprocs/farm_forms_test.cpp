@@ -1,4 +1,4 @@
-// Tests chains, stars, trees and mixtures of them. Each gives the traditional algorithm's generations, and none
+// Tests slaves in chains, stars and other trees. Each form gives the traditional algorithm's generations, and none
 // deadlocks.
 
 #include "gaprocs/traditional.hpp"
@@ -34,7 +34,7 @@ std::string populations_of(const FarmOfForm& farm) {
     return report.measured_text("master", "populations");
 }
 
-/// Returns the populations of the same search without slaves. One process evaluates whole generations.
+/// Returns the hash of the populations of the same search by one process without slaves.
 std::string populations_without_slaves(const FarmOfForm& farm) {
     auto text = fmt::format(
         "workstation sun; T800 t; process host, master; use \"ga.host\" for host; use \"ga.traditional\" for master;\n"
@@ -46,7 +46,7 @@ std::string populations_without_slaves(const FarmOfForm& farm) {
     return run_on_line(text).measured_text("master", "populations");
 }
 
-/// Returns every combination of the ways to split work, to send it, and to return results.
+/// Returns parameters for every combination of ways to split the work, to send tasks and to return results.
 std::vector<std::string> ways() {
     std::vector<std::string> all;
     for (const char* sending : {"in turn", "at once"}) {
@@ -65,7 +65,7 @@ const char* const few_samples = "problem = \"line\", samples = 5";
 
 } // namespace
 
-TEST_CASE("every form, number of slaves and way of dealing gives the traditional generations") {
+TEST_CASE("every form, number of slaves and way of sharing the work gives the traditional generations") {
     std::string traditional = populations_without_slaves({.form = {}, .host_parameters = few_samples});
     test::EveryNth sampled(5);
     for (std::size_t slaves : {1u, 2u, 3u, 4u, 7u, 11u}) {
@@ -89,7 +89,7 @@ TEST_CASE("every form, number of slaves and way of dealing gives the traditional
     }
 }
 
-TEST_CASE("no random tree of slaves gets stuck, in any placement and timing") {
+TEST_CASE("no random tree of slaves deadlocks, in any placement and timing") {
     std::string traditional = populations_without_slaves({.form = {}, .host_parameters = few_samples});
     const std::array<std::string, 4> processors{"clock = 20M", "clock = 3M", "clock = 25M", "channelcall = 300"};
     for (std::uint64_t seed : test::seeds(60, 1)) {
@@ -129,7 +129,7 @@ TEST_CASE("a chain with subscripts takes the same time as a chain without, to th
     CHECK(run_on_line(subscripted).result.fingerprint == run_on_line(netlist).result.fingerprint);
 }
 
-TEST_CASE("the farthest slave of a chain waits less if it has its next task already") {
+TEST_CASE("the farthest slave of a chain waits less if it already has the next task") {
     auto run = [](int under_way) {
         FarmOfForm farm{.form = chain_of(3),
                         .master_parameters = fmt::format("rehearsals = 0, population = 120, split = \"demand\", "

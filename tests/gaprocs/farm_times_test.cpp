@@ -29,8 +29,8 @@ TEST_CASE("a high-priority master that deals on demand measures its evaluations 
     };
     double low = run_on_line(netlist("LOW")).measured("master0", "P_time2");
     double high = run_on_line(netlist("HIGH")).measured("master0", "P_time2");
-    // The master evaluates nine to eleven of 30 individuals, at 10 samples of 1440 cycles of 50 ns. This takes 6.5 to
-    // 7.9 ms.
+    // The master evaluates nine to eleven of 30 individuals, each at 10 samples. An error takes 1440 cycles of 50 ns,
+    // so this takes 6.5 to 7.9 ms.
     CHECK(low > 6);
     CHECK(low < 9);
     CHECK(high == doctest::Approx(low).epsilon(0.1));
@@ -45,7 +45,7 @@ TEST_CASE("times are measured only with a full window") {
     CHECK(has(run_on_line(never_full.netlist() + "host (samples = 10);\n"), "T_exe"));
 }
 
-TEST_CASE("a run that takes no time has no rate") {
+TEST_CASE("a run that takes no time reports no generations per second") {
     std::string text =
         "workstation sun; process host; process m; use \"ga.host\" for host; use \"ga.traditional\" for m;\n"
         "host (problem = \"line\"); m (problem = \"line\");\n"
@@ -56,7 +56,7 @@ TEST_CASE("a run that takes no time has no rate") {
     CHECK_FALSE(has(report, "generations_per_second"));
 }
 
-TEST_CASE("rehearsals do not change the figures of the work") {
+TEST_CASE("rehearsals do not change the measured times of the work") {
     auto run = [](int islands, int rehearsals) {
         return run_on_line(
             Cluster{.slaves = 2, .islands = islands, .master_parameters = fmt::format("rehearsals = {}", rehearsals)}
@@ -80,7 +80,7 @@ TEST_CASE("rehearsals do not change the figures of the work") {
 }
 
 TEST_CASE("results in the order of the chain take longer than results that are passed on when they are ready") {
-    // With this many rehearsals the clock's tick of 64 us does not matter.
+    // With so many rehearsals the resolution of the clock, 64 us, does not matter.
     Cluster in_order{.slaves = 3, .master_parameters = "rehearsals = 50"};
     Cluster ready{.slaves = 3, .master_parameters = "rehearsals = 50, results = \"ready\""};
     RunReport chain = run_on_line(in_order.netlist()), any = run_on_line(ready.netlist());
@@ -94,8 +94,8 @@ TEST_CASE("dealing on demand sends one message for each individual, which costs 
     };
     double round = run_on_line(netlist("individuals")).measured("master0", "C_time2");
     double demand = run_on_line(netlist("demand")).measured("master0", "C_time2");
-    // There are 15 messages and 15 answers instead of one of each. The measurements of 148 bytes go in one message in
-    // both cases.
+    // There are 15 tasks and 15 results instead of one of each. In both cases the 148 bytes of measurements are sent
+    // once.
     CHECK(demand > 2 * round);
     CHECK(demand < 15 * round);
 }
@@ -116,7 +116,7 @@ TEST_CASE("no share has more individuals than most_individuals() states, whateve
     CHECK(most_individuals(30, 3, Split::demand) == 1);
 }
 
-TEST_CASE("a master's own share is the stated fraction of a slave's, and all work is dealt out once") {
+TEST_CASE("the master's share is the stated fraction of a slave's share, and all work is dealt out once") {
     for (double own_share : {0.0, .25, .5, 1.0})
         for (std::size_t slaves : {0u, 1u, 3u, 7u}) {
             auto shares = deal(30, 10, slaves, Split::evaluations, own_share);

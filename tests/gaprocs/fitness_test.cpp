@@ -21,7 +21,7 @@ void shuffle(std::vector<double>& terms, RandomStream& random) {
         std::swap(terms[i - 1], terms[random.below(static_cast<std::uint32_t>(i))]);
 }
 
-/// Divides the terms at random into runs, adds up each run, and adds the sums in random order.
+/// Divides the terms into random groups of consecutive terms, adds up each group, and adds the sums in random order.
 double partitioned_sum(const std::vector<double>& terms, RandomStream& random) {
     std::vector<double> partial(1, 0);
     for (double term : terms) {
@@ -75,7 +75,7 @@ TEST_CASE("a term that is too large or not a number is limited") {
     CHECK(fitness_term(1e9, 0) == fitness_term_limit);
 }
 
-TEST_CASE("any partition and order of a window of 1024 samples give the same bits") {
+TEST_CASE("1024 terms give the same sum, bit for bit, however they are divided and ordered") {
     RandomStream random(2, "partitions");
     for (int i = 0; i < 200; ++i) {
         std::vector<double> terms;

@@ -1,4 +1,4 @@
-// Tests the content of a log against values by hand, the library's log and the machine's log.
+// Tests logs against values computed by hand, and logs of the simulated machine against logs of the library.
 
 #include "gaprocs/generation_log.hpp"
 
@@ -36,7 +36,7 @@ void tell(SearchObserver& log, const char* search, std::uint64_t number, const s
     log.observe({search, number, std::nullopt, BitString(population.front().size()), population, fitness});
 }
 
-/// Returns the settings of a Cluster's islands for the library.
+/// Returns the library's settings for the islands of a Cluster.
 IslandsSettings islands_of(const Cluster& cluster) {
     SearchSettings each;
     each.population = static_cast<std::size_t>(cluster.population);
@@ -59,7 +59,8 @@ std::vector<std::string> masters(int islands) {
     return names;
 }
 
-/// Returns the rows. Each search is renamed to `name` followed by its number. REQUIRES: at most 10 searches.
+/// Returns the rows as text, in which each search has the name `name` followed by its number. REQUIRES: at most 10
+/// searches.
 std::vector<std::string> texts_named(const GenerationLog& log, std::string_view name) {
     auto texts = texts_of(log);
     for (std::string& text : texts)
@@ -157,7 +158,7 @@ TEST_CASE("the log of two islands of two strings has the rows computed by hand")
                                                     "2 all fixation 0"});
 }
 
-TEST_CASE("a log of one search, or of searches for different problems, has no rows for all together") {
+TEST_CASE("a log of one search, or of searches of different problems, has no rows for all searches together") {
     GenerationLog one({"alone"}), different({"east", "west"}, false);
     tell(one, "alone", 1, test::strings({"00", "01"}), {2, 4});
     tell(different, "east", 1, test::strings({"00", "01"}), {2, 4});
@@ -169,7 +170,7 @@ TEST_CASE("a log of one search, or of searches for different problems, has no ro
     CHECK_THROWS_AS(tell(one, "another", 1, test::strings({"00"}), {1}), std::invalid_argument);
 }
 
-TEST_CASE("a minimised objective is logged in its own sign, and the least value is the best") {
+TEST_CASE("a minimised objective is logged without negation, and the least value is the best") {
     GenerationLog log({"east", "west"});
     auto say = [&](const char* search, std::uint64_t number, const std::vector<double>& fitness) {
         auto population = test::strings({"00", "01"});
@@ -220,7 +221,7 @@ TEST_CASE(
                 }
 }
 
-TEST_CASE("in a log of asynchronous islands, an immigrant belongs to a generation of the island that it comes to") {
+TEST_CASE("in a log of asynchronous islands, an immigrant is in a generation of the island to which it comes") {
     IslandsSettings settings = five_islands();
     settings.schedule = AsynchronousSchedule{2};
     settings.islands[1].window.length = 3; // this island starts before the others
@@ -284,7 +285,7 @@ TEST_CASE("a log of an objective problem has the best objective of each generati
     CHECK(machine.of(0).back().best_so_far == report.measured("master0", "best_objective"));
 }
 
-TEST_CASE("an objective that is not a finite number is logged as infinite and left out of the mean") {
+TEST_CASE("an objective that is not a finite number is logged as infinite, and the mean omits it") {
     GenerationLog log({"east", "west"});
     auto say = [&](const char* search, const std::vector<double>& fitness) {
         auto population = test::strings({"00", "01", "11"});
@@ -331,7 +332,7 @@ TEST_CASE("the log of a master with slaves equals that of the traditional algori
     CHECK(std::ranges::is_sorted(machine.of(0), {}, [](const LoggedGeneration& each) { return each.time; }));
 }
 
-TEST_CASE("the migrations in a log are those of the islands") {
+TEST_CASE("a log has exactly the migrations of the islands") {
     auto problem = make_search_problem(LineProblem{});
     IslandsSettings settings = islands_of({.islands = 4, .population = 6});
     settings.topology = Topology::named("complete");

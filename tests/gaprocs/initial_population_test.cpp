@@ -19,7 +19,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A file that is deleted at the end.
+/// A file of strings, which the destructor deletes.
 class PopulationFile {
 public:
     explicit PopulationFile(const std::string& text)

@@ -1,4 +1,4 @@
-// Tests which islands of a netlist are refused before a run, and the place in the message.
+// Tests which islands are refused before a run, and which place the message shows.
 
 #include "gaprocs/processes/kinds.hpp"
 #include "netlist/read.hpp"
@@ -19,8 +19,8 @@ struct Way {
     int from, from_end, to, to_end;
 };
 
-/// Returns islands with populations of 12 on one processor. The parameters are in line 4. The channels begin in line 5,
-/// one in each line.
+/// Returns a netlist of islands with populations of 12 on one processor. The parameters are in line 4, and each channel
+/// is in a line from 5 on.
 std::string islands_netlist(int islands, const std::string& parameters, const std::vector<Way>& ways) {
     std::string text =
         fmt::format("val n {}; T800 t; workstation sun; connect sun.link[0] to t.link[0]; process host;\n"
@@ -62,7 +62,7 @@ std::vector<Way> ring(int islands) {
     return ways;
 }
 
-/// Returns the connections of island 0 with all other islands, in both directions.
+/// Returns channels between island 0 and every other island, in both directions.
 std::vector<Way> star(int islands) {
     std::vector<Way> ways;
     for (int i = 1; i < islands; ++i) {
@@ -72,7 +72,7 @@ std::vector<Way> star(int islands) {
     return ways;
 }
 
-/// Returns statements for three islands. The last island has its own parameters.
+/// Returns the parameters of three islands: `first` for the first two, `last` for the last.
 std::string and_of_the_last(const std::string& first, const std::string& last) {
     return fmt::format("rep i = 0 for 2 island[i] (problem = \"line\", {0}); island[2] ({1});", first, last);
 }
@@ -85,7 +85,7 @@ TEST_CASE("the old names of an island's ports are refused with a hint to the new
     check_says(text, "hint: it is called \"from_neighbours\" now");
 }
 
-TEST_CASE("rings and islands that are meant to be alone are accepted") {
+TEST_CASE("rings are accepted, and so are islands that state topology = \"none\"") {
     CHECK(said_of(3, all(""), ring(3)).empty());
     CHECK(said_of(3, all(", topology = \"ring\""), ring(3)).empty());
     CHECK(said_of(3, all(", topology = \"none\""), {}).empty());
@@ -111,7 +111,7 @@ TEST_CASE("an island without neighbours is refused if other islands have neighbo
     check_says(text, "a search that exchanges nothing is a ga.master");
 }
 
-TEST_CASE("a topology in several parts is a warning, once") {
+TEST_CASE("a topology in several parts gives one warning") {
     auto text = said_of(4, all(""), {{0, 0, 1, 0}, {1, 0, 0, 0}, {2, 0, 3, 0}, {3, 0, 2, 0}});
     CHECK(text == "islands.cfs:2:9: warning: the islands are in 2 parts that exchange nothing with each other: "
                   "island[0], island[1]; island[2], island[3]\n"
@@ -119,7 +119,7 @@ TEST_CASE("a topology in several parts is a warning, once") {
                   "            ^\n");
 }
 
-TEST_CASE("a one-way chain is a warning, once: the last island's individuals never reach the first island") {
+TEST_CASE("a one-way chain gives one warning: the last island's individuals never reach the first island") {
     check_says(said_of(3, all(""), {{0, 0, 1, 0}, {0, 1, 2, 0}}), // a star in one direction
                "warning: nothing of \"island[1]\" ever comes to \"island[0]\"");
     auto text = said_of(3, all(""), {{0, 0, 1, 0}, {1, 0, 2, 0}});
@@ -129,7 +129,7 @@ TEST_CASE("a one-way chain is a warning, once: the last island's individuals nev
                   "hint: a ring leads back to the first island\n");
 }
 
-TEST_CASE("islands without connections are a warning, once, unless they have topology = \"none\"") {
+TEST_CASE("islands without connections give one warning, unless they have topology = \"none\"") {
     auto said = "islands.cfs:2:9: warning: none of 3 islands is connected to another: they exchange nothing\n"
                 "    process island[n];\n"
                 "            ^\n"
@@ -139,8 +139,8 @@ TEST_CASE("islands without connections are a warning, once, unless they have top
     CHECK(said_of(1, all(""), {}).empty());
 }
 
-TEST_CASE("islands that never exchange because the run ends before are a warning, once") {
-    // There are 12 samples. The first generation needs 5 of them, and each sample has 5 generations: 40 in all.
+TEST_CASE("islands whose run ends before the first exchange give one warning") {
+    // There are 12 samples, with 5 generations each from the fifth sample on: 40 generations.
     CHECK(said_of(3, all(", exchange_every = 40"), ring(3)).empty());
     CHECK(said_of(3, all(", exchange_every = 41"), ring(3)) ==
           "islands.cfs:4:44: warning: \"island[0]\" never exchanges: it would do so every 41 generations, and the run "
@@ -149,7 +149,7 @@ TEST_CASE("islands that never exchange because the run ends before are a warning
           "                                               ^\n");
     check_says(said_of(3, all(", schedule = \"sequential(41)\""), ring(3)), "islands.cfs:4:44: warning: \"island[0]\"");
     CHECK(said_of(3, all(", exchange_every = 41, topology = \"none\""), {}).empty());
-    // Islands in step wait for the island that needs the most samples. Otherwise each island has its own pace.
+    // Islands in step wait for the island that needs the most samples. Asynchronous islands do not.
     auto last = [](const std::string& every, const std::string& other) {
         return said_of(3, and_of_the_last(every, "problem = \"line\", first_window = 10, " + other), ring(3));
     };
@@ -167,7 +167,7 @@ TEST_CASE("connections that no topology can have are refused at their place") {
                "error: \"island[0]\" is connected to \"island[1]\" twice, expected once");
 }
 
-TEST_CASE("connections of another topology than the parameter says are refused") {
+TEST_CASE("connections that disagree with the parameter `topology` are refused") {
     check_says(said_of(12, all(", topology = \"hypercube\""), ring(12)),
                "islands.cfs:4:44: error: a hypercube of 12 islands, expected a power of two such as 8 or 16");
     check_says(said_of(4, all(", topology = \"hypercube\""), ring(4)),
@@ -178,7 +178,7 @@ TEST_CASE("connections of another topology than the parameter says are refused")
     check_says(said_of(10, all(", topology = \"torus(3)\""), ring(10)), "expected rows that divide 10: 1, 2, 5, 10");
 }
 
-TEST_CASE("more emigrants than individuals, than a message holds or than can be accepted are refused") {
+TEST_CASE("more emigrants than individuals, than a message can hold or than an island can accept are refused") {
     check_says(said_of(2, all(", emigration = \"best(13)\""), ring(2)),
                "islands.cfs:4:44: error: 13 emigrants from a population of 12, expected at most 12");
     check_says(said_of(2,
@@ -190,7 +190,7 @@ TEST_CASE("more emigrants than individuals, than a message holds or than can be 
     check_says(text, "islands.cfs:4:27: error: 13 immigrants come at once to an island of 12 individuals, 1 of them "
                      "elite, expected at most 11");
     CHECK(said_of(12, all(", elite = 1"), star(12)).empty());
-    auto no_pair = said_of(3, all(", elite = 11"), ring(3)); // no message about consequences of this error
+    auto no_pair = said_of(3, all(", elite = 11"), ring(3)); // a wrong elite gives no further message about immigrants
     check_says(no_pair, "an elite of 11 leaves no pair");
     CHECK(no_pair.find("at once") == std::string::npos);
     check_says(said_of(12, all(", elite = 1, schedule = \"sequential\", emigration = \"random(2)\""), star(12)),

@@ -14,8 +14,8 @@
 
 namespace placedpar::test {
 
-/// Returns islands of the line problem, or of another problem, as a netlist: island[0], island[1], ... They run on one
-/// workstation for each island, wired as the islands are; or on four transputers, each wired to every other; or all on
+/// A netlist of island[0], island[1], ... for the line problem or another. Each island has a workstation of its own,
+/// wired as the islands are connected; or the islands share four transputers, each wired to every other; or they share
 /// one transputer.
 struct IslandNetlist {
     IslandsSettings settings;
@@ -26,7 +26,7 @@ struct IslandNetlist {
     std::string topology = "given"; ///< the parameter `topology`
     std::string more = "";          ///< further parameters of each island
     std::string problem = "line";
-    bool recorded = true;  ///< the problem's window slides over samples
+    bool recorded = true;  ///< the problem has a record, not an objective
     std::string host = ""; ///< parameters of the host
     int slaves = 0;        ///< number of slaves of each island, in a chain; only on workstations
 
@@ -103,8 +103,8 @@ private:
                            i, s, before, link, s % 2 ? other_transputer : transputer, problem, wire);
     }
 
-    /// Connects the islands. The ports for immigrants are numbered in the reverse order of islands, because this order
-    /// must not matter.
+    /// Connects the islands. Numbers the ports for immigrants in the reverse order of the islands, to test that their
+    /// order does not matter.
     std::string channels() const {
         std::string text;
         std::vector<int> ends(count());
@@ -117,7 +117,8 @@ private:
     }
 };
 
-/// Runs the same islands in the library. Holds for each island a hash of all populations, as its process measures it.
+/// Runs the same islands in the library. Holds, for each island, the hash of all populations that the island's process
+/// measures.
 struct LibraryRun {
     std::vector<std::string> populations;
 

@@ -53,7 +53,8 @@ IslandsSettings alike_islands() {
     return settings;
 }
 
-/// Returns islands with different populations (some odd), windows and biases: a distributed fitness function.
+/// Returns settings of islands with different populations (some odd), windows and biases: a distributed fitness
+/// function.
 IslandsSettings different_islands() {
     IslandsSettings settings = alike_islands();
     const std::vector<std::size_t> populations{17, 16, 19, 20, 16, 18, 21, 16}, windows{10, 7, 10, 3, 10, 5, 7, 9};
@@ -104,7 +105,7 @@ TEST_CASE("islands with slaves exchange their bests every third generation, as i
     check_ring({.slaves = 2, .islands = 3, .population = 9, .split = "evaluations"});
 }
 
-TEST_CASE("islands with exchange have other populations than islands without") {
+TEST_CASE("islands that exchange have other populations than islands that do not") {
     Cluster exchanging{.islands = 2, .population = 10};
     Cluster rarely{.islands = 2, .population = 10, .master_parameters = "rehearsals = 1, exchange_every = 1000"};
     CHECK(run_on_line(exchanging.netlist()).measured_text("master0", "populations") !=
@@ -130,7 +131,7 @@ TEST_CASE("island processes have the library's generations with every topology, 
                     }
 }
 
-TEST_CASE("no placement and no speed of links or processors changes a generation") {
+TEST_CASE("generations do not depend on placement or on the speed of links and processors") {
     using On = IslandNetlist::On;
     test::EveryNth sampled(5);
     for (const Topology& topology : topologies())
@@ -191,7 +192,8 @@ TEST_CASE(
 
 // The last tests have asynchronous exchange.
 
-TEST_CASE("asynchronous exchange ends on every topology and placement, and repeats exactly on the same machine") {
+TEST_CASE("a run with asynchronous exchange ends in every topology and placement, and is the same again on the same "
+          "machine") {
     using On = IslandNetlist::On;
     std::set<std::string> runs;
     IslandNetlist without{different_islands()};
@@ -207,7 +209,7 @@ TEST_CASE("asynchronous exchange ends on every topology and placement, and repea
             RunReport report = run_on_line(netlist.text()), again = run_on_line(netlist.text());
             CHECK(report.result.ending == Ending::completed);
             CHECK(report.result.fingerprint == again.result.fingerprint);
-            CHECK(report.measured("island[0]", "generations") == 16); // two for each sample from the fifth on
+            CHECK(report.measured("island[0]", "generations") == 16); // two for each of 8 samples, from the fifth on
             CHECK(report.measured("island[3]", "generations") == 20); // this island does not wait for any other
             CHECK(report.measured_text("island[0]", "populations") == again.measured_text("island[0]", "populations"));
             CHECK((report.measured_text("island[0]", "populations") != alone) == topology.exchanges());

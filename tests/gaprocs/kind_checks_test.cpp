@@ -1,4 +1,4 @@
-// Tests which netlists the kinds refuse before a run, and the place in the message.
+// Tests which netlists the kinds refuse before a run, and which place the message shows.
 
 #include "gaprocs/processes/kinds.hpp"
 #include "gaprocs/processes/messages.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t samples = 12;
 
-/// Returns a netlist's statements for a master, two slaves and the host, by name.
+/// Returns the statements of a netlist with a host, a master and two slaves, by a name for each statement.
 std::map<std::string, std::string> statements() {
     return {{"host", "host (problem = \"line\");"},
             {"master", "master (problem = \"line\", slaves = 2);"},
@@ -33,7 +33,7 @@ std::map<std::string, std::string> statements() {
             {"from next", "connect slave[1].to_master to slave[0].from_slaves;"}};
 }
 
-/// Returns the netlist. Lines 1 to 8 are the statements above, ordered by name. The rest is common to all netlists.
+/// Returns a netlist. Lines 1 to 8 are the statements, ordered by name. The other lines are the same for all netlists.
 std::string netlist(const std::map<std::string, std::string>& lines) {
     std::string text = "T800 t; workstation sun; connect sun.link[0] to t.link[0]; process host; process master; "
                        "process slave[2]; use \"ga.host\" for host; use \"ga.master\" for master; "
@@ -59,7 +59,7 @@ struct Kinds {
     }
 };
 
-/// Returns all complaints about the netlist after the replacement of one statement.
+/// Returns all complaints about the netlist in which one of the statements() is replaced.
 std::string refusal(const std::string& name, const std::string& statement) {
     Kinds kinds;
     auto lines = statements();
@@ -79,7 +79,7 @@ bool says(const std::string& text, const std::string& part) {
     return found;
 }
 
-/// Connects each slave directly to the master.
+/// Returns statements that connect each slave directly to the master.
 auto star_statements() {
     auto lines = statements();
     lines.at("to next") = "connect master.to_slaves[1] to slave[1].from_master;";
@@ -91,7 +91,7 @@ auto star_statements() {
 
 } // namespace
 
-TEST_CASE("a message shorter than the string that it carries is a warning") {
+TEST_CASE("a message shorter than the string that it carries gives a warning") {
     CHECK(refusal("master", "master (problem = \"line\", slaves = 2, string_bytes = 1);").empty());
     CHECK(refusal("master", "master (problem = \"line\", slaves = 2, coding = \"natural(1)\", string_bytes = 2);")
               .empty());
@@ -100,7 +100,7 @@ TEST_CASE("a message shorter than the string that it carries is a warning") {
     CHECK(said.starts_with("farm.cfs:5:62: warning: string_bytes = 1, but a string of \"line\" takes 2"));
 }
 
-TEST_CASE("settings that do not suit the record are warnings, once") {
+TEST_CASE("settings that do not suit the record give one warning each") {
     auto lines = statements();
     for (auto& [name, statement] : lines)
         if (auto at = statement.find("line"); at != std::string::npos)
@@ -110,7 +110,7 @@ TEST_CASE("settings that do not suit the record are warnings, once") {
         return refusal_of(lines);
     };
     CHECK(said_with(", trials = 3, bias = 10").empty());
-    CHECK(said_with(", trials = 3, bias = 400").empty()); // there is no warning of an explicit setting
+    CHECK(said_with(", trials = 3, bias = 400").empty()); // a bias that the netlist states gives no warning
     CHECK(said_with(", trials = 2, bias = 10") ==
           "farm.cfs:5:40: warning: trials = 2, but the record of \"timed\" has one sample for every 3 generations, so "
           "its changes happen at other generations than documented\n"
@@ -141,7 +141,7 @@ TEST_CASE("a port that is connected without its counterpart is refused at the co
          "farm.cfs:2:1: error: the channel \"slave[1].from_slaves\" is connected, but \"slave[1].to_slaves\" is not");
 }
 
-TEST_CASE("results that do not return on the way of the tasks are refused") {
+TEST_CASE("results that do not return to the process that sent the task are refused") {
     auto lines = statements();
     lines.at("from slaves") = "connect slave[1].to_master to master.from_slaves;";
     lines.at("from next") = "connect slave[0].to_master to slave[0].from_slaves;";
@@ -244,7 +244,7 @@ TEST_CASE("crossed, missing or unnumbered connections in a tree are refused") {
     elsewhere.at("from next") = "connect slave[1].to_master to slave[1].from_slaves;";
     says(refusal_of(elsewhere), "the channel \"slave[1].from_slaves\" is connected, but \"slave[1].to_slaves\" is not");
 
-    auto gap = lines; // ports of an interface may stay unconnected
+    auto gap = lines; // ports that an interface declares may stay unconnected
     gap.at("to next") = "connect master.to_slaves[2] to slave[1].from_master;";
     gap.at("from next") = "connect slave[1].to_master to master.from_slaves[2];";
     std::string text = netlist(gap), declared = "process master;";
@@ -318,7 +318,8 @@ TEST_CASE("a problem that does not exist is refused once, at the first process t
 
 namespace {
 
-/// Returns all complaints about the netlist in which all processes have the problem "sphere".
+/// Returns all complaints about the netlist in which all processes have the problem "sphere"; `host` and `master` are
+/// further parameters.
 std::string refusal_of_sphere(const std::string& host, const std::string& master) {
     auto lines = statements();
     lines.at("host") = fmt::format("host (problem = \"sphere\"{});", host);
@@ -377,7 +378,7 @@ TEST_CASE("operators and codings that do not fit the strings are refused at thei
     CHECK(line("coding = \"gray(dont_care = 2)\"").empty());
 }
 
-TEST_CASE("the length of a string in a message is the netlist's, or else the string's bits in whole bytes") {
+TEST_CASE("the length of a string in a message is as the netlist states, or else the string's bits in whole bytes") {
     auto problem = make_search_problem(LineProblem{});
     CHECK(string_bytes(0, *problem) == (problem->bits() + 7) / 8);
     CHECK(string_bytes(2, *problem) == 2);
@@ -394,14 +395,14 @@ TEST_CASE("the length of a string in a message is the netlist's, or else the str
 }
 
 TEST_CASE("messages longer than a count of 31 bits can state are refused") {
-    // 98304 individuals are sent in three shares of 32768. With 65536 bytes each, a share has 2^31 bytes.
+    // 98304 individuals are divided into three shares of 32768. With 65536 bytes each, these have 2^31 bytes.
     auto strings = [](int population, int bytes) {
         return refusal("master", fmt::format("master (problem = \"line\", slaves = 2, measurement_bytes = 1, "
                                              "population = {}, string_bytes = {});",
                                              population, bytes));
     };
     says(strings(98304, 65536), "farm.cfs:5:82: error: a message for 32768 individuals would have 2147483649 bytes");
-    says(strings(196608, 65536), "would have 4294967297 bytes"); // as 32 bits, this would be 1
+    says(strings(196608, 65536), "would have 4294967297 bytes"); // in 32 bits, this would be 1
     CHECK(strings(98301, 65536).empty());
     auto lines = statements();
     lines.at("master") = "master (problem = \"line\", slaves = 2, population = 98304);";
@@ -417,7 +418,7 @@ TEST_CASE("an error that is found only during the run names the process, its kin
     Kinds kinds;
     auto read = read_netlist_text(netlist(statements()), kinds.catalogue, {}, "farm.cfs");
     REQUIRE(read.network);
-    ProblemRegistry shorter; // its record differs from the one that was checked
+    ProblemRegistry shorter; // its record is shorter than the one that was checked
     shorter.add("line", make_search_problem(LineProblem{}), line_record(9));
     Catalogue others;
     add_genetic_algorithm_kinds(others, shorter);
@@ -427,7 +428,7 @@ TEST_CASE("an error that is found only during the run names the process, its kin
         doctest::Contains("process master (ga.master): the window holds 10 samples, the record only 9"), UserError);
 }
 
-TEST_CASE("netlists that run differently have different hashes; a policy that is left out is the usual one") {
+TEST_CASE("netlists that run differently have different hashes; an omitted policy is the usual one") {
     auto hash = [](const std::string& parameters) {
         Kinds kinds;
         auto lines = statements();
@@ -444,7 +445,8 @@ TEST_CASE("netlists that run differently have different hashes; a policy that is
           hash(", reproduction = \"usual\", crossover_operator = \"usual\", mutation_operator = \"usual\""));
 }
 
-TEST_CASE("real numbers without a floating-point unit are a warning, once, unless the netlist states their cycles") {
+TEST_CASE("real numbers on a processor without a floating-point unit give one warning, unless the netlist states their "
+          "cycles") {
     auto said_on = [](const std::string& type, const std::string& cycles) {
         Kinds kinds;
         auto lines = statements();

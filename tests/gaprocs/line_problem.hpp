@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-/// A search problem that includes no header of gaprocs, as a problem of another room. It has one parameter, the slope
-/// of a line through the origin, from 0 to 1 in 8 bits. The samples are (u, y).
+/// A search problem that includes no header of gaprocs, as a problem of another room would. Its parameter is the slope
+/// of a line through the origin, from 0 to 1 in 8 bits. A sample is (u, y).
 struct LineProblem {
     std::size_t bits() const { return 8; }
     std::size_t channels() const { return 2; }
@@ -25,7 +25,7 @@ struct LineProblem {
     std::vector<std::string> parameter_units() const { return {"1"}; }
 };
 
-/// The line problem with an error that accumulates from the first sample of the window on.
+/// The line problem, with errors that are accumulated from the first sample of the window on.
 struct LineAlongWindow : LineProblem {
     template <typename G>
     std::vector<double> parameters_of(const G& genome) const {

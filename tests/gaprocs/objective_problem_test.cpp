@@ -1,4 +1,4 @@
-// Tests problems without a record, which give a number for each individual, in the library.
+// Tests objective problems in the library.
 
 #include "gaprocs/islands.hpp"
 #include "gaprocs/problem_registry.hpp"
@@ -53,7 +53,7 @@ TEST_CASE("an objective that is not a finite number is worse than every other") 
         CHECK(fitness_of_string(*cliff, string) == worst_fitness);
 }
 
-TEST_CASE("a search in which most individuals are not allowed continues and finds the allowed one") {
+TEST_CASE("a search in which most individuals have no finite objective continues and finds the best allowed one") {
     for (const char* reproduction : {"ranking", "scaled", "tournament"}) {
         auto cliff = minimise(Cliff{});
         SearchSettings settings = usual_settings(*cliff);
@@ -98,7 +98,7 @@ TEST_CASE("any problem with fields can be read in Gray code") {
           std::vector<double>{0, 0, 0});
 }
 
-TEST_CASE("the traditional algorithm finds the sphere's minimum and reports it with its own sign") {
+TEST_CASE("the traditional algorithm finds the sphere's minimum and reports it without negation") {
     auto sphere = minimise(PlainSphere{})->coded(Coding::gray);
     SearchSettings settings = usual_settings(*sphere);
     settings.elite = 1;

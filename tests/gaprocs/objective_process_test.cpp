@@ -1,4 +1,4 @@
-// Tests objective problems on the simulated machine. The generations equal the library's, with any evaluators.
+// Tests that objective problems on the simulated machine have the library's generations, with any number of slaves.
 
 #include "gaprocs/islands.hpp"
 #include "gaprocs/traditional.hpp"
@@ -41,7 +41,7 @@ void mix(Fingerprint& populations, const std::vector<Genome>& population) {
             populations.mix(word);
 }
 
-/// Returns for each island a hash of all populations, as its process measures it.
+/// Returns, for each island, the hash of all populations that the island's process measures.
 std::vector<std::string> populations_of_library(std::size_t islands, std::vector<RandomStream> streams) {
     auto sphere = the_sphere();
     IslandsSettings settings;
@@ -160,7 +160,7 @@ TEST_CASE("a farm with an objective sends no measurements") {
     RunReport cheap = run_on_line(cluster.netlist());
     Cluster line{.slaves = 1, .master_parameters = "window = 1, trials = 1, rehearsals = 2"};
     RunReport dear = run_on_line(line.netlist());
-    // 148 bytes of 11 bits at 20 Mbit/s, and the cost of preparing them.
+    // The measurements are 148 bytes of 11 bits at 20 Mbit/s; preparing them takes time, too.
     double difference = dear.measured("master0", "C_time2") - cheap.measured("master0", "C_time2");
     CHECK(difference > 0.08);
     CHECK(difference < 0.2);

@@ -10,13 +10,13 @@
 #include <string_view>
 #include <tuple>
 
-/// The smallest complete problem.
+/// The smallest possible problem.
 struct PlainSphere {
     placedpar::ParameterCoding representation() const { return placedpar::ParameterCoding(3, {-4, 4, 8}); }
     double objective(std::span<const double> x) const { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; }
 };
 
-/// A problem with a name but without named parameters.
+/// A problem with a name but without numbers.
 struct Bowl {
     static constexpr std::string_view name = "bowl", about = "the square of the distance from 1";
     placedpar::ParameterCoding representation() const { return placedpar::ParameterCoding(1, {0, 2, 6}); }
@@ -41,7 +41,7 @@ struct Valley {
     double optimum() const { return 0; }
 };
 
-/// Its objective is x if x is allowed. Otherwise it is infinite or not a number.
+/// A problem whose objective is x if x is allowed, and otherwise infinite or not a number.
 struct Cliff {
     placedpar::ParameterCoding representation() const { return placedpar::ParameterCoding(1, {0, 4, 2}); }
     double objective(std::span<const double> x) const {
@@ -53,13 +53,13 @@ struct Cliff {
     }
 };
 
-/// Its objective is never a number.
+/// A problem whose objective is never a number.
 struct Nowhere {
     placedpar::ParameterCoding representation() const { return placedpar::ParameterCoding(1, {0, 4, 2}); }
     double objective(std::span<const double>) const { return std::numeric_limits<double>::quiet_NaN(); }
 };
 
-/// Its objective is the sum of the guests' distances from the seat with their own number.
+/// A problem of permutations. The objective is the sum of the guests' distances from the seat with their own number.
 struct Seats {
     placedpar::Permutation representation() const { return placedpar::Permutation(9); }
     double objective(std::span<const std::size_t> order) const {
@@ -71,7 +71,7 @@ struct Seats {
     double optimum() const { return 0; }
 };
 
-/// Its optimum is a long string with ones at every other place.
+/// A problem of long binary strings. The optimum has a one at every other position.
 struct Comb {
     placedpar::BitString representation() const { return placedpar::BitString(4096); }
     double objective(const placedpar::Genome& genome) const {
@@ -82,7 +82,7 @@ struct Comb {
     }
 };
 
-/// A problem of two real numbers, one of them far larger.
+/// A problem of two real numbers, one with a far larger range.
 struct Plane {
     placedpar::RealVector representation() const { return placedpar::RealVector({{-1, 1}, {0, 1e6}}); }
     double objective(std::span<const double> x) const { return std::abs(x[0] - 0.25) + std::abs(x[1] / 1e6 - 0.5); }

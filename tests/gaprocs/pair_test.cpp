@@ -28,8 +28,8 @@ constexpr const char* on_two_transputers =
 constexpr const char* fine_on_workstation =
     "T800 t; connect sun.link[0] to t.link[0]; place coarse on t; place fine on sun;";
 
-/// A netlist of a pair for the line problem. Line 4 has the coarse search's parameters; line 5 has the fine search's
-/// parameters.
+/// A netlist of a pair for the line problem. The parameters of the coarse search are in line 4, those of the fine
+/// search in line 5.
 struct PairNetlist {
     std::string placement = on_two_transputers;
     std::string bits_of_coarse = "4", bits_of_fine = "5";
@@ -49,7 +49,7 @@ struct PairNetlist {
     }
 };
 
-/// Returns the settings of the netlist for the library.
+/// Returns the library's settings for the netlist.
 CoarseFineSettings pair_on_line(Coding coding) {
     SearchSettings coarse;
     coarse.population = 20;
@@ -60,11 +60,11 @@ CoarseFineSettings pair_on_line(Coding coding) {
     return {coarse, fine, {.problem_bits = {8}, .bits = {4}, .coding = coding}, {5}};
 }
 
-/// The results of a pair: a hash of all populations of both searches, and both bests of each generation.
+/// The results of a pair: for both searches, a hash of all populations and the best of each generation.
 struct PairHistory {
     std::string coarse_populations, fine_populations;
     std::vector<double> coarse_bests, fine_bests;
-    double slope = 0; ///< the fine search's answer at the end
+    double slope = 0; ///< answer of the fine search at the end
     bool operator==(const PairHistory&) const = default;
 };
 
@@ -153,7 +153,8 @@ TEST_CASE("a coarse search without a fine one stays on its grid") {
     CHECK(steps == std::floor(steps));
 }
 
-TEST_CASE("with an objective, the answer of a pair is the best of all generations, although the bias point has moved") {
+TEST_CASE(
+    "with an objective, the answer of a pair is the best of all generations, even if the bias point has moved since") {
     PairNetlist netlist;
     netlist.both = "problem = \"valley\", fields = \"4 4\"";
     netlist.bits_of_coarse = "2 2";
@@ -201,7 +202,7 @@ TEST_CASE("bits and fields that cannot be bred are refused at their place") {
     check_pair_refused(wrong, "error", "host");
 }
 
-TEST_CASE("settings in which the fine search differs from the coarse one are refused at their place") {
+TEST_CASE("settings of the fine search that differ from those of the coarse search are refused at their place") {
     PairNetlist wrong;
     wrong.both.replace(wrong.both.find(", trials = 3"), 12, "");
     wrong.fine += ", trials = 2";

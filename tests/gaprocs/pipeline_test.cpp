@@ -1,5 +1,5 @@
-// Tests masters that share their slaves (thesis, Figure 4.5). Each master must have the same generations as with its
-// own slaves, for any number of masters, split and form. The slaves must work while a master breeds, because this is
+// Tests masters that share slaves by a ga.pipeline (thesis, Figure 4.5). Each master must have the same generations as
+// with its own slaves, for any number of masters, split and form. The slaves must work while a master breeds; this is
 // the purpose of the pipeline.
 
 #include "tests/gaprocs/cluster.hpp"
@@ -20,8 +20,8 @@ namespace {
 /// Masters with their parameters, and the form of their slaves.
 struct SharedFarm {
     std::vector<std::string> masters; ///< parameters of each master
-    SlaveForm form;                   ///< "the_master" stands for the pipeline here
-    bool own_slaves = false;          ///< true: there is no pipeline, and the slaves belong to one master
+    SlaveForm form;                   ///< `the_master` stands for the pipeline here
+    bool own_slaves = false;          ///< true: no pipeline; the slaves belong to the only master
 
     std::string netlist() const {
         auto text = fmt::format("workstation sun;\nprocess host, master[{0}], slave[{1}];\n"
@@ -66,8 +66,8 @@ std::string populations_of(const RunReport& report, std::size_t master) {
     return report.measured_text(fmt::format("master[{}]", master), "populations");
 }
 
-/// Returns the populations of this master with its own slaves. The random stream keeps its name, although the master is
-/// now master 0.
+/// Returns the hash of the populations of one of the masters with its own slaves. The random stream keeps its name,
+/// although the master becomes master 0.
 std::string populations_alone(const SharedFarm& farm, std::size_t master) {
     SharedFarm alone{{farm.masters[master]}, farm.form, true};
     auto text = alone.netlist();
@@ -109,9 +109,9 @@ TEST_CASE("a master that shares slaves has the same generations as with its own 
 }
 
 TEST_CASE("two masters that share slaves use all of the slaves' time; one master leaves half of it unused") {
-    // An individual takes 10 errors of 40000 cycles, and 100000 cycles to breed, so alpha = 4. Four slaves evaluate 30
-    // individuals in the time in which one master breeds them. One master uses 1 / (1 + 1) of the slaves' time, a
-    // pipeline all of it.
+    // To evaluate an individual takes 10 errors of 40000 cycles, four times as long as to breed it (100000 cycles). So
+    // four slaves evaluate a population in the time in which a master breeds one. One master uses half of the slaves'
+    // time, two masters use all of it.
     std::string costs = "population = 30, split = \"evaluations\", own_share = 0, cycles_per_error = 40000, "
                         "cycles_per_individual = 100000";
     auto slaves_cost = [](std::string text) {

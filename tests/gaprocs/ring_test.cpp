@@ -28,13 +28,14 @@ struct Island {
 
 } // namespace
 
-// There are three islands in a ring, 0 to 1 to 2 to 0. The fitness of a string is its binary number. The exchange is:
+// Three islands form a ring: 0 sends to 1, 1 to 2, 2 to 0. The fitness of a string is its binary number. The exchange
+// is:
 //
 //     island  before          fitness  sends   gets    after           fitness
 //     0       0001 0111 0100  1 7 4    0111    0101    0101 0111 0100  5 7 4
 //     1       1000 0010 0010  8 2 2    1000    0111    1000 0111 0010  8 7 2   (the first 0010 leaves)
 //     2       0011 0101 0000  3 5 0    0101    1000    0011 0101 1000  3 5 8
-TEST_CASE("the exchange of bests around a ring of three islands replaces the worst strings as computed by hand") {
+TEST_CASE("in a ring of three islands, the best strings replace the worst as computed by hand") {
     Island ring[3] = {{{"0001", "0111", "0100"}, {1, 7, 4}},
                       {{"1000", "0010", "0010"}, {8, 2, 2}},
                       {{"0011", "0101", "0000"}, {3, 5, 0}}};

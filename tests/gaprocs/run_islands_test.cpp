@@ -1,5 +1,4 @@
-// Tests islands in the library. Alone they equal separate searches; together they follow their policies. For the
-// simulated machine see islands_test.cpp.
+// Tests islands in the library. islands_test.cpp tests them on the simulated machine.
 
 #include "gaprocs/islands.hpp"
 #include "tests/gaprocs/cluster.hpp"
@@ -16,7 +15,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A problem whose fitness grows with the string's value as a 16-bit number. The samples do not matter.
+/// A problem whose fitness grows with the 16-bit number in the string. The samples do not matter.
 struct GreatestNumber {
     std::size_t bits() const { return 16; }
     std::size_t channels() const { return 1; }
@@ -54,7 +53,7 @@ IslandsSettings barren(std::size_t islands, const char* topology, const char* sc
     return settings;
 }
 
-/// Islands one of which holds an individual that is better than all others.
+/// Runs islands, one of which begins with an individual that is better than all others.
 class Takeover {
 public:
     explicit Takeover(const IslandsSettings& settings)
@@ -164,10 +163,10 @@ TEST_CASE(
         auto dimensions = static_cast<std::size_t>(std::bit_width(n) - 1);
         CHECK(generations_to_take_over(n, "hypercube", "broadcast(1)") == dimensions);
         CHECK(generations_to_take_over(n, "hypercube", "broadcast(5)") == 5 * dimensions);
-        // Each exchange goes along another dimension. This doubles the number of islands reached.
+        // Each exchange goes along another dimension, which doubles the number of islands reached.
         CHECK(generations_to_take_over(n, "hypercube", "sequential(1)") == dimensions);
     }
-    CHECK(generations_to_take_over(8, "ring(2)", "sequential(1)") == 7); // one more island with each exchange
+    CHECK(generations_to_take_over(8, "ring(2)", "sequential(1)") == 7); // each exchange reaches one more island
     CHECK(generations_to_take_over(8, "complete", "broadcast(1)") == 1);
 }
 
@@ -188,7 +187,8 @@ TEST_CASE("sequential exchange on four islands goes to i xor 1, then to i xor 2"
     }
 }
 
-TEST_CASE("a broadcast of two sends the same two to both neighbours, and arrives in the order of the source islands") {
+TEST_CASE(
+    "a broadcast sends the same two emigrants to both neighbours; immigrants come in the order of their islands") {
     IslandsSettings settings = small_islands(5);
     settings.topology = RingTopology{2};
     settings.emigration = BestEmigration{2};
@@ -220,7 +220,7 @@ TEST_CASE("an immigrant in another window is evaluated in that window") {
                                                                std::span(record).subspan(end - length, length),
                                                                migration.to == 0 ? 400 : 100));
     }
-    // The short window is full after three samples. Its island waits until the other island has its first five samples.
+    // Island 1's window is full after three samples. The island waits until the other island has five samples.
     CHECK(result.islands[1].estimates.front().sample == 4);
     CHECK(result.islands[1].generations == result.islands[0].generations);
 }
@@ -245,7 +245,7 @@ TEST_CASE("the same seed gives the same run, and another seed or policy another 
             CHECK_FALSE(same(runs[i], runs[j]));
 }
 
-TEST_CASE("an elite is not lost to immigrants: in a fixed window the best fitness never falls") {
+TEST_CASE("immigrants do not replace the elite: while the window stays the same, the best fitness never falls") {
     auto problem = make_search_problem(GreatestNumber{});
     for (const char* acceptance : {"worst", "random", "alike", "offspring"})
         for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -269,7 +269,7 @@ TEST_CASE("an elite is not lost to immigrants: in a fixed window the best fitnes
         }
 }
 
-TEST_CASE("with only_if_better, a rejected immigrant is recorded and changes nothing") {
+TEST_CASE("with only_if_better, a rejected immigrant is among the migrations and changes nothing") {
     IslandsSettings settings = small_islands(4);
     settings.acceptance = RandomAcceptance{true};
     auto migrations = run_on_line_record(settings).migrations;
@@ -292,7 +292,7 @@ TEST_CASE("an immigrant among the offspring is evaluated one generation later, i
     const Migration& came = takeover.migrations().at(other);
     CHECK(came.generation == 4);
     CHECK(came.individual.genome == takeover.greatest());
-    CHECK(came.place.value() >= 1); // after the elite
+    CHECK(came.place.value() >= 1); // outside the elite, which comes first
     CHECK(takeover.population(other).at(came.place.value()) == takeover.greatest());
     takeover.next_generation();
     CHECK(takeover.reached(other));
@@ -304,8 +304,7 @@ TEST_CASE("without a machine, asynchronous islands take turns, and an island wit
         takeover.next_generation();
         for (std::size_t i = 0; i < 4; ++i) {
             std::size_t away = (i + 4 - takeover.home()) % 4;
-            bool had_its_turn = i < takeover.home(); // when the last island sends to the first, the turn of the first
-                                                     // is over
+            bool had_its_turn = i < takeover.home(); // the last island sends to the first after the first island's turn
             CHECK(takeover.reached(i) == (away + had_its_turn <= generation));
         }
     }
@@ -314,9 +313,9 @@ TEST_CASE("without a machine, asynchronous islands take turns, and an island wit
     settings.islands[1].window.length = 3;
     IslandsResult result = run_on_line_record(settings);
     CHECK(result.islands[0].generations == 40);
-    CHECK(result.islands[1].generations == 50); // from the third sample on
-    // At the first exchange no island has sent to island 0 yet. Emigrants that island 1 sends before the others begin
-    // are overwritten.
+    CHECK(result.islands[1].generations == 50); // 5 for each of 10 samples, from the third on
+    // At island 0's first exchange, no emigrants have been sent to it yet. Emigrants that island 1 sends before the
+    // others begin are replaced by later ones.
     CHECK(result.migrations.size() == 19 + 20 + 20);
     CHECK(same(result, run_on_line_record(settings)));
 }
@@ -357,10 +356,10 @@ TEST_CASE("impossible islands are refused with what would be right") {
     CHECK(refusal(settings) ==
           "island 0: 15 immigrants come at once to an island of 12 individuals, 1 of them elite, expected at most 11");
     settings.schedule = SequentialSchedule{};
-    // Island 0 is the only neighbour of every other island.
+    // In a star, all other islands can send to island 0 at once.
     CHECK(refusal(settings).starts_with("island 0: 15 immigrants come at once"));
     settings.topology = CompleteTopology{};
-    CHECK(refusal(settings).empty()); // one comes at a time
+    CHECK(refusal(settings).empty()); // immigrants of one island come at a time
     settings.emigration = BestEmigration{12};
     CHECK(refusal(settings) ==
           "island 0: 12 immigrants come at once to an island of 12 individuals, 1 of them elite, expected at most 11");

@@ -24,10 +24,10 @@ SearchSettings settings_with(double crossover_probability, double mutation_proba
 TEST_CASE("the bound of equation 6.2 has the values computed by hand") {
     auto population = test::strings({"1100", "1001", "0111", "0000"});
     std::vector<double> fitness{6, 2, 4, -3};
-    // 1*** has 8 of 12, so 4 * 8 / 12 = 2.667 copies. No cut can disrupt it.
+    // Strings of 1*** have 8 of the total fitness 12, so 4 * 8 / 12 copies on average. No cut can disrupt this schema.
     CHECK(schema_bound(Schema::from_string("1***"), population, fitness, 0.8, 0.01) ==
           doctest::Approx(4 * 8 / 12.0 * 0.99));
-    // 1**1 has 2 of 12. Every cut disrupts it.
+    // Strings of 1**1 have 2 of the total fitness 12. Every cut disrupts this schema.
     CHECK(schema_bound(Schema::from_string("1**1"), population, fitness, 0.8, 0.01) ==
           doctest::Approx(4 * 2 / 12.0 * (1 - 0.8) * 0.99 * 0.99));
     CHECK(schema_bound(Schema::from_string("0000"), population, fitness, 0.8, 0.01) == 0);
@@ -36,7 +36,8 @@ TEST_CASE("the bound of equation 6.2 has the values computed by hand") {
     CHECK(schema_bound(Schema::from_string("1***"), population, none, 0.8, 0.01) == 0);
 }
 
-TEST_CASE("on average every schema has at least as many strings as its bound, and by selection alone exactly as many") {
+TEST_CASE(
+    "on average at least as many strings as the bound match each schema, and by selection alone exactly as many") {
     auto population = test::strings({"1100", "1001", "0111", "0010", "1110", "0101"});
     std::vector<double> fitness{6, 2, 4, 1, 5, 3};
     constexpr int generations = test::sanitized ? 400 : 4000;

@@ -46,7 +46,8 @@ SearchSettings small(std::size_t population) {
     return settings;
 }
 
-/// Implements the algorithm on strings of text as simply as possible. It draws random numbers in the same order.
+/// Implements the algorithm as simply as possible, on strings of text. Draws random numbers in the same order as
+/// Search.
 struct PlainSearch {
     RandomStream random;
     std::size_t bits;
@@ -120,7 +121,7 @@ struct PlainSearch {
 
 } // namespace
 
-TEST_CASE("a search makes the populations of the plainly written algorithm, for every size and option") {
+TEST_CASE("a search has the same populations as a simple implementation, for every size and option") {
     std::uint64_t redraws = 0;
     for (std::size_t bits : {1u, 2u, 3u, 10u, 33u, 64u, 65u, 130u})
         for (std::size_t population : {2u, 3u, 4u, 7u, 30u})
@@ -146,7 +147,7 @@ TEST_CASE("a search makes the populations of the plainly written algorithm, for 
                     }
                     redraws += search.redraws();
                 }
-    CHECK(redraws > 0); // the population was drawn anew at times
+    CHECK(redraws > 0); // some populations were drawn anew
 }
 
 TEST_CASE("50 generations of 120 strings of 10 bits have the stored hash") {
@@ -166,7 +167,7 @@ TEST_CASE("50 generations of 120 strings of 10 bits have the stored hash") {
     CHECK(std::abs(static_cast<double>(search.best().genome.field(0, 10)) - 88) <= 4);
 }
 
-TEST_CASE("the best is that of the last evaluated generation, the first among equals") {
+TEST_CASE("best() is the best individual of the last evaluated generation; among equals, the first") {
     Search search({Genome::from_string("00"), Genome::from_string("01"), Genome::from_string("10")}, small(3),
                   RandomStream(1, "best"));
     CHECK_THROWS_AS(search.best(), std::logic_error);

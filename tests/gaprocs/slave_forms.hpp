@@ -30,7 +30,7 @@ inline SlaveForm tree_of(std::size_t slaves, std::size_t branches) {
     return form;
 }
 
-/// Returns a form of `chains` parallel chains.
+/// Returns a form with `chains` chains of slaves behind the master.
 inline SlaveForm chains_of(std::size_t slaves, std::size_t chains) {
     SlaveForm form;
     for (std::size_t i = 0; i < slaves; ++i)
@@ -38,11 +38,11 @@ inline SlaveForm chains_of(std::size_t slaves, std::size_t chains) {
     return form;
 }
 
-/// A farm of any form, which solves the line problem; returned as a netlist.
+/// A netlist of a master with slaves in any form, by default for the line problem.
 struct FarmOfForm {
     SlaveForm form;
-    bool on_links = true; ///< true: a processor for each process, with at most three slaves as children; false: one
-                          ///< processor for all
+    bool on_links = true; ///< true: a processor for each process, so at most three children; false: one processor for
+                          ///< all
     std::string master_parameters = "rehearsals = 1";
     std::string host_parameters = "problem = \"line\"";
     std::vector<std::string> processors = {"clock = 20M"}; ///< attributes of the processors, used in turn
@@ -56,7 +56,8 @@ struct FarmOfForm {
         for (std::size_t node = 0; node <= (on_links ? form.size() : 0); ++node)
             text += fmt::format("T800 ({}) t{};\n", processors[node % processors.size()], node);
         text += "connect sun.link[0] to t0.link[0];\nplace master on t0;\n";
-        std::vector<std::size_t> behind(form.size() + 1, 0); // number of children of the master, then of each slave
+        std::vector<std::size_t> behind(form.size() + 1, 0); // number of children so far, of the master and of each
+                                                             // slave
         for (std::size_t i = 0; i < form.size(); ++i)
             text += slave(i, behind[form[i] + 1]++);
         return text;

@@ -16,7 +16,7 @@ inline std::vector<Genome> strings(std::initializer_list<const char*> texts) {
     return population;
 }
 
-/// Returns how many individuals have a 1 at each position.
+/// Returns, for each position, the number of individuals with a 1 there.
 inline std::vector<int> ones_by_position(const std::vector<Genome>& population) {
     std::vector<int> ones(population.front().size());
     for (const Genome& genome : population)

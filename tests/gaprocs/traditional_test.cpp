@@ -15,8 +15,8 @@ namespace {
 
 const auto line = make_search_problem(LineProblem{});
 
-/// Returns the fitness of each individual. The window's samples are divided at random between several evaluators. Their
-/// parts are added in any order, as with slaves.
+/// Returns the fitness of each individual. Divides the samples of the window at random into parts, and adds the parts
+/// in any order, as slaves do.
 std::vector<double> evaluate_in_parts(std::span<const Genome> population, std::span<const Sample> window, double bias,
                                       RandomStream& deal) {
     std::vector<double> fitness(population.size(), 0);
@@ -42,11 +42,11 @@ TEST_CASE("a line is found with 99.9 % of the greatest possible fitness, from ev
         const Estimate& last = result.estimates.back();
         CHECK(last.parameters == line->decode(last.best.genome));
         CHECK(last.best.fitness == line->fitness(last.best.genome, std::span(record).last(10), 400));
-        CHECK(last.best.fitness >= 0.999 * 10 * 400); // each of 10 samples without error contributes the bias
+        CHECK(last.best.fitness >= 0.999 * 10 * 400); // a sample without error adds the bias
     }
 }
 
-TEST_CASE("the generations are the same to the bit, whichever evaluator evaluates which part of the window") {
+TEST_CASE("the generations are the same bit for bit, however the window is divided among evaluators") {
     auto record = line_record(20);
     SearchSettings settings;
     settings.population = 30;

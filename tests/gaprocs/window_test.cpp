@@ -34,7 +34,7 @@ TEST_CASE("the window holds the last samples, oldest first, and is ready from th
     CHECK(window.samples().empty());
 }
 
-TEST_CASE("a window shorter than the first generation's samples is ready when it is full") {
+TEST_CASE("a window shorter than the number of samples before the first generation is ready when it is full") {
     SlidingWindow window(window_of(2, 5));
     window.push({1});
     CHECK_FALSE(window.ready());

@@ -41,7 +41,8 @@ TEST_CASE("the worst is replaced, and immigrants of one exchange do not replace 
     CHECK(home.places("worst", {immigrant("1010", 0), immigrant("1010", 0)}) == Places{1, 2}); // the first among equals
 }
 
-TEST_CASE("with only_if_better, an immigrant that is not fitter is rejected, and the place stays free for the next") {
+TEST_CASE(
+    "with only_if_better, an immigrant that is not fitter is rejected, and the next may replace the same individual") {
     Home home;
     CHECK(home.places("worst(1)", {immigrant("1010", -2)}) == Places{rejected});
     CHECK(home.places("worst(only_if_better = 1)", {immigrant("1010", -3), immigrant("1010", 1)}) ==
@@ -56,7 +57,8 @@ TEST_CASE("with only_if_better, an immigrant that is not fitter is rejected, and
 TEST_CASE("the most similar individual is replaced; among equals the least fit") {
     Home home;
     CHECK(home.places("alike", {immigrant("0111", 0)}) == Places{2});
-    CHECK(home.places("alike", {immigrant("1000", 0)}) == Places{0}); // 0000 and 1100 differ in one bit; 3 < 4
+    CHECK(home.places("alike", {immigrant("1000", 0)}) == Places{0}); // 0000 and 1100 each differ in one bit; the
+                                                                      // fitness of 0000 is less
     CHECK(home.places("alike", {immigrant("1000", 0), immigrant("1000", 0)}) == Places{0, 4});
     CHECK(home.places("alike", {immigrant("1111", 0)}) == Places{3});
     CHECK(home.places("alike", {immigrant("1111", 0)}, 1) == Places{2}); // individual 3 belongs to the elite
@@ -75,7 +77,7 @@ TEST_CASE("random acceptance replaces each individual outside the elite with the
         CHECK(std::abs(chance[i] - expected[i]) < 0.017); // five standard deviations
 }
 
-TEST_CASE("acceptance among the offspring replaces each outside the elite with the same probability") {
+TEST_CASE("acceptance among the offspring replaces each individual outside the elite with the same probability") {
     Home home;
     constexpr int times = 20000;
     std::vector<double> chance(5);
@@ -97,7 +99,7 @@ TEST_CASE("the elite is never replaced, and no place is given twice") {
             std::set<std::size_t> taken;
             for (auto place : home.places(way.name.c_str(), three, 2, seed))
                 taken.insert(place.value());
-            bool bred = Acceptance::named(way.name).among_offspring(); // then the elite comes first
+            bool bred = Acceptance::named(way.name).among_offspring(); // the elite of a bred population comes first
             CHECK(taken == (bred ? std::set<std::size_t>{2, 3, 4} : std::set<std::size_t>{0, 1, 4}));
         }
 }
@@ -111,7 +113,7 @@ TEST_CASE("among individuals of equal fitness, those of higher index are the eli
     }
 }
 
-TEST_CASE("more immigrants than can be replaced are refused") {
+TEST_CASE("more immigrants than individuals outside the elite are refused") {
     Home home;
     std::vector<Individual> four(4, immigrant("1111", 1)), six(6, immigrant("1111", 1));
     for (const PolicyDescription& way : Acceptance::descriptions()) {

@@ -21,7 +21,7 @@ TEST_CASE("codings are named by their text") {
     CHECK_THROWS_AS(Coding::named("real(1)"), UserError);
 }
 
-TEST_CASE("a don't-care bit between every two neighbours gives equation 6.15") {
+TEST_CASE("don't-care bits lengthen a string as in equation 6.15, and are removed again") {
     CHECK(unstuffed(Genome::from_string("11001"), 1) == Genome::from_string("101"));
     CHECK(unstuffed(Genome::from_string("1001110"), 2) == Genome::from_string("110"));
     CHECK(stuffed_bits(22, 1) == 43);
@@ -36,7 +36,7 @@ TEST_CASE("a don't-care bit between every two neighbours gives equation 6.15") {
         }
 }
 
-TEST_CASE("don't-care bits do not change the fitness, and all other bits do, for every problem") {
+TEST_CASE("don't-care bits change neither the parameters nor the fitness, and every other bit changes the parameters") {
     RandomStream random(2, "stuffed");
     auto line = make_search_problem(LineProblem{}, Coding::gray);
     auto stuffed = line->coded(Coding::named("gray(2)"));
@@ -63,7 +63,7 @@ TEST_CASE("don't-care bits do not change the fitness, and all other bits do, for
     CHECK(minimise(PlainSphere{})->coded(Coding::named("natural(1)"))->objective()->goal == Goal::minimise);
 }
 
-TEST_CASE("fields without bits are real numbers in the fields' ranges") {
+TEST_CASE("with the coding \"real\", a string holds real numbers in the ranges of the fields") {
     auto sphere = minimise(PlainSphere{})->coded(Coding::real);
     Representation reals = sphere->representation();
     CHECK(reals.kind() == StringKind::real);

@@ -15,7 +15,7 @@ using test::strings;
 
 namespace {
 
-/// Returns how often each offspring results in place of the first string.
+/// Returns how often the crossover turns string `a` into each offspring.
 std::map<std::string, int> offspring(const Crossover& cross, const char* a, const char* b, int pairs) {
     RandomStream random(8, "offspring");
     std::map<std::string, int> seen;
@@ -81,7 +81,8 @@ TEST_CASE("strings of one character are never cut") {
     CHECK(population == strings({"0", "1", "1"}));
 }
 
-TEST_CASE("the last of an odd number has no mate; by difference, the individual that is too similar has none") {
+TEST_CASE(
+    "the last of an odd number of individuals has no mate; by difference, an individual that is too similar has none") {
     RandomStream random(9, "odd");
     for (const char* way : {"one-point", "two-point", "uniform"}) {
         auto population = random_population(7, 30, random);
@@ -89,27 +90,28 @@ TEST_CASE("the last of an odd number has no mate; by difference, the individual 
         Crossover::named(way)(population, 1, BitString(population.front().size()), random);
         CHECK(population.back() == last);
     }
-    auto population = strings({"0000", "0001", "1111"}); // the second is too similar to the others
+    auto population = strings({"0000", "0001", "1111"}); // the second is too similar to the first, so the third is the
+                                                         // first's mate
     Crossover(DifferenceCrossover{})(population, 1, BitString(population.front().size()), random);
     CHECK(population[2] == Genome::from_string("0001"));
     CHECK(population[0] != Genome::from_string("0000"));
 }
 
 TEST_CASE("two-point crossover exchanges each piece of the ring with the same probability") {
-    // Four places have 6 pairs of cuts; the second string is the complement.
+    // Four positions have 6 pairs of cuts; the second offspring is the complement.
     auto seen = offspring(TwoPointCrossover{}, "0000", "1111", 60000);
     check_even(seen, 6);
     for (const char* never : {"0000", "1111", "0101", "1010"})
         CHECK(!seen.contains(never));
 }
 
-TEST_CASE("uniform crossover makes each string between the parents with the same probability") {
+TEST_CASE("uniform crossover makes each possible offspring with the same probability") {
     check_even(offspring(UniformCrossover{}, "00010", "11110", 60000), 8); // the parents differ in three places
 }
 
-TEST_CASE("crossover by difference always makes new strings, and each of the n - 1 cuts has the same probability") {
-    // The parents differ at 1, 4 and 5. A cut at 2, 3 or 4 exchanges the first different bit; a cut at 5 exchanges the
-    // first two.
+TEST_CASE("crossover by difference always makes new strings, and all possible cuts have the same probability") {
+    // The parents differ at the positions 1, 4 and 5. A cut at 2, 3 or 4 exchanges the first different bit; a cut at 5
+    // exchanges the first two.
     auto seen = offspring(DifferenceCrossover{}, "000000", "010011", 40000);
     CHECK(seen.size() == 2);
     CHECK(std::abs(seen["010000"] - 30000) < 5 * std::sqrt(40000 * .75 * .25));
@@ -120,11 +122,12 @@ TEST_CASE("crossover by difference leaves parents that differ in one bit unchang
     CHECK(offspring(DifferenceCrossover{}, "000000", "010000", 100).at("000000") == 100);
 }
 
-TEST_CASE("one-point crossover reaches 2 (n - 1) new strings of parents that differ everywhere (thesis, table 6.2)") {
+TEST_CASE(
+    "one-point crossover of parents that differ in all n bits reaches 2 (n - 1) new strings (thesis, table 6.2)") {
     for (std::size_t n : {2u, 3u, 8u}) {
         std::string zeros(n, '0'), ones(n, '1');
         auto firsts = offspring(OnePointCrossover{}, zeros.c_str(), ones.c_str(), 2000);
-        CHECK(firsts.size() == n - 1); // the second string is the complement
+        CHECK(firsts.size() == n - 1); // the second offspring is the complement
     }
 }
 

@@ -34,7 +34,7 @@ void check_chances(const char* emigration, const std::vector<double>& expected) 
         CHECK(std::abs(chance[i] - expected[i]) < 0.018); // at most five standard deviations
 }
 
-/// Returns the stream's next number. The caller's stream does not advance.
+/// Returns the stream's next number. Draws it from a copy, so the caller's stream does not advance.
 std::uint32_t next_number(RandomStream random) { return random(); }
 
 } // namespace
@@ -63,7 +63,7 @@ TEST_CASE("in a tournament of k, rank r of n leaves with probability ((n - r + 1
 }
 
 TEST_CASE("the second of two tournaments is among the individuals that are left") {
-    // The better of the two drawn from {1, 2} comes first, then the other.
+    // The better of two individuals wins the first tournament with probability 3/4; the other wins the second.
     const std::vector<double> two{1, 2};
     RandomStream random(3, "two");
     int better_first = 0;

@@ -17,7 +17,7 @@ using Normaliser = ErrorMatrix::Normaliser;
 
 namespace {
 
-/// Returns errors of four islands, of any size and sign. Their scale changes over time.
+/// Returns random errors of four islands, whose order of magnitude changes from sample to sample.
 ErrorsOfBest any_errors(std::uint64_t seed) {
     RandomStream random(seed, "errors");
     ErrorsOfBest bests{{30, 24, 16, 10}, {}};
@@ -56,14 +56,14 @@ TEST_CASE("the error matrix of two islands has the values computed by hand") {
     CHECK(squares.sum_over_islands(0, Normaliser::column) == doctest::Approx(10. / 10 + 12. / 2));
     CHECK(squares.sum_over_islands(1, Normaliser::column) == doctest::Approx(8. / 10 + 2. / 2));
     CHECK(squares.ratio(0, Normaliser::column) == doctest::Approx(7 / 1.8));
-    // These are normalised by the row's own error.
+    // Each error is divided by the row's own error.
     CHECK(squares.sum_over_windows(0, Normaliser::row) == doctest::Approx(10. / 10 + 8. / 2));
     CHECK(squares.sum_over_islands(1, Normaliser::row) == doctest::Approx(8. / 2 + 2. / 2));
     CHECK(means.ratio(0, Normaliser::row) == doctest::Approx(squares.ratio(0, Normaliser::row)));
     CHECK(means.ratio(1, Normaliser::row) == doctest::Approx(squares.ratio(1, Normaliser::row)));
 }
 
-TEST_CASE("by the printed rule, Sw falls from the longest window to the shortest, which contradicts 5.5") {
+TEST_CASE("by the printed rule, Sw never rises from the longest window to the shortest, which contradicts 5.5") {
     for (std::uint64_t seed = 0; seed < 2000; ++seed) {
         ErrorMatrix matrix(any_errors(seed), Sum::squares);
         for (std::size_t i = 1; i < 4; ++i)
@@ -100,9 +100,8 @@ TEST_CASE("each of the other rules can choose every window") {
     }
 }
 
-TEST_CASE("after a change, the choice \"row\" prefers the island with the short window, which has followed it") {
-    // The change is before the last ten samples. Only island 3 fits the samples after it; the others fit the samples
-    // before.
+TEST_CASE("the choice \"row\" prefers the island with the short window, if only this island has followed a change") {
+    // Only island 3 fits the ten samples after a change; the others fit the twenty samples before it.
     ErrorsOfBest bests{{30, 24, 16, 10}, {}};
     for (std::size_t island = 0; island < 4; ++island) {
         std::vector<double> errors(30, island == 3 ? 1 : 0.01);
@@ -115,12 +114,12 @@ TEST_CASE("after a change, the choice \"row\" prefers the island with the short 
     CHECK(PrintedChoice{}(bests, random) == 0);
 }
 
-TEST_CASE("an island whose error is not a number is not chosen when errors are normalised by the row's own error") {
+TEST_CASE("the choice \"row\" does not choose an island whose errors are infinite, huge or not a number") {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     RandomStream random(1, "not drawn from");
     for (double wrong : {nan, infinity, -infinity, 1e300}) {
         CAPTURE(wrong);
-        // The change is before the last two samples. Only the island with the shortest window has followed it.
+        // Only the island with the shortest window fits the two samples after a change.
         ErrorsOfBest bests{{4, 3, 2}, {{wrong, wrong, wrong, wrong}, {.01, .01, 1, 1}, {1, 1, .01, .01}}};
         CHECK(IslandChoice::named("row")(bests, random) == 2);
         ErrorMatrix matrix(bests, Sum::squares);
@@ -130,7 +129,7 @@ TEST_CASE("an island whose error is not a number is not chosen when errors are n
     }
 }
 
-TEST_CASE("two perfect islands are equal, and the first is chosen") {
+TEST_CASE("of two islands without errors, the first is chosen") {
     ErrorsOfBest bests{{2, 1}, {{0, 0}, {0, 0}}};
     RandomStream random(1, "not drawn from");
     for (const char* name : {"printed", "plain", "means", "row"})

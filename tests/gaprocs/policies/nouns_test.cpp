@@ -37,7 +37,7 @@ TEST_CASE("the parser accepts every listed policy and prints it as it is listed"
         auto printed_alone = noun.printed(policy.name), printed_whole = noun.printed(policy.text());
         CHECK(printed_alone == printed_whole);
         CHECK(noun.printed(printed_whole) == printed_whole);
-        CHECK(policy.text().starts_with(printed_whole)); // a coding may leave out its don't-care bits
+        CHECK(policy.text().starts_with(printed_whole)); // a coding omits dont_care = 0
     });
     CHECK(policies == 46);
 }
@@ -90,7 +90,7 @@ TEST_CASE("every noun has policies or forms, and every form has a description an
         }
         forms += noun.forms.size();
     }
-    CHECK(forms == 15); // a form without a noun would not be listed
+    CHECK(forms == 15); // a form whose noun does not exist would be missing
 }
 
 TEST_CASE("policy_nouns() returns all nouns") {

@@ -10,7 +10,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Returns the refusal of a text that does not name a reproduction.
+/// Returns the error message for a text that names no reproduction, or "".
 std::string refusal(const std::string& text) {
     try {
         Reproduction::named(text);

@@ -33,7 +33,7 @@ double deviation_of(const std::vector<double>& numbers) {
     return std::sqrt(sum / static_cast<double>(numbers.size()));
 }
 
-/// Returns mutants of 0, the middle of the range.
+/// Returns `count` mutants of the number 0, whose range is -8 to 8.
 std::vector<double> mutants(const char* way, double probability, int count) {
     const Representation one = RealVector(1, {-8, 8});
     std::vector<Genome> population(static_cast<std::size_t>(count), one.read("0"));
@@ -85,7 +85,7 @@ TEST_CASE("breeder mutation makes steps of every size in both directions") {
     int up = 0, small = 0;
     for (double step : steps) {
         up += step > 0;
-        small += std::abs(step) < 0.25; // half of all sizes, on a logarithmic scale
+        small += std::abs(step) < 0.25; // half of all steps, because sizes are uniform on a logarithmic scale
         CHECK(std::abs(step) <= 8);
         CHECK(std::abs(step) >= 8 * 0x1p-10);
     }
@@ -99,7 +99,7 @@ TEST_CASE("uniform mutation draws a new number, uniform in the range") {
     CHECK(deviation_of(all) == doctest::Approx(16 / std::sqrt(12)).epsilon(0.03));
 }
 
-TEST_CASE("cuts keep each number whole and at its place") {
+TEST_CASE("one-point, two-point and uniform crossover keep each number whole and at its position") {
     RandomStream random(3, "numbers");
     for (const char* way : {"one-point", "two-point", "uniform"}) {
         std::map<std::string, int> seen;
@@ -135,7 +135,7 @@ TEST_CASE("blend crossover is uniform in the extended interval between the paren
 
 namespace {
 
-/// Returns all offspring that keep a part of one parent and take the rest in the order of the other parent.
+/// Returns all offspring that keep a part of one parent and have the rest in the order of the other parent.
 std::set<std::string> all_offspring(const std::vector<std::size_t>& kept, const std::vector<std::size_t>& other) {
     std::set<std::string> all;
     for (std::size_t first = 0; first < 7; ++first)
@@ -173,7 +173,7 @@ TEST_CASE("order crossover makes all permutations that keep a part of one parent
     CHECK(equals[0] == a);
 }
 
-TEST_CASE("swap and inversion make permutations and change the expected number of edges") {
+TEST_CASE("swap changes at most four edges of a tour, and inversion at most two") {
     RandomStream random(6, "mutate");
     for (int i = 0; i < 500; ++i) {
         Genome tour = tours.random(random), swapped = tour, turned = tour;
@@ -208,7 +208,7 @@ TEST_CASE("acceptance of the most similar individual uses the representation's d
     std::vector<Genome> strings{tours.read("0 2 4 6 1 3 5"), tours.read("3 2 1 0 6 5 4"), tours.read("0 1 2 3 6 5 4")};
     std::vector<double> fitness{1, 2, 3};
     std::vector<Individual> immigrant{{tours.read("0 1 2 3 4 5 6"), 5}};
-    // As bits, the last string is nearer. As tours, the second is the same tour in reverse.
+    // The second string is the immigrant's tour in reverse. As bits, the third is the nearest.
     CHECK(AlikeAcceptance{}({strings, fitness, 0, &tours}, immigrant, random) == Places{1});
     CHECK(AlikeAcceptance{}({strings, fitness, 0}, immigrant, random) == Places{2});
 }

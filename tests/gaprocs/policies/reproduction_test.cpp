@@ -40,7 +40,7 @@ const std::vector<double> five{-3, 10, 2, 1, 0}; // mean 2
 
 } // namespace
 
-TEST_CASE("linear ranking gives the best `best` copies and the worst 2 - `best`") {
+TEST_CASE("linear ranking makes `best` copies of the best and 2 - `best` of the worst") {
     check_copies(RankingReproduction{2}, five, {0, 2, 1.5, 1, 0.5});
     check_copies(RankingReproduction{1.2}, five, {0.8, 1.2, 1.1, 1, 0.9});
     check_copies(RankingReproduction{1}, five, {1, 1, 1, 1, 1});
@@ -49,7 +49,7 @@ TEST_CASE("linear ranking gives the best `best` copies and the worst 2 - `best`"
 }
 
 TEST_CASE(
-    "linear scaling gives the mean one copy and the best `best`, unless the worst would have fewer than 0 copies") {
+    "linear scaling makes one copy at the mean and `best` of the best, unless the worst would have fewer than 0") {
     check_copies(ScaledReproduction{1.4}, five, {1 - 0.05 * 5, 1.4, 1, 0.95, 0.9}); // slope .4 / 8
     check_copies(ScaledReproduction{100}, five, {0, 1 + 8. / 5, 1, 0.8, 0.6});      // slope 1 / 5: the worst has 0
                                                                                     // copies
@@ -58,10 +58,9 @@ TEST_CASE(
     check_copies(ScaledReproduction{2}, {-most, most, 0}, {0, 2, 1});
 }
 
-TEST_CASE("each tournament is won by the best of k with probability 1 - (1 - 1/n)^k") {
+TEST_CASE("the best of n individuals wins a tournament of k with probability 1 - (1 - 1/n)^k") {
     check_copies(TournamentReproduction{1}, five, {1, 1, 1, 1, 1});
-    // Rank 1 is the best. The individual of rank r wins if all candidates have rank r or worse, but not all of them are
-    // worse.
+    // An individual wins if no candidate is better, and not all candidates are worse.
     auto expected = [](double k) {
         std::vector<double> copies;
         for (double worse : {0., 4., 3., 2., 1.}) // number of worse individuals, for each of the five

@@ -57,7 +57,7 @@ TEST_CASE("asynchronous exchange goes to all neighbours as a broadcast does, but
     CHECK(Schedule::named("asynchronous(7)").every() == 7);
 }
 
-TEST_CASE("most_senders_at_once counts the neighbours whose immigrants can come at once") {
+TEST_CASE("most_senders_at_once counts the islands whose emigrants can come at once") {
     auto most = [](const char* schedule, const Neighbours& neighbours) {
         return most_senders_at_once(Schedule::named(schedule), neighbours);
     };
@@ -66,7 +66,7 @@ TEST_CASE("most_senders_at_once counts the neighbours whose immigrants can come 
     CHECK(most("sequential", star) == IslandNumbers{4, 1, 1, 1, 1});
     CHECK(most("asynchronous", complete) == IslandNumbers{4, 4, 4, 4, 4});
     CHECK(most("sequential", complete) == IslandNumbers{1, 1, 1, 1, 1});
-    // Islands 1 and 2 send to island 0 in exchanges 2, 4, 6 ... and 3, 6, 9 ..., so both do in the sixth.
+    // Island 1 sends to island 0 in exchanges 2, 4, 6 ..., island 2 in exchanges 3, 6, 9 ..., so both do in the sixth.
     CHECK(most("sequential", {{1}, {3, 0}, {3, 1, 0}, {2}}) == IslandNumbers{2, 2, 1, 2});
     CHECK(most("broadcast", Neighbours(2)) == IslandNumbers{0, 0});
 }

@@ -20,7 +20,7 @@ bool is_edge(const Neighbours& neighbours, std::size_t from, std::size_t to) {
     return std::count(neighbours[from].begin(), neighbours[from].end(), to) == 1;
 }
 
-/// Returns the greatest distance of two islands. Throws std::bad_optional_access if two islands are not connected.
+/// Returns the greatest distance of two islands. Throws std::bad_optional_access if one never reaches another.
 std::size_t diameter(const Neighbours& neighbours) {
     std::size_t greatest = 0;
     for (std::size_t from = 0; from < neighbours.size(); ++from)
@@ -108,7 +108,7 @@ TEST_CASE("a complete topology connects each island to all others, from the next
     CHECK(diameter(complete) == 1);
 }
 
-TEST_CASE("if all islands send to the neighbour at the same place, each receives from one island") {
+TEST_CASE("if every island sends to its n-th neighbour, each receives from one island") {
     for (const char* topology : {"ring(2)", "hypercube", "torus(4)", "torus(2)", "complete"}) {
         CAPTURE(topology);
         auto neighbours = neighbours_in(topology, 16);
@@ -123,7 +123,7 @@ TEST_CASE("if all islands send to the neighbour at the same place, each receives
     }
 }
 
-TEST_CASE("with no topology, islands have no neighbours, and one island may be alone") {
+TEST_CASE("in the topology \"none\", islands have no neighbours, and there may be a single island") {
     CHECK(neighbours_in("none", 3) == Neighbours(3));
     CHECK(neighbours_in("none", 1) == Neighbours(1));
     CHECK_FALSE(distances(neighbours_in("none", 2), 0)[1].has_value());
@@ -134,7 +134,7 @@ TEST_CASE("one_way finds an island whose individuals never reach another island 
     REQUIRE(lost);
     CHECK(lost->from == 1);
     CHECK(lost->never_to == 0);
-    lost = one_way({{1, 2}, {0}, {}}); // the first sends to all, the last to none
+    lost = one_way({{1, 2}, {0}, {}}); // island 0 sends to all others, island 2 to none
     REQUIRE(lost);
     CHECK(lost->from == 2);
     CHECK(lost->never_to == 0);
@@ -142,7 +142,7 @@ TEST_CASE("one_way finds an island whose individuals never reach another island 
     REQUIRE(lost);
     CHECK(lost->from == 4);
     CHECK(lost->never_to == 2);
-    CHECK_FALSE(one_way({{1}, {0}, {}})); // the third is isolated
+    CHECK_FALSE(one_way({{1}, {0}, {}})); // island 2 is isolated
     for (const char* topology : {"ring", "torus(2)", "hypercube", "star", "complete"})
         CHECK_FALSE(one_way(neighbours_in(topology, 8)));
 }

@@ -30,8 +30,8 @@ TEST_CASE("evenly spaced balls fall into sectors of widths 1, 2 and 1 in proport
     RouletteWheel wheel(std::array<double, 5>{1, -7, 2, 0, 1});
     CHECK(wheel.sectors(4, 0) == Indices{0, 2, 2, 4});
     CHECK(wheel.sectors(4, 0.999) == Indices{0, 2, 2, 4});
-    CHECK(wheel.sectors(2, 0.25) == Indices{0, 2}); // 0.5 and 2.5
-    CHECK(wheel.sectors(2, 0.75) == Indices{2, 4}); // 1.5 and 3.5
+    CHECK(wheel.sectors(2, 0.25) == Indices{0, 2}); // balls at 0.5 and 2.5 of 4
+    CHECK(wheel.sectors(2, 0.75) == Indices{2, 4}); // balls at 1.5 and 3.5 of 4
     CHECK(wheel.sectors(1, 1 - 0x1p-32) == Indices{4});
     CHECK(wheel.sectors(8, 0.5) == Indices{0, 0, 2, 2, 2, 2, 4, 4});
 }
@@ -61,7 +61,7 @@ TEST_CASE("in universal sampling each individual becomes a parent floor(e) or ce
 
 TEST_CASE("in universal sampling the mean number of copies is that of roulette") {
     RandomStream random(2, "universal");
-    const std::array<double, 3> fitness{1, 2, 5}; // the expected copies of 3 parents: 0.375, 0.75, 1.875
+    const std::array<double, 3> fitness{1, 2, 5}; // expected numbers of copies: 0.375, 0.75, 1.875
     std::array<int, 3> seen{};
     constexpr int spins = 20000;
     for (int spin = 0; spin < spins; ++spin) {
@@ -69,13 +69,13 @@ TEST_CASE("in universal sampling the mean number of copies is that of roulette")
         for (std::size_t parent : parents)
             ++seen.at(parent);
     }
-    // In one spin, each count is one of two neighbouring integers, so its standard deviation is at most 0.5. Four
-    // standard deviations are allowed.
+    // In one spin, the number of copies is one of two neighbouring integers, so its standard deviation is at most 0.5.
+    // The check allows four standard deviations of the sum.
     for (std::size_t i = 0; i < 3; ++i)
         CHECK(std::abs(seen.at(i) - spins * 3 * fitness.at(i) / 8) < 4 * 0.5 * std::sqrt(spins));
 }
 
-TEST_CASE("the parents are shuffled, and each is equally often at each place") {
+TEST_CASE("universal sampling shuffles the parents: each is equally often at each place") {
     RandomStream random(3, "universal");
     const std::array<double, 4> fitness{1, 1, 1, 1};
     constexpr int runs = 20000;

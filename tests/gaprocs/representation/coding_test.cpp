@@ -14,7 +14,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("the Gray code of three bits is that of the textbooks") {
+TEST_CASE("the Gray code of three bits is 000, 001, 011, 010, 110, 111, 101, 100") {
     const std::array<const char*, 8> table{"000", "001", "011", "010", "110", "111", "101", "100"};
     for (std::uint64_t number = 0; number < 8; ++number) {
         Genome genome = Genome::from_string(table.at(number));
@@ -28,10 +28,10 @@ TEST_CASE("Gray codes of neighbours differ in one bit, also where natural binary
     for (std::uint64_t number = 0; number < 4096; ++number)
         REQUIRE(std::popcount(gray_code(number) ^ gray_code(number + 1)) == 1);
     CHECK(std::popcount(gray_code(4095) ^ gray_code(0)) == 1); // the 12-bit code is cyclic
-    CHECK(std::popcount(127u ^ 128u) == 8);                    // a Hamming cliff at .0125 in a range of .1 with 10 bits
+    CHECK(std::popcount(127u ^ 128u) == 8);                    // a Hamming cliff: at .0125, if 10 bits code 0 to .1
 }
 
-TEST_CASE("decoding a Gray code undoes its coding for all 64 bits") {
+TEST_CASE("gray_decoded() is the inverse of gray_code() for numbers of up to 64 bits") {
     RandomStream random(1, "gray");
     for (int i = 0; i < 10'000; ++i) {
         std::uint64_t number = (std::uint64_t{random()} << 32 | random()) >> random.below(64);
@@ -51,7 +51,7 @@ TEST_CASE("each field of a string is a Gray code of its own") {
     CHECK(coded.field(8, 1) == 1);
 }
 
-TEST_CASE("a problem that does not mention codings can be read in Gray code") {
+TEST_CASE("a problem that knows nothing of codings can be read in Gray code") {
     auto natural = make_search_problem(LineProblem{}), gray = make_search_problem(LineProblem{}, Coding::gray);
     CHECK(natural->coding() == Coding::natural);
     CHECK(gray->coding() == Coding::gray);

@@ -72,7 +72,7 @@ TEST_CASE("fields of up to 64 bits may cross word boundaries") {
     }
 }
 
-TEST_CASE("the exchange of leading characters is that of thesis eq. 1.1 and 1.2") {
+TEST_CASE("swap_leading exchanges the leading characters as in thesis eq. 1.1 and 1.2") {
     Genome a = Genome::from_string("0000000"), b = Genome::from_string("1111111");
     swap_leading(a, b, 4);
     CHECK(a.to_string() == "1111000");

@@ -27,7 +27,7 @@ std::string refusal_of_text(const Representation& representation, const char* te
 
 } // namespace
 
-TEST_CASE("random strings are of their representation") {
+TEST_CASE("random strings belong to their representation and are evenly distributed") {
     RandomStream random(1, "representation");
     std::map<std::string, int> orders;
     double sum = 0;
@@ -71,12 +71,14 @@ TEST_CASE("a text that is not a string of the representation is refused") {
     CHECK(refusal_of_text(order_of_4, "0 1 2 -1") == "\"-1\" is not a whole number");
 }
 
-TEST_CASE("the distance counts bits, is Euclidean in widths of the ranges, or counts edges not shared") {
+TEST_CASE(
+    "the distance counts different bits, is Euclidean in widths of the ranges, or counts edges that are not shared") {
     CHECK(bits_of_5.distance(bits_of_5.read("01101"), bits_of_5.read("11100")) == 2);
     CHECK(two_reals.distance(two_reals.read("1 0"), two_reals.read("4 0.8")) == doctest::Approx(0.5));
     const Representation order_of_6 = Permutation(6);
     Genome tour = order_of_6.read("0 1 2 3 4 5");
-    CHECK(order_of_6.distance(tour, order_of_6.read("3 2 1 0 5 4")) == 0); // the same tour, rotated
+    CHECK(order_of_6.distance(tour, order_of_6.read("3 2 1 0 5 4")) == 0); // the same tour in reverse, from another
+                                                                           // place
     CHECK(order_of_6.distance(tour, order_of_6.read("0 1 4 3 2 5")) == 2); // one part reversed
     CHECK(order_of_6.distance(tour, order_of_6.read("0 2 4 1 3 5")) == 5);
     RandomStream random(1, "distance");
@@ -103,7 +105,7 @@ TEST_CASE("empty representations and reversed bounds are refused") {
         CHECK_THROWS_AS(RealVector({range}), std::invalid_argument);
 }
 
-TEST_CASE("a whole parameter is rounded down, with and without bits") {
+TEST_CASE("a whole parameter is rounded down, whether bits or a real number code it") {
     ParameterField delay{.low = 1, .high = 5, .bits = 2, .whole = true}; // Table 5.1
     for (std::uint64_t code = 0; code < 4; ++code)
         CHECK(delay.value(code) == static_cast<double>(code + 1));

@@ -46,7 +46,7 @@ std::vector<double> values_one_by_one(const ParameterCoding& coding, std::span<c
     return values;
 }
 
-/// A problem that decodes several strings at once. The optimum is a sum of 0.
+/// A problem that decodes several strings at once.
 struct ManyBits {
     ParameterCoding coding;
 
