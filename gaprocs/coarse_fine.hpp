@@ -12,17 +12,17 @@ namespace placedpar {
 
 /// The settings of a pair of searches, "coarse" and "fine" (thesis 6.2, Figure 6.6).
 struct CoarseFineSettings {
-    SearchSettings coarse, fine;        ///< must have the same window
-    Recoding coarse_reading;            ///< says which most significant bits of the problem's fields the coarse search
+    SearchSettings coarse, fine;        ///< settings of the two searches, which must have the same window
+    Recoding coarse_reading;            ///< says how many of the most significant bits of each field the coarse search
                                         ///< breeds
     std::vector<std::size_t> fine_bits; ///< bits of each field in the fine search; a field with as many bits as the
                                         ///< problem's ignores the bias point
 };
 
 /// Two searches over the same record. The coarse search has a coarse grid. The fine search has the problem's own grid,
-/// but only around the bias point, the best individual of the coarse search in the same generation. So the individuals
-/// of the fine search move with the bias point. The thesis does not say from which generation the bias point comes; the
-/// choice is ours.
+/// but only around the bias point, the best individual of the coarse search in the same generation. So when the bias
+/// point moves, the parameters of all individuals of the fine search move, too. The thesis does not say from which
+/// generation the bias point comes; the choice is ours.
 class CoarseFine {
 public:
     /// REQUIRES: `problem` is in natural binary and outlives the pair. Throws as SearchSettings::validate() and

@@ -11,8 +11,9 @@
 namespace placedpar {
 
 // Diversity is the mean Representation::distance() of two individuals, divided by the greatest possible distance. It is
-// 0 if all individuals are equal, and at most 1. For real vectors the mean is the root mean square. The table shows
-// what diversity measures, and its expected value for random individuals; n is the number of places:
+// 0 if all individuals are equal, and at most 1. For real vectors, the root mean square distance replaces the mean. The
+// table shows what diversity measures, and the expected value for random individuals; n is the number of places of a
+// permutation:
 //
 //     binary strings   fraction of bits in which they differ                                               1/2
 //     real vectors     root of the mean square distance of their numbers, in widths of the ranges      1/sqrt(6)

@@ -18,8 +18,8 @@ namespace placedpar {
 /// minimised, the best value is the least. An objective that is not a finite number is logged as the worst infinity.
 struct LoggedGeneration {
     std::optional<Time> time; ///< time of the generation; for all searches together, their latest time
-    double best_so_far; ///< best of `best` in all generations so far, although these belong to different windows if the
-                        ///< window moves
+    double best_so_far; ///< best `best` of all generations so far; if the window moves, these are fitness values of
+                        ///< different windows
     double best, mean;  ///< fitness or objective; `mean` omits values that are not finite
     double diversity;   ///< diversity_within(); for all searches together, the mean over the searches
     double between = 0; ///< diversity_between(); only for all searches together

@@ -32,9 +32,9 @@ struct IslandsSettings {
     Emigration emigration;
     Acceptance acceptance;
 
-    /// Throws UserError as SearchSettings::validate(), WindowSettings::validate_for(), Topology::neighbours(), and
-    /// Emigration and Acceptance::validate_for(). Throws it also if a policy's number is out of range, or if islands
-    /// have different numbers of generations per sample.
+    /// Throws UserError as SearchSettings::validate(), WindowSettings::validate_for(), Topology::neighbours(),
+    /// Emigration::validate_for() and Acceptance::validate_for(). Throws it also if a policy's number is out of range,
+    /// or if islands have different numbers of generations per sample.
     void validate_for(std::size_t record_length) const;
     /// Returns a warning if the islands form several parts without any exchange between them, or if individuals of one
     /// island never reach another. Such a topology is allowed, but probably not intended. Otherwise returns "". Throws
@@ -70,8 +70,8 @@ void accept_and_breed(Search&, std::span<double> fitness, std::span<Migration> a
 /// does not change, because sums of fitness are exact (gaprocs/fitness.hpp). Immigrants among the offspring are
 /// evaluated one generation later.
 ///
-/// With the asynchronous schedule, no island waits for another. This class simulates no times, so in each generation
-/// the islands take turns, island 0 first: an island evaluates, sends emigrants, accepts the immigrants sent so far,
+/// With the asynchronous schedule, no island waits for another. This class has no simulated time, so the islands take
+/// turns in each generation, island 0 first: an island evaluates, sends emigrants, accepts the immigrants sent so far,
 /// and breeds.
 class Islands {
 public:
@@ -127,7 +127,8 @@ struct IslandsResult {
     std::vector<Migration> migrations; ///< migrations of all generations, in the order of the generations
 };
 
-/// Runs the islands over a record, without a simulated machine. Throws as Islands and IslandsSettings::validate_for().
+/// Runs the islands over a record, without a simulated machine. Throws as Islands, IslandsSettings::validate_for() and
+/// require_channels().
 IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> record, const IslandsSettings& settings,
                           std::vector<RandomStream> streams, SearchObserver* observer = nullptr);
 /// Runs the islands on a problem with an objective. Each island gives one estimate for each generation.

@@ -26,13 +26,13 @@ namespace placedpar {
 //
 // and minimise(Sphere{}) makes it a SearchProblem. The argument of objective() depends on the type of representation():
 // std::span<const double> for a ParameterCoding or a RealVector, const Genome& for a BitString, std::span<const
-// std::size_t> for a Permutation. With a ParameterCoding, the search may breed bits or the real numbers that they code:
-// see gaprocs/policies/coding.hpp. An objective that is infinite or NaN is worse than every other, so objective() may
+// std::size_t> for a Permutation. With a ParameterCoding, the search may breed either bits or real numbers: see
+// gaprocs/policies/coding.hpp. An objective that is infinite or NaN is worse than every other, so objective() may
 // return infinity for an individual that is not allowed.
 
-/// An objective problem has representation(), and objective() of what the representation decodes. It may also have
-/// parameter_names() and parameter_units(), by default "x_1", "x_2", ... without units; objective_unit(); and
-/// optimum(), the best possible objective.
+/// An objective problem has the functions representation() and objective(). The argument of objective() is what the
+/// representation decodes. It may also have parameter_names() and parameter_units(), by default "x_1", "x_2", ...
+/// without units; objective_unit(); and optimum(), the best possible objective.
 template <typename P>
 concept StatesObjective = requires(const P& problem, const Genome& genome) {
     { problem.objective(problem.representation().decode(genome)) } -> std::convertible_to<double>;

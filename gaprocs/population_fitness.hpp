@@ -119,7 +119,7 @@ concept PreparesSamples = requires(const P& problem, std::span<const Lanes<2>> p
     { problem.template error_of<Lanes<2>>(parameters, problem.prepared(sample)) } -> std::convertible_to<Lanes<2>>;
 };
 
-/// Computes the fitness of each string over `samples`, which may be prepared samples.
+/// Computes the fitness of each string over `samples`, which may have been prepared (PreparesSamples).
 template <bool gray, typename P, typename Samples>
 void fitness_over(const P& problem, std::span<const Genome> population, const Samples& samples, double bias,
                   std::span<double> fitness) {

@@ -13,8 +13,7 @@ namespace placedpar {
 
 /// Settings that suit a record. A netlist with other settings gets a warning.
 struct RecordAdvice {
-    std::size_t trials = 0; ///< right number of generations per sample, if changes of the record happen at stated
-                            ///< generations; 0: any number is right
+    std::size_t trials = 0; ///< number of generations per sample for which the record was made; 0: any number suits
     double bias = 0;        ///< suitable B of eq. 3.9; 0: the default suits
 };
 

@@ -16,8 +16,8 @@ namespace placedpar {
 class RecodedProblem final : public SearchProblem {
 public:
     /// Uses `problem` in natural binary. Throws as Recoding::validate() and SearchProblem::coded(). Throws UserError if
-    /// the problem's strings are not binary, or unless Recoding::problem_bits add up to their length and equal the
-    /// fields that the problem states, if it states any.
+    /// the problem's strings are not binary, if Recoding::problem_bits do not add up to their length, or if the problem
+    /// states other fields.
     RecodedProblem(const SearchProblem& problem, Recoding recoding);
 
     /// Sets the bias point, Recoding::around. REQUIRES: `around` is a string of the problem.

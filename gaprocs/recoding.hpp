@@ -20,13 +20,13 @@ struct Recoding {
     std::vector<std::size_t> bits;
     Coding coding = Coding::natural; ///< coding of the bred fields
     /// The bias point of a "fine" genetic algorithm, as a string of the problem. A bred field with as many bits as the
-    /// problem's field ignores the bias point. For a field with fewer bits, n bits, the problem's field is set to that
-    /// of the bias point, plus the bred number, minus 2^(n - 1), limited to the range of the problem's field.
+    /// problem's field ignores the bias point. A bred field with fewer bits, say n, is an offset: the bred number minus
+    /// 2^(n - 1) is added to the bias point's field. The sum is limited to the codes of the problem's field.
     std::optional<Genome> around = std::nullopt;
 
     /// Throws std::invalid_argument if there are no fields, if the coding is "real", or if `bits` and `problem_bits`
-    /// have different lengths. Throws it also unless every field has 1 to 63 bits, and a bred field at most the bits of
-    /// the problem's field. Throws it also if `around` is not as long as the problem's string.
+    /// have different lengths. Throws it also if a field has 0 bits or more than 63, or if a bred field has more bits
+    /// than the problem's field. Throws it also if `around` is not as long as the problem's string.
     void validate() const;
     /// Returns the length of the bred string in bits.
     std::size_t length() const;

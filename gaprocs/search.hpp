@@ -68,16 +68,16 @@ public:
     const Individual& best() const;
 
     /// Returns copies of the emigrants with their fitness; by default, the best individual emigrates. Draws from this
-    /// search's random stream. Throws as next_generation() and as Emigration.
+    /// search's random stream. Throws as next_generation() and `emigration`.
     std::vector<Individual> emigrants(std::span<const double> fitness, const Emigration& emigration = {});
     /// Replaces individuals by immigrants, both in population() and in `fitness`; by default, an immigrant replaces the
     /// worst individual. Returns for each immigrant the index of the individual that it replaced. Draws from this
-    /// search's random stream. Throws as next_generation() and as Acceptance, and std::invalid_argument for an
-    /// immigrant of another length. REQUIRES: !acceptance.among_offspring().
+    /// search's random stream. Throws as next_generation() and `acceptance`, and std::invalid_argument for an immigrant
+    /// of another length. REQUIRES: !acceptance.among_offspring().
     Places accept(std::span<const Individual> immigrants, std::span<double> fitness, const Acceptance& acceptance = {});
     /// Replaces individuals of the population that next_generation() has bred, except the elite, by immigrants. Throws
-    /// as Acceptance, and std::invalid_argument for an immigrant of another length. REQUIRES: the population has not
-    /// been evaluated since next_generation().
+    /// as Acceptance::validate_for(), and std::invalid_argument for an immigrant of another length. REQUIRES: the
+    /// population has not been evaluated since next_generation().
     Places accept_among_offspring(std::span<const Individual> immigrants);
 
 private:

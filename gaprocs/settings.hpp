@@ -19,7 +19,7 @@ struct WindowSettings {
     std::size_t trials = 5; ///< generations per new sample
     double bias = 400;      ///< B of eq. 3.9, in the unit of the squared error
 
-    /// Throws UserError if a setting is 0, if `length` exceeds `exact_fitness_terms`, or unless 0 < `bias` <=
+    /// Throws UserError unless every setting is above 0, `length` <= `exact_fitness_terms` and `bias` <=
     /// `fitness_term_limit`.
     void validate() const;
     /// Throws as validate(), and UserError if the window is longer than the record.
@@ -44,9 +44,9 @@ struct SearchSettings {
     std::vector<Genome> initial = {};
     WindowSettings window;
 
-    /// Throws UserError unless 2 <= `population` <= `largest_population`, if there are more than `population` initial
-    /// individuals, or if fewer than two individuals are outside the elite. Throws it also if a probability is outside
-    /// 0 ... 1 or a policy's number is out of range. Throws as WindowSettings::validate().
+    /// Throws UserError if `population` is below 2 or above `largest_population`, if there are more than `population`
+    /// initial individuals, or if fewer than two individuals are outside the elite. Throws it also if a probability is
+    /// outside 0 ... 1 or a policy's number is out of range. Throws as WindowSettings::validate().
     void validate() const;
 };
 

@@ -11,8 +11,8 @@ namespace placedpar {
 
 /// Returns a first population that covers the search space better than a random one (thesis 6.3, "predefined
 /// populations"). The codes of each field are evenly spread over the field's range, in an order that is drawn
-/// separately for each field (Latin hypercube sampling, M. McKay et al., 1979). Don't-care bits are 0. The strings have
-/// the fields and the coding of the bred strings of `reading`. Draws at least `count` numbers for each field. REQUIRES:
+/// separately for each field (Latin hypercube sampling, M. McKay et al., 1979). Don't-care bits are 0. `reading` states
+/// the fields and the coding of the strings. Draws at least `count` numbers for each field. REQUIRES:
 /// reading.validate() throws nothing.
 std::vector<Genome> spread_population(std::size_t count, const Recoding& reading, RandomStream& random);
 /// Returns a spread population of the problem's strings. Throws UserError if these have no fields of bits.

@@ -19,7 +19,7 @@ struct Estimate {
 };
 
 struct SearchResult {
-    std::vector<Estimate> estimates; ///< one for each sample from the first at which SlidingWindow::ready()
+    std::vector<Estimate> estimates; ///< one for each sample, except those before SlidingWindow::ready()
     std::uint64_t generations = 0;
     std::uint64_t redraws = 0;
     std::vector<Genome> population; ///< population after the last generation, not yet evaluated
@@ -34,8 +34,8 @@ std::vector<double> evaluate(const SearchProblem& problem, std::span<const Genom
                              std::span<const Sample> window, double bias);
 
 /// Runs the traditional genetic algorithm over a record (thesis figure 1.1, 3.1.1), without a simulated machine.
-/// Algorithm A must give the same results bit for bit. The observer gets the search under the name "traditional".
-/// Throws as SearchSettings::validate(), settings_for(), WindowSettings::validate_for() and require_channels().
+/// Algorithm A must give the same results bit for bit. To the observer, the search has the name "traditional". Throws
+/// as SearchSettings::validate(), settings_for(), WindowSettings::validate_for() and require_channels().
 SearchResult run_traditional(const SearchProblem& problem, std::span<const Sample> record,
                              const SearchSettings& settings, RandomStream random, SearchObserver* observer = nullptr);
 /// Runs the algorithm on a problem with an objective. Gives one estimate for each generation.

@@ -16,8 +16,9 @@ namespace placedpar {
 
 namespace {
 
-/// Gives each immigrant one of the remaining `candidates`, whose index choose(immigrant, candidates) returns.
-/// `candidates` are the individuals that may be replaced.
+/// Chooses the place of each immigrant. `candidates`: individuals that may be replaced; each is replaced once at most.
+/// choose(immigrant, candidates) returns the position of the chosen individual in the list of the candidates that are
+/// left.
 template <class Choose>
 Places give_places(const IslandPopulation& island, std::span<const Individual> immigrants,
                    std::vector<std::size_t> candidates, bool only_if_better, Choose choose) {

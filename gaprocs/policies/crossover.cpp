@@ -11,8 +11,8 @@ namespace placedpar {
 
 namespace {
 
-/// Looks for the next individual that differs from the first in two bits or more, and swaps it with the second. Returns
-/// false if there is none.
+/// Looks for the next individual that differs from the first in two bits or more. Swaps this individual with the second
+/// and returns true; returns false if there is no such individual.
 bool mate_by_difference(std::span<Genome> unmated) {
     auto differs = [&](const Genome& other) { return difference(unmated.front(), other) >= 2; };
     auto mate = std::find_if(unmated.begin() + 1, unmated.end(), differs);

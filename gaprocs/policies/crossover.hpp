@@ -15,9 +15,9 @@
 
 namespace placedpar {
 
-// Each policy turns two mates into two offspring. Its comment states how many random numbers it draws. A character is a
-// bit of a binary string or a number of a real vector. A character has `unit` bits, 1 or 64, which stay together.
-// REQUIRES of every policy: both strings have the same length, at least 2 characters.
+// Each policy turns two mates into two offspring. The comment of each policy states how many random numbers the policy
+// draws. A character is a bit of a binary string or a number of a real vector. A character has `unit` bits, 1 or 64,
+// which stay together. REQUIRES of every policy: both strings have the same length, at least 2 characters.
 
 /// Exchanges the first k of L characters, where k is uniform in 1 ... L - 1 (thesis eq. 1.1 and 1.2). Draws one number.
 struct OnePointCrossover {
@@ -39,7 +39,7 @@ struct TwoPointCrossover {
 };
 
 /// Exchanges each character with probability 1/2 (G. Syswerda, "Uniform crossover in genetic algorithms", 1989). Draws
-/// one random number for each 32 bits of a binary string, rounded up, or for each number of a real vector.
+/// ceil(L / 32) random numbers for a binary string of L bits, and one for each number of a real vector.
 struct UniformCrossover {
     static constexpr std::string_view name = "uniform", about = "each character with probability 1/2",
                                       source = "G. Syswerda, 1989";
@@ -80,9 +80,9 @@ struct BlendCrossover {
     void operator()(Genome& a, Genome& b, const RealVector& reals, RandomStream& random) const;
 };
 
-/// Order crossover (L. Davis, "Applying adaptive algorithms to epistatic domains", 1985). An offspring has the entries
-/// between two cuts from one parent. The missing entries follow, in the order in which the other parent has them. Draws
-/// two numbers, for the cuts, as TwoPointCrossover does.
+/// Order crossover (L. Davis, "Applying adaptive algorithms to epistatic domains", 1985). An offspring takes the
+/// entries between two cuts from one parent. The missing entries follow, in the order in which the other parent has
+/// them. Draws two numbers, for the cuts, as TwoPointCrossover does.
 struct OrderCrossover {
     static constexpr std::string_view name = "order",
                                       about = "a part of one parent, the rest in the order of the other",

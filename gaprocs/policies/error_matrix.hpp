@@ -10,7 +10,7 @@ namespace placedpar {
 /// individual of island i.
 struct ErrorsOfBest {
     std::vector<std::size_t> windows;        ///< w_i of each island; none is longer than the lists in `errors`
-    std::vector<std::vector<double>> errors; ///< [j]: errors y - y-hat of A_j at all samples, oldest first
+    std::vector<std::vector<double>> errors; ///< [j]: errors y - y-hat of A_j at the newest samples, oldest first
     /// [i][j]: errors of A_j in window w_i. Empty, unless the error at a sample depends on the first sample of the
     /// window.
     std::vector<std::vector<std::vector<double>>> by_window = {};

@@ -98,7 +98,7 @@ struct UniformMutation {
                     RandomStream& random) const;
 };
 
-/// Exchanges the entries at this position and another. Draws one number.
+/// Exchanges the entry at this position with that at another, random position. Draws one number.
 struct SwapMutation {
     static constexpr std::string_view name = "swap", about = "two places are exchanged", source = "not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
@@ -107,8 +107,9 @@ struct SwapMutation {
                     RandomStream& random) const;
 };
 
-/// Reverses the entries from this position to another. If the other position comes first, the reversed part continues
-/// from the end of the string to its beginning. In a closed tour this changes two edges. Draws one number.
+/// Reverses the entries from this position to another, random position. If the other position comes first, the reversed
+/// part continues from the end of the string to its beginning. In a closed tour this changes two edges. Draws one
+/// number.
 struct InversionMutation {
     static constexpr std::string_view name = "inversion", about = "the places from one to another are reversed",
                                       source = "the 2-opt step of G. Croes, 1958";

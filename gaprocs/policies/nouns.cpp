@@ -79,7 +79,7 @@ Noun noun_of(std::vector<std::string> also_called = {}) {
             .printed = [](const std::string& text) { return Step::named(text).text(); }};
 }
 
-/// Describes a step as noun_of(), and adds to each policy the kinds of strings that it works on.
+/// Describes a step as noun_of() does, and adds to each policy the kinds of strings on which the policy works.
 template <class Step>
 Noun noun_of_operator(std::vector<std::string> also_called) {
     Noun noun = noun_of<Step>(std::move(also_called));

@@ -160,8 +160,8 @@ private:
     std::vector<double> numbers_;
 };
 
-/// Throws UserError if `added` cannot be added to the policies `known` of a step: its name is taken or has a character
-/// that is not allowed, a default is out of range, or two numbers have the same name.
+/// Throws UserError if `added` cannot join the policies `known`: the name of `added` is taken or has a character that
+/// is not allowed, a default is out of range, or two numbers have the same name.
 void require_policy_fits(const PolicyDescription& added, std::string_view noun,
                          const std::vector<PolicyDescription>& known);
 

@@ -55,8 +55,8 @@ struct AsynchronousSchedule {
 };
 
 /// A user-defined struct with `every` as its first number, and a call operator like those above. The call operator
-/// returns neighbours that are adjacent in the list. Its result may depend only on its arguments, because both the
-/// sending and the receiving island call it. Islands that exchange wait for each other.
+/// returns neighbours that are adjacent in the list. The result may depend only on the arguments, because both the
+/// sending and the receiving island call the operator. Islands that exchange wait for each other.
 class OwnSchedule : public OwnPolicy {
 public:
     template <class Policy>

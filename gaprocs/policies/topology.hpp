@@ -123,9 +123,9 @@ public:
     Neighbours neighbours(std::size_t islands) const;
 };
 
-/// Returns each island's distance from the island `from`: the number of exchanges that an individual needs from there,
-/// if each island sends to all its neighbours. The distance is absent if individuals of `from` never arrive. REQUIRES:
-/// from < neighbours.size().
+/// Returns each island's distance from the island `from`: the number of exchanges in which an individual gets from
+/// there to the island, if each island sends to all its neighbours. The distance is absent if individuals of `from`
+/// never reach the island. REQUIRES: from < neighbours.size().
 std::vector<std::optional<std::size_t>> distances(const Neighbours& neighbours, std::size_t from);
 
 /// Returns the connected parts of the topology, ordered by their first islands. No individual moves from one part to

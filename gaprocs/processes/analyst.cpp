@@ -91,8 +91,8 @@ private:
         }
     }
 
-    /// Returns the number of error evaluations in one analysis. Each best individual is evaluated at the the newest
-    /// samples, as many as in the longest window or, if the problem depends_on_window(), in each window separately.
+    /// Returns the number of error evaluations in one analysis. Each best individual is evaluated at the samples of the
+    /// longest window. If the problem depends_on_window(), the individual is evaluated in each window separately.
     std::size_t errors_to_find() const {
         const std::vector<std::size_t> windows = windows_of(islands_);
         std::size_t of_each = problem_.depends_on_window()

@@ -16,8 +16,7 @@ namespace placedpar {
 struct PlacedIsland {
     std::size_t process;                 ///< index in Network::processes
     std::vector<std::size_t> neighbours; ///< numbers of the neighbours, in the order of a sequential schedule
-    std::map<std::size_t, std::string> ports_to, ports_from; ///< ports to and from other islands, by number of the
-                                                             ///< other island
+    std::map<std::size_t, std::string> ports_to, ports_from; ///< [i]: port to island i, and port from island i
     /// Error messages about connections, by port: a connection to the island itself, a second connection to the same
     /// island, or a connection to a process that is not an island.
     std::map<std::string, std::string> refused;
@@ -27,7 +26,7 @@ struct PlacedIsland {
 /// A topology that the netlist names, applied to all islands.
 struct NamedTopology {
     Neighbours neighbours;
-    std::string does_not_fit; ///< why there is no such topology of so many islands; "" if there is
+    std::string does_not_fit; ///< reason why the topology cannot have so many islands; "" if it can
 };
 
 /// The islands of a netlist: the processes of the kind ga.island. Islands are numbered from 0 in the order of their

@@ -19,7 +19,7 @@ std::optional<std::size_t> samples_sent_to(const Network&, std::size_t process, 
 /// The course of an island's search, counted in samples and generations.
 struct IslandRun {
     std::size_t samples; ///< samples received
-    std::size_t first;   ///< samples received up to the first generation
+    std::size_t first;   ///< number of samples for which the first generation waits
     std::size_t trials;  ///< generations per sample
 
     std::size_t generations() const { return samples < first ? 0 : (samples - first + 1) * trials; }

@@ -150,7 +150,7 @@ private:
     }
 
     /// Measures C_time2, then ends the slaves (the thesis's slaves never ended). First waits until all other work of
-    /// the machine is done, so that the rehearsal does not change its times.
+    /// the machine is done, so that the rehearsals do not change the times of that work.
     void leave_slaves() {
         wait_until_work_is_over();
         if (timing_ && rehearsals_ > 0)
@@ -210,7 +210,7 @@ private:
     SearchSettings settings_;
     Workload workload_;
     Input<HostMessage> from_host_;
-    Output<EstimateMessage> to_host_, to_analyst_; ///< not connected if the port is not
+    Output<EstimateMessage> to_host_, to_analyst_; ///< not connected if the process's port is not
     Farm farm_;
     bool has_slaves_;
     std::int64_t rehearsals_;

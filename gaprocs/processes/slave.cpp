@@ -61,8 +61,8 @@ private:
             task = from_master_.input();
     }
 
-    /// Passes a task on to a slave behind this slave, or to this slave's own evaluation. Passes the end on to all of
-    /// them, and then returns false.
+    /// Passes a task on to a slave behind this slave, or to this slave's own evaluation. Passes an end message on to
+    /// all slaves behind and to the own evaluation, and then returns false.
     bool pass_task_on(Task task) {
         bool ended = task.kind == Task::Kind::end;
         if (ended)

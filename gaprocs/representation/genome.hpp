@@ -42,7 +42,7 @@ public:
 
     /// Reads a string of characters '0' and '1'. Throws std::invalid_argument for other characters.
     static Genome from_string(std::string_view text);
-    /// Returns a random string; each bit is 1 with probability 1/2. Draws one number for each 32 bits, rounded up.
+    /// Returns a random string; each bit is 1 with probability 1/2. Draws ceil(size / 32) numbers.
     static Genome random(std::size_t size, RandomStream& random);
 
     std::size_t size() const { return size_; }

@@ -45,8 +45,8 @@ public:
     /// The largest number of bits in a field; a double holds every whole number of so many bits.
     static constexpr std::size_t most_bits = 52;
 
-    /// Throws std::invalid_argument if there are no fields, if `bits` is outside 1 ... `most_bits`, or unless `low` <
-    /// `high` and the ends and the width of the range are finite.
+    /// Throws std::invalid_argument if there are no fields, or if the `bits` of a field are outside 1 ... `most_bits`.
+    /// Throws it also unless each range has finite ends, `low` < `high` and a finite width.
     explicit ParameterCoding(std::vector<ParameterField> fields);
     /// Codes each of `parameters` parameters in a field like `each`.
     ParameterCoding(std::size_t parameters, const ParameterField& each)

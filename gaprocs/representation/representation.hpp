@@ -44,8 +44,8 @@ struct RealRange {
 /// A vector of real numbers, each with its own range.
 class RealVector {
 public:
-    /// Throws std::invalid_argument if there are no ranges, or unless `low` < `high` and the ends and the width of each
-    /// range are finite.
+    /// Throws std::invalid_argument if there are no ranges, and unless each range has finite ends, `low` < `high` and a
+    /// finite width.
     explicit RealVector(std::vector<RealRange> ranges);
     /// Makes a vector whose numbers all have the same range.
     RealVector(std::size_t numbers, RealRange each) : RealVector(std::vector<RealRange>(numbers, each)) {}

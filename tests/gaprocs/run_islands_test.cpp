@@ -269,7 +269,7 @@ TEST_CASE("immigrants do not replace the elite: while the window stays the same,
         }
 }
 
-TEST_CASE("with only_if_better, a rejected immigrant is among the migrations and changes nothing") {
+TEST_CASE("with only_if_better, some immigrants are rejected, and their migrations have no place") {
     IslandsSettings settings = small_islands(4);
     settings.acceptance = RandomAcceptance{true};
     auto migrations = run_on_line_record(settings).migrations;
