@@ -140,8 +140,7 @@ TEST_CASE("in the log, an answer comes after the rows of its generation, with th
     CHECK(rows.back().time > rows[rows.size() - 2].time);
 }
 
-TEST_CASE("an analysis costs the error evaluations of the longest window, or of every window if errors depend on the "
-          "window") {
+TEST_CASE("an analysis costs the error evaluations of the longest window, or of all windows if errors depend on them") {
     IslandNetlist netlist{nested_windows()};
     netlist.settings.schedule = Schedule::named("broadcast(1)");
     auto busy = [&](const char* problem, int cycles) {

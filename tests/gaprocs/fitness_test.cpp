@@ -66,7 +66,7 @@ TEST_CASE("ties round to even") {
     CHECK(fitness_term(2.5 * fitness_quantum, 0) == 2 * fitness_quantum);
 }
 
-TEST_CASE("a term that is too large or not a number is limited") {
+TEST_CASE("a term outside the limits or not a number is replaced by a limit") {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     CHECK(fitness_term(400, std::numeric_limits<double>::quiet_NaN()) == -fitness_term_limit);
     CHECK(fitness_term(400, infinity) == -fitness_term_limit);

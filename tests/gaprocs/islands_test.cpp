@@ -192,8 +192,7 @@ TEST_CASE(
 
 // The last tests have asynchronous exchange.
 
-TEST_CASE("a run with asynchronous exchange ends in every topology and placement, and is the same again on the same "
-          "machine") {
+TEST_CASE("asynchronous exchange ends in every topology and placement, and the same machine gives the same run") {
     using On = IslandNetlist::On;
     std::set<std::string> runs;
     IslandNetlist without{different_islands()};

@@ -123,7 +123,7 @@ TEST_CASE("settings that do not suit the record give one warning each") {
     CHECK(said.find("hint: bias = 10\n") != std::string::npos);
 }
 
-TEST_CASE("the netlist from which the refused netlists differ is accepted") {
+TEST_CASE("the netlist that the other tests alter is accepted") {
     Kinds kinds;
     CHECK(render(read_netlist_text(netlist(statements()), kinds.catalogue).diagnostics).empty());
 }

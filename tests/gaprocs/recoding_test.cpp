@@ -26,7 +26,7 @@ TEST_CASE("a bred string may have the problem's own fields, in natural binary, i
     CHECK(read(stuffed, "0111010") == "010");
 }
 
-TEST_CASE("most significant bits stand for the lower end of their interval") {
+TEST_CASE("without a bias point, most significant bits stand for the lower end of an interval") {
     Recoding coarse{.problem_bits = {2, 4}, .bits = {2, 2}};
     CHECK(coarse.length() == 4);
     CHECK(read(coarse, "1001") == "100100");

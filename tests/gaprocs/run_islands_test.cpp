@@ -129,7 +129,7 @@ std::string refusal(const IslandsSettings& settings) {
 
 } // namespace
 
-TEST_CASE("without exchange each island is the traditional algorithm with its own settings") {
+TEST_CASE("without exchange each island has the generations of a traditional search with the island's settings") {
     IslandsSettings settings = small_islands(3);
     settings.topology = NoTopology{};
     settings.islands[1].population = 30;
@@ -205,7 +205,7 @@ TEST_CASE(
     CHECK(sent_by_1(0).fitness >= sent_by_1(1).fitness);
 }
 
-TEST_CASE("an immigrant in another window is evaluated in that window") {
+TEST_CASE("an immigrant to an island with another window is evaluated in that window") {
     IslandsSettings settings = small_islands(2);
     settings.islands[1].window.length = 3;
     settings.islands[1].window.bias = 100;
@@ -341,7 +341,7 @@ TEST_CASE("islands that exchange begin together, and other islands do not wait f
     CHECK(small_islands(4).warning().empty());
 }
 
-TEST_CASE("impossible islands are refused with what would be right") {
+TEST_CASE("impossible settings of islands are refused, and the message states what would be right") {
     IslandsSettings settings = small_islands(3);
     settings.islands[2].window.trials = 4;
     CHECK(refusal(settings) ==
@@ -359,7 +359,7 @@ TEST_CASE("impossible islands are refused with what would be right") {
     // In a star, all other islands can send to island 0 at once.
     CHECK(refusal(settings).starts_with("island 0: 15 immigrants come at once"));
     settings.topology = CompleteTopology{};
-    CHECK(refusal(settings).empty()); // immigrants of one island come at a time
+    CHECK(refusal(settings).empty()); // immigrants come from one island at a time
     settings.emigration = BestEmigration{12};
     CHECK(refusal(settings) ==
           "island 0: 12 immigrants come at once to an island of 12 individuals, 1 of them elite, expected at most 11");

@@ -74,7 +74,7 @@ TEST_CASE("the same stream gives the same run, and another stream another run") 
     CHECK(run(1).population != run(2).population);
 }
 
-TEST_CASE("odd and smallest populations run") {
+TEST_CASE("odd populations and the smallest population work") {
     auto record = line_record(12);
     for (std::size_t population : {2u, 3u, 5u}) {
         SearchSettings settings;

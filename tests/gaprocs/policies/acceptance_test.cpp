@@ -57,8 +57,8 @@ TEST_CASE(
 TEST_CASE("the most similar individual is replaced; among equals the least fit") {
     Home home;
     CHECK(home.places("alike", {immigrant("0111", 0)}) == Places{2});
-    CHECK(home.places("alike", {immigrant("1000", 0)}) == Places{0}); // 0000 and 1100 each differ in one bit; the
-                                                                      // fitness of 0000 is less
+    CHECK(home.places("alike", {immigrant("1000", 0)}) == Places{0}); // 0000 and 1100 both differ from 1000 in one bit;
+                                                                      // 0000 is less fit
     CHECK(home.places("alike", {immigrant("1000", 0), immigrant("1000", 0)}) == Places{0, 4});
     CHECK(home.places("alike", {immigrant("1111", 0)}) == Places{3});
     CHECK(home.places("alike", {immigrant("1111", 0)}, 1) == Places{2}); // individual 3 belongs to the elite

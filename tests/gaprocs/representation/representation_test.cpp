@@ -77,8 +77,7 @@ TEST_CASE(
     CHECK(two_reals.distance(two_reals.read("1 0"), two_reals.read("4 0.8")) == doctest::Approx(0.5));
     const Representation order_of_6 = Permutation(6);
     Genome tour = order_of_6.read("0 1 2 3 4 5");
-    CHECK(order_of_6.distance(tour, order_of_6.read("3 2 1 0 5 4")) == 0); // the same tour in reverse, from another
-                                                                           // place
+    CHECK(order_of_6.distance(tour, order_of_6.read("3 2 1 0 5 4")) == 0); // the same tour in reverse
     CHECK(order_of_6.distance(tour, order_of_6.read("0 1 4 3 2 5")) == 2); // one part reversed
     CHECK(order_of_6.distance(tour, order_of_6.read("0 2 4 1 3 5")) == 5);
     RandomStream random(1, "distance");
