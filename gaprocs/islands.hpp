@@ -44,7 +44,7 @@ struct IslandsSettings {
 
 /// An individual that moves from one island to another.
 struct Migration {
-    std::uint64_t generation; ///< generation after which the individual leaves, from 1
+    std::uint64_t generation; ///< number of the generation after which the individual leaves, from 1
     std::size_t from, to;
     /// The string of the individual, with its fitness in the window of the new island. With OffspringAcceptance the
     /// fitness is that in the old island's window, because the new island evaluates the individual one generation

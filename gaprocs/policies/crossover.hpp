@@ -123,10 +123,10 @@ public:
     void operator()(std::span<Genome> population, double probability, const Representation& representation,
                     RandomStream& random) const;
 
-    /// Returns all offspring that two mates can have. Each offspring is returned as a vertex of the hypercube, the
-    /// whole number with the same binary digits. A parent is included if the crossover can leave it unchanged. Returns
-    /// an empty set if `a` and `b` cannot be mates. REQUIRES: `a` and `b` are binary strings of the same length, 2 to
-    /// 20 bits. Throws std::invalid_argument for a policy that does not fit binary strings.
+    /// Returns all offspring that two mates can have. Each offspring is returned as a vertex of the hypercube, that is,
+    /// as the whole number with the same binary digits. A parent is included if the crossover can leave it unchanged.
+    /// Returns an empty set if `a` and `b` cannot be mates. REQUIRES: `a` and `b` are binary strings of the same
+    /// length, 2 to 20 bits. Throws std::invalid_argument for a policy that does not fit binary strings.
     std::set<std::uint64_t> every_offspring(const Genome& a, const Genome& b) const;
 };
 

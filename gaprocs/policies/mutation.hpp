@@ -26,7 +26,7 @@ void mutate_places(const Mutate& mutate, std::span<Genome> population, double pr
 }
 
 // BitMutation and DistanceMutation flip bits of a whole population. Each other policy works at one position of a
-// string, which Mutation chooses. The comment of each policy states how many random numbers the policy draws.
+// string; Mutation chooses the positions. The comment of each policy states how many random numbers the policy draws.
 
 /// Flips each bit with probability `probability`. Draws one number for each bit. REQUIRES: all strings have the same
 /// length.

@@ -67,10 +67,11 @@ private:
 /// not change.
 std::shared_ptr<const Archipelago> archipelago_of(const Network&);
 
-/// Returns the schedule of an island. The number of generations from one exchange to the next is in the parameter
-/// `schedule`, as in "sequential(5)", or otherwise in `exchange_every`.
+/// Returns the schedule of an island. The number of generations between exchanges is in the parameter `schedule`, as in
+/// "sequential(5)", or otherwise in `exchange_every`.
 Schedule schedule_of(const ProcessInstance&);
-/// Returns whether the text of a schedule contains this number of generations, as "sequential(5)" does.
+/// Returns whether the text of a schedule contains the number of generations between exchanges, as "sequential(5)"
+/// does.
 bool says_how_often(const std::string& schedule);
 
 } // namespace placedpar

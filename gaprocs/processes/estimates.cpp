@@ -78,8 +78,8 @@ void Estimates::judge_fittest() {
         accurate_since_ = now();
 }
 
-/// Returns the response time, at least 0. A search without a processor takes no time, so its answer may be noted before
-/// note_taken().
+/// Returns the response time, at least 0. A search without a processor takes no time, so its estimate may arrive before
+/// note_taken() is called.
 Time Estimates::response(std::size_t search, const Answer& answer) const {
     return std::max(answer.came - taken_.at(processes_[search]).at(answer.samples - 1), Time{});
 }

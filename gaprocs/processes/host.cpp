@@ -230,7 +230,7 @@ ProcessKind host_kind(const ProblemRegistry& problems) {
                              std::size_t process) { return check_host(network, process, problems); },
         .is_determinate =
             [](const Network& network, std::size_t process) {
-                // With an accuracy or an alarm, results depend on the order in which estimates arrive.
+                // With the parameter `accuracy` or an alarm, results depend on the order in which estimates arrive.
                 return std::get<double>(network.processes[process].parameters.at("accuracy")) == 0 &&
                        !other_end(network, process, "to_alarm");
             }};

@@ -214,8 +214,8 @@ private:
                  "a ring leads back to the first island");
     }
 
-    /// Warns that no island is connected, unless all islands have topology = "none". The warning is about the first
-    /// island that has not.
+    /// Warns that no island is connected, unless all islands have topology = "none". The warning points to the first
+    /// island without topology = "none".
     void warn_of_islands_alone() {
         for (std::size_t island = 0; island < archipelago_.islands().size(); ++island)
             if (Topology::named(text(instance(island), "topology")).is_given())

@@ -29,7 +29,7 @@ enum class Split {
 };
 
 /// Returns a share for each slave, followed by the master's share, which is `own_share` times a slave's share, rounded
-/// down. Split::demand deals as Split::individuals. REQUIRES: window > 0, 0 <= own_share <= 1.
+/// down. Split::demand gives the same shares as Split::individuals. REQUIRES: window > 0, 0 <= own_share <= 1.
 std::vector<Share> deal(std::size_t population, std::size_t window, std::size_t slaves, Split, double own_share = 1);
 
 /// Returns an upper bound of the number of individuals in a slave's task, for any length of the window. The bound is
