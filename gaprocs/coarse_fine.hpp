@@ -29,7 +29,6 @@ public:
     /// Recoding::validate(). Throws std::invalid_argument if the two searches have different windows.
     CoarseFine(const SearchProblem& problem, const CoarseFineSettings& settings, std::uint64_t seed);
 
-    /// Adds a new sample to the window.
     void push(Sample sample) { window_.push(std::move(sample)); }
     bool ready() const { return window_.ready(); }
     /// Makes one generation of both searches. REQUIRES: ready().

@@ -84,11 +84,9 @@ public:
     /// REQUIRES: the observer outlives the islands.
     void observe_by(SearchObserver& observer);
 
-    /// Adds a new sample to the window of every island.
     void push(const Sample& sample);
     /// Returns whether this island, and all islands that begin together with it, have enough samples for a generation.
     bool ready(std::size_t island) const;
-    /// Returns whether any island is ready.
     bool ready() const;
     /// Makes one generation of each island that is ready.
     void next_generation();

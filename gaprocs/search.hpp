@@ -46,7 +46,6 @@ public:
 
     const Representation& representation() const { return representation_; }
     const std::vector<Genome>& population() const { return population_; }
-    /// Moves the population out of a search that is no longer needed.
     std::vector<Genome> take_population() && { return std::move(population_); }
     /// Returns the number of generations evaluated so far.
     std::uint64_t generation() const { return generation_; }

@@ -45,7 +45,6 @@ public:
 
     /// Returns the length of the string in bits.
     virtual std::size_t bits() const = 0;
-    /// Returns the representation of the string.
     virtual Representation representation() const { return BitString(bits()); }
     /// Returns the number of numbers in a sample; 0 for a problem with an objective().
     virtual std::size_t channels() const = 0;
@@ -77,7 +76,6 @@ public:
     /// Returns the number of bits of each field of the string, without don't-care bits; empty if the problem does not
     /// state its fields.
     virtual std::vector<std::size_t> fields() const { return {}; }
-    /// Returns the coding of the string.
     virtual Coding coding() const = 0;
     /// Returns the same problem with strings in another coding. Throws UserError if the problem cannot have this
     /// coding.

@@ -15,8 +15,6 @@ struct Individual {
     friend bool operator==(const Individual&, const Individual&) = default;
 };
 
-// These functions find individuals by their fitness and return their indices.
-
 /// Returns the index of the greatest fitness; among equals the lowest index. REQUIRES: `fitness` is not empty.
 std::size_t best_index(std::span<const double> fitness);
 /// Return the indices of the `count` best (worst) individuals, the best (worst) first; among equals the lowest index

@@ -14,7 +14,6 @@ namespace placedpar {
 
 class RandomStream;
 
-/// Every string is drawn at random.
 struct RandomStart {
     static constexpr std::string_view name = "random", about = "every string is drawn", source = "thesis 1.1";
     static constexpr std::tuple<> numbers() { return {}; }

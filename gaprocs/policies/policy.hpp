@@ -50,7 +50,6 @@ struct PolicyNumberDescription {
     std::string about = ""; ///< one line; empty if the name needs no explanation
 };
 
-/// The description of a policy in the catalogue.
 struct PolicyDescription {
     std::string name;
     std::string about; ///< one line

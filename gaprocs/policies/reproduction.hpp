@@ -18,8 +18,8 @@ class RandomStream;
 /// The indices of the parents; nothing if no individual may become a parent. In that case no number is drawn.
 using Parents = std::optional<std::vector<std::size_t>>;
 
-/// Reproduction by roulette. Parents are drawn with replacement, individual i with a probability proportional to
-/// max(f_i, 0). So individuals whose fitness is not positive, or NaN, are discarded (thesis 3.1.1, step 4).
+/// Parents are drawn with replacement, individual i with a probability proportional to max(f_i, 0). So individuals
+/// whose fitness is not positive, or NaN, are discarded (thesis 3.1.1, step 4).
 struct RouletteReproduction {
     static constexpr std::string_view name = "roulette",
                                       about = "a spin for each parent; individuals of fitness <= 0 are discarded",

@@ -19,7 +19,6 @@ namespace {
 class NeighbourList {
 public:
     explicit NeighbourList(std::size_t island) : island_(island) {}
-    /// Adds a neighbour, unless it is the island itself or already in the list.
     void add(std::size_t other) {
         if (other != island_ && std::find(others_.begin(), others_.end(), other) == others_.end())
             others_.push_back(other);

@@ -17,7 +17,6 @@ namespace placedpar {
 
 namespace {
 
-/// Collects the complaints about one analyst.
 class AnalystCheck {
 public:
     AnalystCheck(const Network& network, std::size_t analyst, const ProblemRegistry& problems)

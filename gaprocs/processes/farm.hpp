@@ -47,10 +47,8 @@ public:
     /// in this way. With Split::demand the slaves together get slaves/(slaves + 1) of the individuals. REQUIRES: slaves
     /// > 0.
     void rehearse(std::span<const Genome> population);
-    /// Ends the slaves.
     void end();
 
-    /// Resets `send_to_receive` and `own_evaluation`.
     void forget_times() { send_to_receive = own_evaluation = Stopwatch{}; }
     /// `send_to_receive` measures T_sr, the time of a generation from the first send to the last receive.
     /// `own_evaluation` measures P_time2, the time of the master's own evaluations.

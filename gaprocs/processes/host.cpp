@@ -50,7 +50,6 @@ public:
         longest_ = std::max(longest_, time);
         ++count_;
     }
-    /// Reports the mean and the longest time; nothing if there are no times.
     void report(ProcessEnvironment& environment, const std::string& name) const {
         if (count_ == 0)
             return;

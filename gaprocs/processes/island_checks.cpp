@@ -29,7 +29,6 @@ namespace {
 /// Maps the text of a schedule to most_senders_at_once() with this schedule.
 using SendersBySchedule = std::map<std::string, std::vector<std::size_t>>;
 
-/// Collects the complaints about one island.
 class IslandCheck {
 public:
     IslandCheck(const Network& network, const Archipelago& archipelago, std::size_t number,

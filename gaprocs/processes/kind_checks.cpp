@@ -22,7 +22,6 @@ namespace placedpar {
 
 namespace {
 
-/// Collects the complaints about one process, and reads its parameters.
 class Check {
 public:
     Check(const Network& network, std::size_t process, const ProblemRegistry& problems)

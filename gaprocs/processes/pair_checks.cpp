@@ -16,7 +16,6 @@ namespace placedpar {
 
 namespace {
 
-/// Collects the complaints about a process of a pair.
 class PairCheck {
 public:
     PairCheck(const Network& network, std::size_t process, const ProblemRegistry& problems)

@@ -15,8 +15,6 @@ namespace placedpar {
 
 class ProcessEnvironment;
 
-// These functions read the parameters of a process into the types that the process uses.
-
 Split split_named(const std::string&); ///< `name`: value of the parameter `split`
 /// Returns the number of bytes that a string takes in a message: `stated`, or, if `stated` is 0, the bits of the
 /// problem's string rounded up to whole bytes.

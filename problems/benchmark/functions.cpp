@@ -13,7 +13,6 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the sum of term(x_i).
 template <class Term>
 double sum_of(std::span<const double> x, Term term) {
     double sum = 0;

@@ -46,7 +46,6 @@ double past(const std::vector<double>& signal, std::size_t k, std::size_t delay)
     return k < delay ? 0 : signal[k - delay];
 }
 
-/// Simulates the plant, sample by sample.
 class PlantRun {
 public:
     PlantRun(const PlantExperiment& experiment, std::size_t samples, RandomStream& random)
