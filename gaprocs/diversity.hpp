@@ -53,7 +53,7 @@ double diversity_between(std::span<const Spread> populations);
 /// Returns 1 - `within` / `between`, the fraction of the diversity that is due to differences between populations; 0 if
 /// `between` is 0. `within` is the mean of diversity_within(), `between` is diversity_between(). For binary strings
 /// this is the F_ST of Hudson, Slatkin and Maddison (1992). It is near 0, perhaps slightly negative, if the populations
-/// are samples of one population. It is 1 if all individuals of a population are equal and the populations differ.
+/// are samples of one population. It is 1 if the individuals of each population are equal and the populations differ.
 double fixation(double within, double between);
 
 } // namespace placedpar

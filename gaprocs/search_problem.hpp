@@ -86,7 +86,7 @@ private:
     virtual std::shared_ptr<const SearchProblem> coded_plainly(Coding) const = 0;
 };
 
-/// Throws the UserError of coded() that says that a problem cannot have this coding.
+/// Throws the UserError with which coded() refuses a coding.
 [[noreturn]] void refuse_coding(Coding);
 
 /// Makes a SearchProblem of a plain struct.

@@ -39,7 +39,7 @@ struct Answer {
     bool operator==(const Answer&) const = default;
 };
 
-/// Returns the analyst's answers after each exchange of the library's islands.
+/// Returns the answers of the library's active error analysis after each exchange.
 std::vector<Answer> answers_of_library(const IslandsSettings& settings, const std::string& choice) {
     auto problem = make_search_problem(LineProblem{});
     std::vector<std::size_t> windows;
