@@ -84,13 +84,13 @@ Places OwnAcceptance::operator()(const IslandPopulation& island, std::span<const
                                  RandomStream& random) const {
     return tried([&] {
         Places places = choose_(island, immigrants, random);
-        std::vector<std::size_t> taken, elite = best_indices(island.fitness, island.elite);
+        std::vector<std::size_t> taken, free = all_but_elite(island);
         for (const auto& place : places)
             if (place)
                 taken.push_back(*place);
-        auto is_elite = [&](std::size_t place) { return std::ranges::count(elite, place) > 0; };
+        auto is_free = [&](std::size_t place) { return std::ranges::count(free, place) > 0; };
         require(places.size() == immigrants.size() && are_different(taken, 0, island.strings.size()) &&
-                    std::ranges::none_of(taken, is_elite),
+                    std::ranges::all_of(taken, is_free),
                 "it must give each immigrant an answer: no place, or a place outside the elite that exists and that no "
                 "other immigrant has");
         return places;

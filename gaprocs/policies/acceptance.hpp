@@ -88,8 +88,7 @@ struct OffspringAcceptance {
                       RandomStream& random) const;
 };
 
-/// A user-defined struct with a call operator like those above. The returned places are checked. In this check, among
-/// equals the elite are those of lower index.
+/// A user-defined struct with a call operator like those above. The returned places are checked.
 class OwnAcceptance : public OwnPolicy {
 public:
     template <class Policy>

@@ -222,6 +222,14 @@ struct Unset {
     Neighbours operator()(std::size_t islands) const { return Neighbours(islands); }
 };
 
+/// Replaces the individual at `place`.
+struct FixedPlace {
+    static constexpr std::string_view name = "own.fixed", about = "replaces the individual at one place";
+    std::size_t place = 0;
+    static constexpr auto numbers() { return std::tuple(PolicyNumber{"place", &FixedPlace::place, 0, 10}); }
+    Places operator()(const IslandPopulation&, std::span<const Individual>, RandomStream&) const { return {place}; }
+};
+
 } // namespace
 
 TEST_CASE("a policy that cannot be added is refused with the reason") {
@@ -231,6 +239,17 @@ TEST_CASE("a policy that cannot be added is refused with the reason") {
     CHECK(refusal_of([] { Topology::add<NumberedRing>(); }).find("that name is taken") != std::string::npos);
     CHECK(refusal_of([] { Topology::add<Loud>(); }).ends_with("but a name is made of a to z, 0 to 9, \".\" and \"-\""));
     CHECK(refusal_of([] { Topology::add<Unset>(); }).find("but share = 0 is out of range") != std::string::npos);
+}
+
+TEST_CASE("an acceptance of the user replaces what the house policies may replace, also among equals") {
+    const std::vector<double> fitness{2, 2, 2, 1};
+    const std::vector<Genome> strings(4, Genome(8));
+    const std::vector<Individual> immigrants{{Genome(8), 5}};
+    const IslandPopulation island{.strings = strings, .fitness = fitness, .elite = 1};
+    RandomStream random(1, "equals");
+    for (std::size_t place : {0U, 1U, 3U}) // the elite is the last of the equals
+        CHECK(OwnAcceptance{FixedPlace{place}}(island, immigrants, random).front() == place);
+    CHECK(refusal_of([&] { OwnAcceptance{FixedPlace{2}}(island, immigrants, random); }) != "");
 }
 
 TEST_CASE("what a policy throws, or gives that cannot be used, is refused by its name") {
