@@ -21,9 +21,7 @@ namespace placedpar {
 /// Simulates a network: its processors, links and processes, wired as the netlist says. A machine runs once.
 class Machine {
 public:
-    /// Throws RefusedInput if the kind of a process is not in the catalogue or stands for a program that PlacedPar does
-    /// not have, or if a channel leads to an edge without a process. The exception names all such processes and
-    /// channels.
+    /// Throws RefusedInput as require_runnable() does.
     Machine(const Network&, const Catalogue&, std::uint64_t seed);
 
     /// Throws UserError if a process refuses its parameters or channels (the text names the process's place in the
@@ -31,7 +29,7 @@ public:
     RunReport run(Time limit = Time::max());
     Simulation& simulation() { return simulation_; }
     /// Records the actions of the processes, so that the run can be repeated with other seeds. REQUIRES: run() has not
-    /// been called; the record is empty, is not moved, and outlives this object.
+    /// been called; the RecordedRun is empty, is not moved, and outlives this object.
     void record(RecordedRun&);
     /// REQUIRES: run() has not been called. See Kernel::shuffle.
     void shuffle(std::uint64_t seed) { simulation_.shuffle(seed); }
@@ -41,14 +39,14 @@ public:
 private:
     struct Connection {
         CarrierPair carriers = {};
-        hardware::RouterLink* router_link = nullptr; ///< null if no channel over the connection travels in packets
+        hardware::RouterLink* router_link = nullptr; ///< null if the connection carries no packets
     };
     /// Holds the effects of one fault in the run.
     struct Effects {
         std::vector<const hardware::FaultEffect*> of_links; ///< effect on each link that the fault affects
         FaultEffects of_device = {};
     };
-    /// Calls the member function of the node's device.
+    /// Calls this member function of the node's device.
     template <class Member, class... Arguments>
     auto ask(std::size_t node, Member member, Arguments&&... arguments) const {
         return ask_device(network_.nodes[node], [&] {
@@ -78,13 +76,13 @@ private:
     std::vector<std::string> channels_stopped_by(const Fault&) const;
     bool is_stopped_by(const hardware::Route&, const Fault&) const;
 
-    RecordedRun* record_ = nullptr; ///< null: the run is not recorded
+    RecordedRun* record_ = nullptr; ///< null if the run is not recorded
     Network network_;
     Software software_;
     MachineParts parts_{simulation_, network_, {}, {}};
     Simulation simulation_;
     std::vector<Connection> connections_;
-    std::vector<const hardware::Route*> routes_; ///< one for each channel; null: not sent in packets
+    std::vector<const hardware::Route*> routes_; ///< one for each channel; null if the channel is not sent in packets
     std::vector<Effects> effects_;               ///< one for each fault
 };
 

@@ -21,7 +21,7 @@ namespace placedpar {
 
 namespace {
 
-/// Removes the open waits of processes that are not in the deadlock. Such a process waits, directly or through other
+/// Resets `waits_since` of each process that is not in a deadlock. Such a process waits, directly or through other
 /// processes, for the end of the work, and would then continue (see wait_until_work_is_over).
 void forget_waits_that_end(RunReport& report) {
     auto is_held = [&](const ProcessUse& process) {
@@ -43,13 +43,14 @@ std::string file_and_line(const Location& location) {
     return fmt::format("{}:{}", std::filesystem::path(location.file->path()).filename().string(), location.line);
 }
 
-/// Returns the network's process that has this path or contains this component; null if there is none.
+/// Returns the network's process that has this path, or that contains the component with this path; null if there is
+/// none.
 const ProcessInstance* outermost(const Network& network, std::string_view path) {
     return find_named(network.processes, path.substr(0, path.find('/')));
 }
 
-/// Adds the places where the netlist declares the stuck processes and channels. Channels are in the order of the
-/// netlist, followed by the channels that a program made.
+/// Adds the places where the netlist declares the stuck processes and channels. Also sorts the channels: first those of
+/// the netlist in its order, then those that a program made.
 void add_places(Deadlock& deadlock, const Network& network) {
     for (StuckProcess& stuck : deadlock.processes)
         if (const ProcessInstance* process = outermost(network, stuck.path))
@@ -118,7 +119,7 @@ bool has_own_devices(const Network& network) {
     }
 }
 
-/// Rethrows an exception that no process threw.
+/// Rethrows an exception that no process threw. The end of virtual time becomes a UserError.
 [[noreturn]] void rethrow_for_the_kernel() {
     try {
         throw;

@@ -50,7 +50,7 @@ void check_size(WrittenOut out, const Location& at, Reporter& reporter) {
             at, fmt::format("the network is too large: written out it would have more than {} words", most_tokens));
 }
 
-/// If the text is occam, replaces all errors by one error that says this.
+/// If the text is occam, replaces all errors by one error that says so.
 void recognise_occam(const std::shared_ptr<const SourceFile>& main, Reporter& reporter) {
     auto found = occam_in(main);
     if (auto first = reporter.first_file(); !found && first)
@@ -67,7 +67,7 @@ Declared declared_in(const Draft& draft) {
     return {static_cast<std::size_t>(std::ranges::count_if(draft.nodes, executes)), draft.processes.size()};
 }
 
-/// Sorts by file, in the order in which the files first appear among the diagnostics, then by line.
+/// Sorts by file, in the order in which the files first appear among the diagnostics, then by line and column.
 void sort_by_place(std::vector<Diagnostic>& diagnostics) {
     std::vector<const SourceFile*> files;
     auto rank = [&](const Location& location) {
@@ -87,7 +87,7 @@ void sort_by_place(std::vector<Diagnostic>& diagnostics) {
 
 std::string render(const ReadResult& result) { return render(result.diagnostics) + result.not_shown; }
 
-/// The results of reading and parsing the text, which do not depend on options.
+/// The results of reading and parsing the text, which overrides do not change, and the options for all networks.
 struct ParsedNetlist::Syntax {
     Syntax(const LoadedSource& source, const std::filesystem::path& path, const ReadOptions& options);
     void parse(const std::filesystem::path& path);
@@ -96,7 +96,7 @@ struct ParsedNetlist::Syntax {
 
     std::shared_ptr<const SourceFile> file;
     ReadOptions options;
-    Reporter found; ///< diagnostics of the text, independent of options
+    Reporter found; ///< diagnostics of reading and parsing
     Statements statements;
     std::vector<std::string> included_paths;
     bool includes_toolset = false;

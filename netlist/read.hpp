@@ -13,7 +13,8 @@
 
 namespace placedpar {
 
-/// Counts the declared things. For a refused netlist, counts the things of the statements that could be executed.
+/// Counts what the netlist declares. Devices that a program can set, such as a C004, count as processors. Refused
+/// statements declare nothing.
 struct Declared {
     std::size_t processors = 0, processes = 0;
 };
@@ -33,11 +34,13 @@ struct ReadOptions {
     std::vector<std::filesystem::path> include_folders =
         {};                               ///< folders searched for files that are not beside the including file
     std::vector<std::string> faults = {}; ///< faults stated by options: `t[0].link[1] silent (from = 20ms)`
-    ProgramKinds programs = {}; ///< kinds that replace programs; a program that the netlist does not use is an error
+    ProgramKinds programs =
+        {}; ///< kinds that replace programs; it is an error to name a program that the netlist does not use
 };
 
-/// Holds the syntax of a netlist and of the files that it includes, before overrides are applied. It is read and parsed
-/// once for any number of networks. It is immutable: copies are cheap, and several threads may use it at the same time.
+/// Holds the syntax of a netlist and of the files that it includes, before overrides are applied. The text is read and
+/// parsed once, and gives any number of networks. The object is immutable: copies are cheap, and several threads may
+/// use it at the same time.
 class ParsedNetlist {
 public:
     /// Reads the file; "-" is standard input, whose `#include` is relative to the working directory. Errors in the text
@@ -58,7 +61,7 @@ private:
     std::shared_ptr<const Syntax> syntax_;
 };
 
-/// Parses and reads a netlist, if only one network is needed.
+/// Parses and reads a netlist from which only one network is needed.
 ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& catalogue, const Overrides& overrides = {},
                         const ReadOptions& options = {});
 

@@ -45,8 +45,8 @@ std::optional<RunReport> RepeatedRun::run() {
         if (!course_.has_diverged)
             throw;
         return std::nullopt;
-    } catch (...) { // a divergence from the record, or an exception that the machine might throw at another time or
-                    // never
+    } catch (...) { // a departure from the history, or an exception that a run on the machine might throw at another
+                    // time, or never
         return std::nullopt;
     }
     if (course_.has_diverged)

@@ -21,25 +21,26 @@ struct RecordedRun {
     ReplaySession course;
     std::list<ReplayLog> histories; ///< one for each process of the network
 
-    /// Returns whether the run has completed and its processes did only what can be repeated.
+    /// Returns whether the run completed and no process took an action that cannot be repeated.
     bool can_be_repeated() const;
 };
 
-/// Returns whether all events in the network follow from the contents of the histories. All processes must be
-/// determinate (ProcessKind::is_determinate). No channel may be broadcast on a bus, since the bus compares the messages
-/// of a broadcast. The machine may have no faults, since programs may see faults as exceptions.
+/// Returns whether runs of the network can be repeated from histories. All processes must be determinate
+/// (ProcessKind::is_determinate). No channel may be broadcast on a bus, since the bus compares the messages of a
+/// broadcast. The machine may have no faults, since programs may see faults as exceptions.
 bool is_determinate(const Network&, const Catalogue&);
 
 /// Repeats a recorded run with another seed without simulating the machine. The processes compute with the numbers of
 /// the new seed, and all times are taken from the recorded run. The run cannot be repeated if a process behaves
 /// differently, for example computes longer. REQUIRES: the network is determinate, and the recorded run is a run of
-/// this network. All three arguments outlive this object.
+/// this network. The network, the catalogue and the recorded run outlive this object.
 class RepeatedRun {
 public:
     RepeatedRun(const Network&, const Catalogue&, std::uint64_t seed, const RecordedRun&);
 
-    /// Returns the report that a run on the machine would give, identical to the last bit. The report of an interrupted
-    /// run contains only this ending. Returns nothing if the run would behave differently or would not complete.
+    /// Returns the report that a run on the machine would give, identical to the last bit. If the repeated run is
+    /// interrupted, only `result` is set. Returns nothing if a process departs from its history, or if the run does not
+    /// complete.
     std::optional<RunReport> run();
     Simulation& simulation() { return simulation_; }
 

@@ -23,7 +23,7 @@ struct ProcessUse {
 
 /// Reports a run: how it ended, what the processes measured, and how its work used the machine.
 struct RunReport : MachineUse {
-    RunResult result; ///< its fingerprint covers the measurements, too
+    RunResult result; ///< the fingerprint in `result` covers the measurements, too
     std::vector<Measurement> measurements;
     std::vector<ProcessUse> processes;
     std::vector<FaultUse> faults;

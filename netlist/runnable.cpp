@@ -35,7 +35,7 @@ MissingByName unknown_programs(const Network& network, const Catalogue& catalogu
     return programs;
 }
 
-/// Returns the edges by name, each with the process channels that lead there.
+/// Returns the edges without a process by name, each with the channels that lead there.
 MissingByName deserted_edges(const Network& network) {
     MissingByName edges;
     for (const NetworkChannel& channel : network.channels)

@@ -5,9 +5,8 @@
 
 namespace placedpar {
 
-/// Checks that a network can be run. A network that can only be shown may have unknown programs, or channels to edges
-/// without a process. For such a network, throws RefusedInput with one message that names all these programs and
-/// channels.
+/// Throws RefusedInput if a network can be shown, but not run: a program is unknown, or a channel leads to an edge
+/// without a process. One message lists all these programs and edges.
 void require_runnable(const Network& network, const Catalogue& catalogue);
 
 } // namespace placedpar

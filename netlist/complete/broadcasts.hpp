@@ -9,14 +9,14 @@
 
 namespace placedpar {
 
-/// Holds the channels that the netlist places on a bus (`place p.out[i] on vme;`). The channels of one port array on
-/// one bus form a broadcast: each word written on the bus reaches the link adapters of all receivers.
+/// Finds the ways of the channels that the netlist places on a bus (`place p.out[i] on vme;`). The channels of one port
+/// array on one bus form a broadcast: each word written on the bus reaches the link adapters of all receivers.
 class Broadcasts {
 public:
     /// REQUIRES: both arguments outlive this object. `load` has the layout of RouteSearch's `load`.
     Broadcasts(Completion& completion, const std::vector<std::size_t>& load) : c_(completion), load_(load) {}
 
-    /// Names the channel end that is placed on a bus, and the placement.
+    /// The end of a channel that is placed on a bus, and the placement.
     struct Placed {
         const ChannelEnd& end;
         const DraftPlacement& by;
@@ -38,7 +38,7 @@ private:
     const std::string& node_name(std::size_t node) const { return c_.network.nodes[node].name; }
     std::string end_name(const ChannelEnd& end) const { return c_.draft.processes[end.process].name + "." + end.port; }
     const DraftPlacement* placement_of(const ChannelEnd&) const;
-    /// Returns the ways over adapters on the bus.
+    /// Returns the ways over the bus that use link adapters.
     std::vector<std::size_t> adapter_ways(std::size_t bus) const;
     bool is_master(std::size_t node, std::size_t bus) const;
 

@@ -16,7 +16,7 @@ namespace {
 /// Chooses what carries each channel. Channels that the netlist places come first; then each other channel takes the
 /// best route (RouteCost). Both groups keep the netlist's order. Between neighbours the best route is the wire with the
 /// fewest channels in that direction; among equal wires, the wire with the lowest link number at the sender. A channel
-/// to an edge takes one wire.
+/// to or from an edge takes one wire.
 class Carriers {
 public:
     explicit Carriers(Completion& c)
@@ -191,8 +191,8 @@ private:
         return best ? std::optional(std::vector{*best}) : std::nullopt;
     }
 
-    /// Returns the shortest continuation of `route` that ends by crossing `wire`. It avoids the processors in `passed`
-    /// and, before the wire, the receiver's processor.
+    /// Returns the shortest continuation of `route` that ends with `wire`. The continuation avoids the processors in
+    /// `passed` and, before the wire, the receiver's processor.
     std::optional<std::vector<RouteHop>> way_on(const NetworkChannel& channel, const std::vector<RouteHop>& route,
                                                 const StatedRoute& wire, const std::set<std::size_t>& passed) {
         auto here = route.empty() ? channel.from.node : end_of(route.back(), wires_).node;
@@ -224,7 +224,7 @@ private:
         return text;
     }
 
-    /// Refuses the stated wire, and suggests the best route without it.
+    /// Refuses the stated wire, and suggests the route that the channel would take if no wire were stated.
     [[noreturn]] void refuse_route(const NetworkChannel& channel, const std::vector<StatedRoute>& wires,
                                    const StatedRoute& wire) {
         const auto& connection = wires_[wire.connection];
@@ -338,7 +338,7 @@ private:
                std::move(places));
     }
 
-    /// Adds a note for each other processor whose `linkquota` keeps some channel out.
+    /// Adds a note for each other processor whose `linkquota` excludes some of its wired links.
     void add_quotas(std::vector<SecondPlace>& places, std::size_t from, std::size_t to) const {
         for (std::size_t node = 0; node < c_.network.nodes.size(); ++node)
             if (node != from && node != to && search_.is_kept_by_quota(node))

@@ -131,7 +131,7 @@ private:
             bindings_[end.process].push_back({end.port, direction, c_.network.channels.size()});
     }
 
-    /// Adds the channel of a port that is placed on a link to an edge and connected to no edge channel. The INMOS tool
+    /// Adds the channel of a port that is connected to no edge channel, but placed on a link to an edge. The INMOS tool
     /// accepts this form, too.
     void add_placed(std::size_t index, const PortDeclaration& port, const std::string& name,
                     const DraftPlacement& placement) {
@@ -211,8 +211,8 @@ private:
         return known != nullptr && known->optional;
     }
 
-    /// Reports an unconnected channel, unless a refused `connect` has named it, or has named a channel that the process
-    /// lacks.
+    /// Reports an unconnected channel, unless it may follow from an error that was reported: a `connect` names the
+    /// channel and some `connect` was refused, or a `connect` names a channel that the process lacks.
     void refuse_unconnected(std::size_t index, const Location& at, const std::string& port) {
         if (mentioned_.contains({index, std::string(base_name(port))}) ? refused_ : misnamed_.contains(index))
             return;
@@ -281,7 +281,7 @@ private:
     Completion& c_;
     std::vector<std::vector<PortBinding>> bindings_;
     std::set<std::pair<std::size_t, std::string>> mentioned_; ///< process and port of each end in a `connect`
-    std::set<std::size_t> misnamed_; ///< processes for which the netlist names an unknown channel
+    std::set<std::size_t> misnamed_; ///< processes for which a `connect` names a channel that they lack
     bool refused_ = false;           ///< at least one `connect` was refused
 };
 

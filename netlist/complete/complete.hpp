@@ -22,16 +22,16 @@ struct Completion {
     Draft draft;
     const Catalogue& catalogue;
     Reporter& reporter;
-    Network network; ///< starts with the draft's nodes; each part adds what it completes
+    Network network; ///< at first only the draft's nodes; each part of complete() adds to it
     std::map<std::pair<std::size_t, int>, std::size_t> connection_at; ///< key: node and link
     std::map<std::size_t, std::size_t> connection_named;              ///< key: index in draft.connections
     std::vector<const ProcessKind*> kinds;                            ///< kind of each process; null for a stand-in
     std::vector<bool> kind_refused;         ///< for each process: whether its kind is unknown (already reported)
     std::vector<std::size_t> draft_channel; ///< draft index of each channel of the network
     std::vector<bool> wire_refused = {};    ///< for each node: whether one of its wires leads nowhere
-    bool buses_refused = false;             ///< some bus was refused, so no ways over buses exist
+    bool buses_refused = false;             ///< an earlier error was reported, so no ways over buses were computed
 
-    /// Returns the first link of the node without a wire, such as "a.link[2]"; "" if there is none.
+    /// Returns the node's first link that has no wire, such as "a.link[2]"; "" if all links have wires.
     std::string free_link(std::size_t node) const;
 };
 

@@ -43,7 +43,8 @@ public:
     }
 
 private:
-    /// Takes a setting that may replace the default of the interface; refuses a second setting of the same name.
+    /// Takes a setting of the netlist, which replaces the default of the interface. Refuses a second setting of the
+    /// same name.
     void take_once(const Setting& setting) {
         auto [known, is_new] = set_.emplace(setting.name, setting.at);
         if (is_new)

@@ -13,8 +13,8 @@ namespace placedpar {
 
 /// The cost of a route. Comparison is by the members in their order: first the sum of the attribute `routecost` of the
 /// processors passed through, then the number of wires, then the number of channels that these wires already carry in
-/// the same direction. If costs are equal, the search compares the links by which the routes leave their processors,
-/// from the first processor on, and takes the route with the lower link.
+/// the same direction. If costs are equal, the links by which the routes leave their processors decide: at the first
+/// difference, the lower link wins.
 struct RouteCost {
     std::int64_t processors = 0;
     std::size_t hops = 0;
@@ -40,12 +40,12 @@ public:
     std::optional<std::vector<RouteHop>> best(std::size_t from, std::size_t to,
                                               const std::set<std::size_t>& around = {});
     bool leads_through(std::size_t node) const { return leads_through_[node]; }
-    /// Returns whether the node's `linkquota` prevents some channel from leading through the node.
+    /// Returns whether the node's `linkquota` excludes a wired link from routes through the node.
     bool is_kept_by_quota(std::size_t node) const;
 
 private:
-    /// Holds, for each node, the least cost of a route between this node and one fixed node, without the loads of
-    /// wires. The cost is equal in both directions. A node without a route has no cost.
+    /// The least cost of a route between each node and one fixed node, without loads. The cost is equal in both
+    /// directions. A node without a route has no cost.
     using Least = std::vector<std::optional<RouteCost>>;
 
     struct Ends {
@@ -60,12 +60,13 @@ private:
     /// Sets distances_ of the nodes through which a best route may lead. Searches all nodes except the nodes in
     /// `around`.
     void search_around(const Ends&, const std::set<std::size_t>& around);
-    /// If one of the two ends is a hub, searches only among the nodes on routes of least cost (loads not counted).
-    /// Returns false if neither end is a hub.
+    /// A hub is an end of many routes for which the least costs from all nodes are stored. If one of the two ends is a
+    /// hub, searches only among the nodes on routes of least cost (loads not counted). Returns false if neither end is
+    /// a hub.
     bool search_between(const Ends&);
     void search_among(const std::vector<std::size_t>& nodes, const Ends&);
-    /// Lowers the distance of each predecessor of a node whose route over this node costs less, and then calls
-    /// reach(cost, predecessor).
+    /// Lowers the distance of each neighbour whose route is cheaper if it leads over `node`. Then calls `reach(cost,
+    /// neighbour)`.
     template <class MayPass, class Reach>
     void reach_before(std::size_t node, const Ends&, MayPass may_pass, Reach reach);
     void forget_distances();
@@ -76,7 +77,8 @@ private:
     /// Returns the nodes on routes of least cost, sorted by distance from the hub, farthest first. Marks them in
     /// within_.
     std::vector<std::size_t> nodes_between(const Least& least, std::size_t other);
-    /// These two functions return whether a route may pass through the node at which the hop begins, or ends.
+    /// These two functions return whether a route through a node may use this link of the node: the link at which the
+    /// hop begins, or ends.
     bool may_leave(const RouteHop&) const;
     bool may_come_in(const RouteHop& hop) const { return may_leave({hop.connection, !hop.from_a_to_b}); }
     RouteCost cost_of(const Step&, std::size_t to) const;
@@ -86,13 +88,13 @@ private:
     const std::vector<std::size_t>& load_;
     std::vector<std::vector<Step>> leaving_; ///< for each node: the steps that leave it, lowest link first
     std::vector<bool>
-        beyond_quota_; ///< for hop 2 * connection + from_a_to_b: whether it leaves its node by a link beyond the quota
-    bool has_quotas_ = false;         ///< some hop uses a link beyond a quota, so the cost of a route may depend on its
-                                      ///< direction
-    std::vector<bool> leads_through_; ///< for each node
-    std::vector<std::int64_t> routecost_;             ///< for each node that leads channels through
-    std::vector<std::optional<RouteCost>> distances_; ///< for each node: cost of the rest of the route, to its end
-    std::vector<std::size_t> reached_;                ///< nodes that have a distance
+        beyond_quota_; ///< at 2 * connection + from_a_to_b: whether this hop leaves its node by a link beyond the quota
+    bool has_quotas_ = false; ///< some link is beyond a quota, so the cost of a route may depend on its direction
+    std::vector<bool> leads_through_;     ///< for each node
+    std::vector<std::int64_t> routecost_; ///< for each node that passes channels on
+    std::vector<std::optional<RouteCost>>
+        distances_;                    ///< for each node: least cost found from here to the end of the route
+    std::vector<std::size_t> reached_; ///< nodes that have a distance
     std::map<std::size_t, Least> hubs_;
     std::vector<std::size_t> spent_; ///< for each node: number of nodes visited by its searches before it became a hub
     std::vector<std::uint64_t> within_; ///< for each node: number of the last restricted search that included the node

@@ -133,8 +133,8 @@ std::size_t StatedRoutes::connection_to_partner(const StatedPlacement& place) co
     return *found;
 }
 
-/// Returns the way that leaves a master's place on a bus. The way leads to the next stated place; from the last place,
-/// to the receiver.
+/// Returns the way that leaves a master's place on a bus. The way leads to the next stated place or, from the last
+/// place, to the receiver.
 std::size_t StatedRoutes::way_from_bus(const StatedPlacement& place) const {
     bool last = place.number + 1 == place.all.size();
     auto other = place.inputs() ? place.channel.from.node

@@ -13,8 +13,8 @@ using Socket = std::pair<std::size_t, int>; ///< node and link
 
 Socket socket(const LinkEnd& end) { return {end.node, end.link}; }
 
-/// Returns the crosspoints at each end in the netlist's order. An end has several crosspoints only if a program sets
-/// the switch.
+/// Returns the crosspoints at each link of a switch in the netlist's order. A link has several crosspoints only if a
+/// program sets the switch.
 std::map<Socket, std::vector<std::size_t>> all_by_end(const std::vector<DraftWire>& crosspoints) {
     std::map<Socket, std::vector<std::size_t>> places;
     for (std::size_t i = 0; i < crosspoints.size(); ++i)
@@ -23,7 +23,7 @@ std::map<Socket, std::vector<std::size_t>> all_by_end(const std::vector<DraftWir
     return places;
 }
 
-/// Returns the wire at each end.
+/// Returns the wire at each link.
 std::map<Socket, std::size_t> by_end(const std::vector<DraftWire>& wires) {
     std::map<Socket, std::size_t> places;
     for (std::size_t i = 0; i < wires.size(); ++i)
@@ -32,8 +32,8 @@ std::map<Socket, std::size_t> by_end(const std::vector<DraftWire>& wires) {
     return places;
 }
 
-/// Follows wires through switches. At a switch that a program sets, follows every crosspoint, since the program sets
-/// crosspoints during the run.
+/// Follows wires through switches. At a switch that a program sets, follows every crosspoint, since the program may
+/// make each of them during the run.
 class Wiring {
 public:
     explicit Wiring(Completion& completion)
@@ -68,7 +68,7 @@ private:
         extend(std::move(connection), {first});
     }
 
-    /// Extends the connection through switches up to a processor, and adds it.
+    /// Extends the connection through switches until it ends at no switch, and adds it to the network.
     void extend(LinkConnection connection, std::vector<std::size_t> pieces) {
         while (at_switch(connection.b)) {
             auto crosspoints = crosspoints_at_.find(socket(connection.b));
@@ -224,7 +224,7 @@ private:
         return speed;
     }
 
-    /// Returns false for an edge and for a switch's configuration link, which adopt the speed of the other end.
+    /// Returns false for an edge and for a switch's configuration link: they adopt the speed of the other end.
     static bool has_speed(const LinkEnd& end) { return !end.at_edge() && end.link != configuration_link; }
     std::int64_t link_speed(const LinkEnd& end) const { return c_.network.nodes[end.node].integer("linkspeed"); }
 

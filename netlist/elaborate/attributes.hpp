@@ -5,15 +5,15 @@
 
 namespace placedpar {
 
-/// Functions for the attributes in the parentheses of a declaration. All throw StatementRefused after reporting an
-/// error.
+/// These functions handle the attributes in the parentheses of a declaration. They throw StatementRefused after
+/// reporting an error.
 
 /// Evaluates attributes. Groups are flattened: `order (code = 1)` becomes "order.code". No attribute may be given
 /// twice.
 std::vector<Setting> evaluate_attributes(Evaluator& evaluator, Reporter& reporter,
                                          const std::vector<Attribute>& attributes);
 
-/// Returns the note "given first at line ...", for an error about a second value.
+/// Returns the note "given first at line ...", for an error about a value that is given twice.
 SecondPlace first_given(const Location& at);
 /// Reports `the parameter "n" of "p" is given twice`. Throws StatementRefused.
 [[noreturn]] void refuse_given_twice(Reporter& reporter, const Setting& second, std::string_view what,

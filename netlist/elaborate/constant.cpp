@@ -15,7 +15,7 @@ double as_real(const Constant& constant) {
 
 namespace {
 
-/// Shifts to the left. Returns false if a bit is lost, or if `b` is not a number of bits to shift by.
+/// Shifts to the left. Returns false if the result does not fit into 64 bits, or if `b` is not 0 to 62.
 bool shift_left(std::int64_t a, std::int64_t b, std::int64_t& result) {
     return b >= 0 && b < 63 && !__builtin_mul_overflow(a, std::int64_t{1} << b, &result);
 }
@@ -28,7 +28,7 @@ bool shift_right(std::int64_t a, std::int64_t b, std::int64_t& result) {
     return true;
 }
 
-/// Computes an integer operation. Returns false if there is no result of 64 bits.
+/// Computes an integer operation. Returns false if there is no result, or if the result does not fit into 64 bits.
 bool integer_operation(char symbol, std::int64_t a, std::int64_t b, std::int64_t& result) {
     switch (symbol) {
     case '+': return !__builtin_add_overflow(a, b, &result);

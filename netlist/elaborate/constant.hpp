@@ -17,7 +17,7 @@ using ConstantArray = std::shared_ptr<const std::vector<Constant>>;
 /// Holds the value of an expression. Characters and TRUE, FALSE, HIGH, LOW are integers.
 struct Constant {
     std::variant<Integer, double, std::string, ConstantArray> value;
-    int depth = 0; ///< for an array: the number of nested levels of its elements
+    int depth = 0; ///< levels of nested arrays: 1 for `{1, 2}`; 0 if the value is not an array
 
     const Integer* integer() const { return std::get_if<Integer>(&value); }
     const double* real() const { return std::get_if<double>(&value); }
@@ -35,15 +35,15 @@ std::string type_name(const Constant& constant);
 /// Returns the constant as a netlist would write it, shortened if it is long.
 std::string shown(const Constant& constant);
 
-/// The operations below throw a NoResult if the language defines no result for the operands; the evaluator reports it
-/// with the operation's location.
+/// The operations below throw a NoResult if the language defines no result for the operands. The evaluator reports it
+/// as an error at the operation.
 struct NoResult {
     std::string message;
     std::string hint;
 };
 
-/// Integers are 64 bits wide and never wrap round; with one real operand the result is real. The evaluator handles &&
-/// and ||.
+/// Integers have 64 bits; an overflow has no result. If an operand is real, the result is real. The evaluator handles
+/// `&&` and `||`.
 Constant apply_unary(const std::string& symbol, const Constant& operand);
 Constant apply_binary(const std::string& symbol, const Constant& left, const Constant& right);
 /// Casts to a type. Values out of the range of char, short or int are refused; a real is truncated towards zero.

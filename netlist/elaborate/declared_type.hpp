@@ -8,7 +8,7 @@
 
 namespace placedpar {
 
-/// Functions that check values against the type that an interface declares for a parameter.
+/// These functions check values against the type that an interface declares for a parameter.
 
 /// Says why a value does not fit, and what would fit.
 struct Misfit {
@@ -20,7 +20,7 @@ ParameterType element_type(const ParameterDeclaration& parameter);
 /// Returns the number of subscripts of an element: the number of dimensions, or one less if rows of `char` are texts.
 std::size_t element_dimensions(const ParameterDeclaration& parameter);
 /// Returns a misfit if an element of the parameter cannot hold the value: a number out of range, or a text that is too
-/// long. A char, short, int and unsigned have 8, 16, 32 and 32 bits, as on a T800; a long has 64 bits.
+/// long. A `char` has 8 bits, a `short` 16, an `int` and an `unsigned` 32 as on a T800, a `long` 64.
 std::optional<Misfit> misfit(const ParameterDeclaration& parameter, const Value& value);
 
 /// Returns the declaration as text, such as "char name[3][8]".

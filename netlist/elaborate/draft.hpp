@@ -26,7 +26,7 @@ struct DraftConnection {
     std::optional<double> metres;
     std::optional<Location> used;             ///< place of the `connect` that uses it
     std::map<std::string, Location> settings; ///< attributes set by statements such as `c (length = 0.3);`
-    std::optional<int> level = {};            ///< level of a master on a bus
+    std::optional<int> level = {};            ///< request level of a master on a bus
     std::optional<std::string> release = {};  ///< "RWD", "ROR"
 };
 
@@ -112,8 +112,8 @@ struct DraftChannel {
     Location at;
 };
 
-/// The statement `place p.out on t.link[2];`. For `... on edge;`, where.link is -1. For `... on vme;`, where.node is
-/// the bus, and where.link is bus_port.
+/// The statement `place p.out on t.link[2];`. For `... on edge;`, `where.link` is -1. For `... on vme;`, `where.node`
+/// is the bus, and `where.link` is `bus_port`.
 struct DraftPlacement {
     LinkEnd where;
     Location at;
@@ -128,7 +128,7 @@ struct DraftFault {
 
 /// `place c1 on c2;`
 struct DraftConnectionPlacement {
-    std::size_t wire = nowhere; ///< the connection that wires the links
+    std::size_t wire = nowhere; ///< index of `c2`, the connection of a wire
     Location at;
 };
 
@@ -143,7 +143,8 @@ struct Draft {
     std::vector<DraftChannel> channels;
     std::map<std::pair<std::size_t, std::string>, std::vector<DraftPlacement>>
         placements; ///< key: process and port. Several placements, on links of several nodes, state a route.
-    std::map<std::size_t, DraftConnectionPlacement> connection_placements; ///< key: the channel's connection
+    std::map<std::size_t, DraftConnectionPlacement>
+        connection_placements; ///< key: index of `c1`, the channel's connection
     std::vector<DraftFault> faults;
     std::string default_kind; ///< `use ... for process;`
     Location default_used;

@@ -27,7 +27,7 @@ public:
     Elaborator(const Catalogue& catalogue, const Statements& overrides, Reporter& reporter);
 
     void run(const Statements& statements);
-    /// Replaces each program that `kinds` names by its kind.
+    /// Replaces programs by kinds, as the options `--use PROGRAM=KIND` say.
     void use(const ProgramKinds& kinds);
     const Draft& draft() const { return draft_; }
     Draft take();
@@ -178,7 +178,7 @@ private:
     std::vector<CrosspointAgain> crosspoints_again_;
     std::map<std::pair<std::size_t, std::string>, Location> used_ports_;
     std::set<std::string> claimed_;     ///< names that are used in the network, without subscripts
-    std::map<std::string, int> copies_; ///< for each name: how often it was claimed again
+    std::map<std::string, int> copies_; ///< number of further claims of each name
     const Statements& overrides_;
     std::map<std::string, Location> overridden_vals_; ///< for each val: location of the option that overrides it
     std::map<std::pair<std::string, std::string>, const SetStatement*> set_; ///< key: element and member

@@ -15,7 +15,7 @@
 
 namespace placedpar {
 
-/// Describes a declared thing or array. Its elements have the indices first, first + 1, ... in the draft; the last
+/// Describes a declared thing or array. Its elements have the indices `first`, `first + 1`, ... in the draft; the last
 /// subscript varies fastest.
 struct DeclaredThings {
     enum class Category { node, connection, edge_channel, process };
@@ -84,8 +84,8 @@ public:
 
 private:
     std::vector<std::map<std::string, Symbol, std::less<>>> scopes_;
-    std::vector<std::span<const Statement>> ahead_ = std::vector<std::span<const Statement>>(2); ///< for each open
-                                                                                                 ///< block
+    std::vector<std::span<const Statement>> ahead_ =
+        std::vector<std::span<const Statement>>(2); ///< for each open block: the statements after the current statement
     std::set<std::string> poisoned_;
 };
 

@@ -28,7 +28,7 @@ Draft Elaborator::take() {
     return std::move(draft_);
 }
 
-/// Evaluates the value in the current scopes. If the setting is a string, a value without quotes is accepted unchanged.
+/// Evaluates the value in the current scopes. If a string is wanted, a text without quotes is accepted as it is.
 Constant Elaborator::value_of(const SetStatement& set, bool text_wanted, const std::string& what_it_takes) {
     Reporter here;
     std::optional<Constant> value;
@@ -108,8 +108,8 @@ void Elaborator::perform(const SetStatement& form, const Location&) {
         refuse_set(form, name, named);
 }
 
-/// Returns the elements of that name, or all elements if the name is empty. Gives names to unnamed wires and places on
-/// buses if the option may refer to them.
+/// Returns the element of that name, or the elements of the array; all elements if the name is empty. If the option may
+/// mean unnamed wires or places on buses, names them first.
 std::vector<Settable> Elaborator::elements_named(const std::string& name, const std::string& member) {
     auto find_them = [&] {
         std::vector<Settable> all = settable_elements(draft_, catalogue_);

@@ -28,7 +28,7 @@ struct SettableMember {
 struct Settable {
     std::string name;
     std::variant<Node*, DraftConnection*, DraftProcess*> thing;
-    std::shared_ptr<const std::vector<SettableMember>> members; ///< attributes and parameters that a simulation uses
+    std::shared_ptr<const std::vector<SettableMember>> members; ///< attributes and parameters that affect a simulation
     const ProcessKind* kind = nullptr;                          ///< kind of a process; null for a stand-in
 
     const char* noun() const;
@@ -41,14 +41,15 @@ struct Settable {
     /// REQUIRES: has(setting.name). Throws StatementRefused after reporting an error. Values of parameters are checked
     /// later, together with the values in the netlist.
     void set(const Setting& setting, Reporter&) const;
-    /// Returns "it has memory, clock ..."; a long list is cut short and names the command that lists all members.
+    /// Returns "it has memory, clock ..."; a long list is cut short. For a process with a kind, the text then names the
+    /// command that lists all parameters.
     std::string text_of_members() const;
 };
 
 /// Returns all settable elements of a draft, in the draft's order. The elements point into the draft.
 std::vector<Settable> settable_elements(Draft&, const Catalogue&);
 
-/// Returns notes that list vals, and attributes and parameters by element; long lists are cut short.
+/// Returns notes that list the vals, and the elements with their attributes and parameters. Long lists are cut short.
 std::vector<SecondPlace> what_can_be_set(const std::vector<std::pair<std::string, Constant>>& vals,
                                          const std::vector<Settable>&);
 

@@ -30,7 +30,7 @@ Packet first_packet(const ProcessEnvironment& environment) {
     return {0, static_cast<std::uint32_t>(environment.integer("bytes"))};
 }
 
-/// Computes for a packet: `cycles` of processor time and `words` of accesses outside of the chip.
+/// Computes for a packet: the parameters `cycles` and `words` state processor cycles and accesses outside the chip.
 class Work {
 public:
     explicit Work(const ProcessEnvironment& environment)
@@ -44,7 +44,7 @@ private:
 
 // Each process passes a stated number of packets and then ends. In textbooks these processes run for ever; here they
 // end, so that runs can be compared. A process that ends sooner than its neighbour leaves the neighbour waiting, and
-// the report of the run lists the neighbour. A ring without a packet to begin with is a deadlock from the start
+// the report of the run lists the neighbour. A ring in which no process outputs first deadlocks at once
 // (examples/csp/deadlock).
 
 /// Inputs a packet, computes and hands the packet on, `count` times.
@@ -179,7 +179,7 @@ ProcessKind prefix_kind() {
             }};
 }
 
-/// Returns the kind with a port `out` that is described as an array.
+/// Returns the kind with its port `out` described as an array.
 ProcessKind with_outputs(ProcessKind kind) {
     kind.ports.back() = packets_out("out", "packets go out; an array of one element or more");
     return kind;

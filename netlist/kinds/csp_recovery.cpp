@@ -1,4 +1,4 @@
-// Processes that survive a failing link.
+// These processes survive a failing link.
 
 #include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/kinds/description.hpp"
@@ -49,7 +49,7 @@ void produce_or_fail(ProcessEnvironment& environment) {
     environment.measure("given_up", static_cast<double>(given_up), "packets");
 }
 
-/// Inputs packets with a time-out. Ends with the last packet, or after a number of time-outs in a row.
+/// Inputs packets with a time-out. Ends with the last packet, or after `patience` time-outs in a row.
 void consume_or_fail(ProcessEnvironment& environment) {
     auto from = environment.input<Packet>("in");
     Cycles work{environment.integer("cycles")};

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-/// These functions describe kinds. A table of parameters reads
+/// These functions describe kinds. For example, a kind's parameters are
 ///
 ///     using namespace description;
 ///     return {integer("count", {.unit = "packets", .by_default = 1000, .least = 1}, "packets that pass before it

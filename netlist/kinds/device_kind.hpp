@@ -42,13 +42,13 @@ enum class Execution {
     in_time_on_a_bus ///< processes take time only if the node is on a bus
 };
 
-/// One attribute in the parentheses of a declaration.
+/// Describes one attribute in the parentheses of a declaration.
 struct AttributeDescription {
     ParameterDescription value;    ///< name, type, unit, range and default of the attribute
     bool decimal_suffixes = false; ///< 20M means 20 000 000, as for a frequency; if false, 20M means 20 971 520
-    std::string json_name = "";    ///< its key in the JSON document
-    std::function<std::string(const Value&)> drawn = {}; ///< returns its text in the drawing, such as "2 MB"; empty:
-                                                         ///< not drawn
+    std::string json_name = "";    ///< the attribute's key in the JSON document
+    std::function<std::string(const Value&)> drawn =
+        {}; ///< returns the attribute's text in a drawing, such as "2 MB"; empty: not drawn
 };
 
 /// A kind of fault of a device or a link. A `fault` statement names the device or link, then this kind.
@@ -78,7 +78,7 @@ struct DeviceModel {
 
 /// The parts of a network that a Medium can use while the network is checked.
 struct Attached {
-    const Network& network; ///< nodes, connections that are wires, attachments
+    const Network& network; ///< with its nodes, its wires and its attachments so far
     const std::map<std::pair<std::size_t, int>, std::size_t>& connection_at; ///< the wires by node and link
     Reporter& reporter;
 
@@ -92,7 +92,7 @@ struct Medium {
     /// Returns whether the device can be attached in addition to the devices that are already attached. If not, reports
     /// why. An empty function accepts every device.
     std::function<bool(const Attached&, const BusAttachment&)> takes = {};
-    /// Returns the ways over this node, without duplicates. Reports each attachment that needs a way but has none.
+    /// Returns the ways over this device, without duplicates. Reports each attachment that needs a way but has none.
     std::function<std::vector<BusWay>(const Attached&, std::size_t node)> ways;
 };
 
@@ -105,15 +105,15 @@ struct Drawing {
     std::string legend = ""; ///< its text in the legend
 };
 
-/// A kind of device that nodes can be declared with. It holds all facts needed to read, check and print a netlist with
-/// the device, and makes the device of a run. Switches are devices, too. An edge is also a device, although no hardware
-/// corresponds to it.
+/// Describes a kind of device: all facts needed to read, check and print a netlist with the device, and a function that
+/// makes the device in a run. Switches are devices, too. An edge is also a device, although no hardware corresponds to
+/// it.
 struct DeviceKind {
     std::string name;  ///< its name in JSON, such as "processor"
     std::string noun;  ///< its name in messages, such as "a processor"
     std::string about; ///< one line
     std::vector<DeviceModel> models = {};
-    std::string refusal = ""; ///< not empty: why the kind, although known, cannot be declared yet
+    std::string refusal = ""; ///< why the kind cannot be declared yet; "" if it can
     LinkRole links = LinkRole::ends;
     std::vector<AttributeDescription> attributes = {};
     std::vector<std::string> kept = {};   ///< attributes of the INMOS tool: read and printed, not used by a simulation
@@ -132,7 +132,7 @@ struct DeviceKind {
     /// Returns the names of the device's own tracks in a trace, besides the tracks of processes and links. Each name
     /// equals a PlaceTaken::place. If the function is empty, the device has no such tracks.
     std::function<std::vector<std::string>(const Network&, std::size_t node)> tracks = {};
-    /// Makes the device of a run. If the function is empty, the device does nothing in a run.
+    /// Makes the device in a run. If the function is empty, the device does nothing in a run.
     std::function<std::unique_ptr<MachineNode>(MachineParts&, std::size_t node)> make = {};
     Drawing drawing = {};
     /// says that a program built on PlacedPar adds this kind: exceptions from the kind are then errors of that program
@@ -142,7 +142,7 @@ struct DeviceKind {
     const AttributeDescription* attribute(std::string_view name) const;
     /// Returns whether the device requests a bus as a master.
     bool is_master() const { return bus == BusRole::workstation || bus == BusRole::bus_master; }
-    /// Returns whether a program sets the device if a wire leads to its link `config`.
+    /// Returns whether a program can set the device: it does so if a wire leads to the link `config`.
     bool is_set_by_link() const { return !logic.empty(); }
     /// Returns whether the device always executes in virtual time, either processes or a switch's logic.
     bool has_executive() const { return executes == Execution::in_time || is_set_by_link(); }

@@ -4,7 +4,7 @@
 
 namespace placedpar {
 
-/// Declares the devices that every netlist can declare; each is defined in the file of its name.
+/// These functions describe the devices of every catalogue. The file of its name defines each function.
 
 /// Describes transputers by name in upper and lower case, TRAM modules by B-number, and `processor`, which needs the
 /// attribute `type`.
@@ -22,7 +22,7 @@ DeviceKind link_adapter();
 /// Describes a transputer on a bus, such as the BBK-V2.
 DeviceKind bus_master();
 
-/// Lists all devices above.
+/// Lists all functions above.
 inline constexpr DeviceKind (*known_devices[])() = {transputer, workstation,  crossbar,  edge,
                                                     vme,        link_adapter, bus_master};
 

@@ -19,8 +19,8 @@ ProcessEnvironment::ProcessEnvironment(const Network& network, std::size_t index
 
 namespace {
 
-/// Records a measurement. A replay log has no order of measurements among components, so a component's measurement
-/// makes the run unrepeatable.
+/// Records a measurement. A measurement by a component of a PAR makes the run unrepeatable, since a replay log does not
+/// record the order of components.
 void note(const Process& self, const Measurement& measurement, ReplayLog& history) {
     if (self.parent())
         history.record_unrepeatable();

@@ -28,7 +28,7 @@ struct Measurement {
 /// Gives a running process what the netlist defines for it: the channels at its ports, its parameters, its random
 /// streams. A process does not need to know its placement, nor whether its channels lead over links.
 ///
-/// Throws std::logic_error for a port or a parameter that the kind does not have, or has with another protocol or type.
+/// Throws std::logic_error if the kind does not have the port or parameter, or has it with another protocol or type.
 /// Such an error is a defect of the kind.
 class ProcessEnvironment {
 public:
@@ -43,8 +43,9 @@ public:
 
     /// The process's name in the netlist, such as "slave[2]".
     const std::string& process() const { return process_; }
-    /// These two functions return the whole network, and the process's index in Network::processes, for example to find
-    /// the neighbours of its neighbours. No result of a process may depend on the placement of any process.
+    /// These two functions return the whole network, and the process's index in Network::processes. A process can find
+    /// the neighbours of its neighbours, for example. No result of a process may depend on the placement of any
+    /// process.
     const Network& network() const { return network_; }
     std::size_t index() const { return index_; }
 

@@ -15,7 +15,8 @@ const std::vector<FaultKind>& link_faults();
 FaultKind leaves_the_bus();
 bool leaves_the_bus(const Fault&);
 
-/// Returns the attribute `from` of every fault, and the attribute `until` of a fault that may end; 0 means never.
+/// These two functions return the attribute `from` of every fault, and the attribute `until` of a fault that may end. A
+/// fault with `until = 0` never ends.
 AttributeDescription fault_begins();
 AttributeDescription fault_ends();
 /// Returns the attribute `until` of a fault that must end.

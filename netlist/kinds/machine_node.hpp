@@ -60,11 +60,11 @@ public:
     virtual void has_link(hardware::Link&) {}
     /// Returns the delay of a bit that crosses the device, in hundredths of a bit time; 0 if no wires cross the device.
     virtual std::int64_t crossing_delay() const { return 0; }
-    /// Tells the device that a link leads through it while the device connects this crossing. REQUIRES: the device's
-    /// kind is set by a link.
+    /// Tells the device that a link leads through it while the device connects this crossing. REQUIRES:
+    /// DeviceKind::is_set_by_link().
     virtual void lead_on(hardware::Link&, const SwitchCrossing&) {}
-    /// Returns the carriers of the channels over a way of Medium::ways. REQUIRES: the device has slots, and the way is
-    /// one of its ways.
+    /// Returns the carriers of the channels over this way. REQUIRES: the device has slots, and the connection is one of
+    /// its ways (Medium::ways).
     virtual CarrierPair carriers(std::size_t connection);
     /// Puts the channels that are broadcast on the device (ChannelPlacement::broadcast_on) on their carriers.
     virtual void broadcast(const std::function<AnyChannel&(std::size_t)>& /* channel */) {}
@@ -93,8 +93,8 @@ private:
     MachineParts& parts_;
     std::size_t node_;
     hardware::Router* router_ = nullptr;
-    std::map<std::pair<int, bool>, hardware::SharedEngine> engines_; ///< key: link number, and whether the engine
-                                                                     ///< outputs
+    std::map<std::pair<int, bool>, hardware::SharedEngine>
+        engines_; ///< key: link number; true for the engine that outputs
 };
 
 /// Makes a device of this class, for DeviceKind::make.

@@ -51,7 +51,7 @@ struct BusUse {
     std::vector<BroadcastUse> broadcasts;
 };
 
-/// Reports the effects of a fault of the machine in the run.
+/// Reports what a fault of the machine did in the run.
 struct FaultUse {
     std::string fault; ///< the fault as a statement: "t[0].link[1] silent (from = 20ms)"
     std::uint64_t bytes_lost = 0, acknowledges_lost = 0;
@@ -65,7 +65,7 @@ struct FaultUse {
     std::optional<Hit> first, last;            ///< first and last hit
     std::vector<std::string> stopped_channels; ///< channels in packets that wait for ever because of the fault
     std::vector<std::string> stopped;          ///< processes that had not ended when their processor halted
-    std::optional<Time> held_since;            ///< when a bus was granted to the master that hogs the bus
+    std::optional<Time> held_since;            ///< time at which the hogging master got the bus
     std::uint64_t bus_errors = 0;              ///< accesses that the absent device did not answer
 
     bool had_effect() const {
@@ -82,7 +82,7 @@ struct SwitchUse {
         std::string from, to; ///< the links
         std::uint64_t bytes = 0, acknowledges = 0;
         FaultUse::Hit first;
-        int output;        ///< output that should have forwarded the first lost byte or acknowledge
+        int output;        ///< the output that did not forward the first lost byte or acknowledge
         std::string state; ///< state of the output at that time: "was connected to no input"
     };
     std::vector<Loss> losses;

@@ -7,8 +7,7 @@
 
 namespace placedpar {
 
-/// Describes to a VMEbus the device in one of its slots. The MachineNode of such a device also derives from this
-/// struct.
+/// Joins a VMEbus and the device in one of its slots. The MachineNode of the device also derives from this struct.
 struct OnVme {
     virtual ~OnVme() = default;
 

@@ -7,7 +7,7 @@
 
 namespace placedpar {
 
-/// A message of the textbooks' processes: a number, with a stated length on the wire.
+/// A message of the textbook processes (csp_kinds.hpp): a number, with a stated length on the wire.
 struct Packet {
     std::int64_t number = 0;
     std::uint32_t bytes = 4;

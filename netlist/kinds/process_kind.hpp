@@ -30,14 +30,14 @@ struct PortDescription {
     std::string formerly = ""; ///< the port's name in older netlists; "" if the name has never changed
 };
 
-/// One quantity that a process of this kind measures itself and reports at the end of a run.
+/// Describes a quantity that a process of this kind measures and reports at the end of a run.
 struct MeasurementDescription {
     std::string name;
     std::string unit;
     std::string about;
 };
 
-/// Describes an error or a probable mistake in a process that the checks of ranges and single ports cannot find.
+/// Describes an error or a probable mistake in a process, found by the kind's own check.
 struct Complaint {
     std::size_t process = 0; ///< the process at fault, which may be another than the checked process
     std::string about; ///< the parameter or port at fault, whose place is shown; "": the place of the process is shown
@@ -72,7 +72,8 @@ struct ProcessKind {
     /// Returns null if there is no port of this name.
     const PortDescription* port(std::string_view name) const;
     const ParameterDescription* parameter(std::string_view name) const;
-    /// Returns a hint for a wrong port name: the present name of the port, or the nearest name; "" if no name is near.
+    /// Returns a hint for a wrong port name. If the port was renamed, the hint has its present name, otherwise the
+    /// nearest name; "" if no name is near.
     std::string hint_at_port(std::string_view wanted) const;
 };
 

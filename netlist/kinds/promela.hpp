@@ -10,9 +10,9 @@ namespace placedpar {
 
 struct Network; // netlist/network/network.hpp
 
-/// Gives a kind what it needs to describe a process in Promela, the language of the model checker Spin (G. Holzmann,
-/// "The Spin Model Checker", 2003): the parameters of the process, and its channels as elements of the array `c` of
-/// rendezvous channels.
+/// Gives the facts with which a kind describes a process in Promela, the language of the model checker Spin (G.
+/// Holzmann, "The Spin Model Checker", 2003): the parameters of the process, and its channels as elements of the array
+/// `c` of rendezvous channels.
 class PromelaProcess {
 public:
     PromelaProcess(const Network& network, std::size_t process) : network_(network), process_(process) {}

@@ -1,4 +1,4 @@
-// A switch that is set during the run: its logic, and a program that sets it.
+// Two kinds for a switch that is set during the run: the logic of the switch, and a program that sets the switch.
 
 #include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/kinds/description.hpp"
@@ -92,7 +92,7 @@ private:
     }
 
     Output<SwitchCommand> commands_;
-    Input<SwitchAnswer> answers_; ///< without a channel if the process does not enquire
+    Input<SwitchAnswer> answers_; ///< no channel if the port `answers` is not connected
     std::uint8_t link_, first_;
     std::int64_t wrong_answers_ = 0;
 };

@@ -41,7 +41,7 @@ std::vector<DeviceModel> chips() {
             chip("T212", 2 * kilobyte, 4, separate),   chip("M212", 2 * kilobyte, 2, separate)};
 }
 
-/// Returns the model under its name in lower case, t800, with its type in upper case, T800.
+/// Returns the model with its name in lower case, such as t800. The type stays in upper case, T800.
 DeviceModel in_lower_case(DeviceModel model) {
     model.type = model.name;
     model.name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(model.name[0])));
@@ -157,8 +157,8 @@ std::vector<std::string> kept_attributes() {
     return kept;
 }
 
-/// Returns the access time of the memory that holds messages. Messages are assumed to lie in external memory if the
-/// node has external memory.
+/// Returns the access time of the memory that holds messages. We assume that messages are in external memory if the
+/// node has such memory.
 Cycles access_time(const Node& node) {
     using hardware::Memory;
     if (std::int64_t stated = node.integer("memorycycles"))

@@ -40,7 +40,8 @@ AttributeDescription request_level() {
     return {.value = description::integer("level", {.by_default = 3, .least = 0, .most = 3}, "level of the request")};
 }
 
-/// Returns why no master can hog the bus: the arbiter lacks its level, or no slot is free. Returns "" if a master can.
+/// Returns why no master can hog the bus: the arbiter lacks the fault's level, or no slot is free. Returns "" if one
+/// can.
 std::string why_not_hogged(const Network& network, const Fault& hog) {
     const Node& bus = network.nodes[hog.node];
     auto others = std::ranges::count_if(network.faults,
@@ -52,7 +53,7 @@ std::string why_not_hogged(const Network& network, const Fault& hog) {
     return "";
 }
 
-/// Returns the names of the tracks: the bus, its masters, then the masters that hog it.
+/// Returns the names of the tracks: the bus, its masters, then the masters that faults add.
 std::vector<std::string> bus_tracks(const Network& network, std::size_t node) {
     const std::string& bus = network.nodes[node].name;
     std::vector<std::string> names{bus};

@@ -7,7 +7,7 @@
 
 namespace placedpar {
 
-/// Functions that the description of a VMEbus (vme.cpp) refers to; they are defined in vme_ways.cpp and vme_node.cpp.
+/// The description of a VMEbus (vme.cpp) refers to these functions. vme_ways.cpp and vme_node.cpp define them.
 
 inline constexpr int vme_slots = 21;
 

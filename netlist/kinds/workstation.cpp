@@ -26,7 +26,7 @@ public:
     }
 
 private:
-    hardware::Workstation* computer_ = nullptr; ///< null if it is on no bus: its processes then take no time
+    hardware::Workstation* computer_ = nullptr; ///< null if the workstation is on no bus; processes then take no time
 };
 
 } // namespace

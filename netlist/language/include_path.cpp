@@ -10,8 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the folder's entry with this name, ignoring the case of letters; the first in order of names if there are
-/// several.
+/// Returns the folder's entry with this name, ignoring the case of letters. If there are several, returns the first in
+/// order of names.
 std::optional<fs::path> entry_like(const fs::path& folder, const std::string& name) {
     std::optional<fs::path> first;
     std::error_code error;

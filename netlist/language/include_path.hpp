@@ -14,9 +14,8 @@ std::string without_backslashes(std::string name);
 /// predefined.
 bool is_of_the_toolset(const std::string& name);
 
-/// Returns the file of this name in the first folder that has it. If a folder has the name only in other upper and
-/// lower case, which DOS would accept, returns that file. If there are several such files, returns the first in order
-/// of names.
+/// Returns the file of this name in the first folder that has it. Only if a folder lacks the exact name is the case of
+/// letters ignored there, as in DOS. If several files then match, returns the first in order of names.
 std::optional<std::filesystem::path> find_included(const std::string& name,
                                                    const std::vector<std::filesystem::path>& folders);
 

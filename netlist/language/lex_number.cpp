@@ -97,7 +97,7 @@ Token Lexer::read_real(std::string_view digits, Token token) {
     return unit == 0 ? token : as_time(token, unit);
 }
 
-/// Takes a unit of time, and returns it in nanoseconds. Returns 0, and takes nothing, if there is no unit here.
+/// Takes a unit of time, and returns its length in nanoseconds. If there is no unit here, takes nothing and returns 0.
 std::int64_t Lexer::take_unit_of_time() {
     static constexpr std::pair<std::string_view, std::int64_t> units[] = {
         {"ns", 1}, {"us", 1000}, {"ms", 1'000'000}, {"s", 1'000'000'000}};
@@ -159,7 +159,7 @@ void Lexer::apply_suffix(Token& token) {
         reporter_.error(token.at, "the number is beyond 64 bits");
         token.integer = {};
     }
-    token.integer.decimal *= decimal; // no overflow: the product is less than token.integer.value
+    token.integer.decimal *= decimal; // no overflow: the product is at most token.integer.value
 }
 
 } // namespace placedpar

@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-/// Classifies a line by the kind of occam text that contains it. The class of a text is the highest class of its lines.
+/// Classifies a line by the kind of occam text that contains it. The text has the highest class of its lines.
 enum class Dialect { none, comment, program, toolset, development_system };
 
 constexpr const char* hint_for(Dialect dialect) {

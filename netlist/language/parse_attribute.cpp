@@ -79,8 +79,8 @@ DeclarationAttributes Parser::parse_declaration_attributes() {
     return result;
 }
 
-/// Parses an attribute of a process. Refuses a misspelt `interface`, whose channels and parameters would cause
-/// misleading errors.
+/// Parses an attribute of a process. Refuses a misspelt `interface` here, since the channels and parameters behind it
+/// would cause misleading errors.
 Attribute Parser::parse_process_attribute() {
     const auto& name = tokens_.peek();
     bool has_parts = name.kind == TokenKind::name && tokens_.peek(1).is("(");

@@ -10,7 +10,7 @@ namespace placedpar {
 /// Limits the nesting of blocks, `rep` and `if` statements, parentheses, brackets, attributes, signs and casts. Deeper
 /// nesting is refused, so that no text can exhaust the stack.
 inline constexpr int deepest_nesting = 200;
-/// Limits the height of an expression's tree. The height of `1 + 1 + ...` is its length: 1000 operators are allowed.
+/// Limits the height of an expression's tree. The highest `1 + 1 + ...` has 1000 operators.
 inline constexpr int highest_expression = 1001;
 
 /// Parses the grammar of docs/reference/netlist-language.md by recursive descent. After an error, parsing continues
@@ -25,8 +25,8 @@ public:
     /// Parses `reference =`, the target of an option that sets a value. Throws StatementRefused after reporting an
     /// error.
     Reference parse_target();
-    /// Parses a fault as an option states it, without the first word and the `;`. Throws StatementRefused after
-    /// reporting an error.
+    /// Parses a fault as an option states it: a `fault` statement without the word `fault` and the `;`. Throws
+    /// StatementRefused after reporting an error.
     Statement parse_fault_option();
 
 private:
@@ -116,10 +116,10 @@ private:
     TokenStream& tokens_;
     Reporter& reporter_;
     int depth_ = 0;
-    int arrays_open_ = 0; ///< array constants that are being read
+    int arrays_open_ = 0; ///< number of array constants that are being read
     std::optional<Token>
         misspelt_; ///< first word of the current statement, if it is probably a misspelt word of the language
-    std::set<std::string, std::less<>> types_; ///< defined by the netlist
+    std::set<std::string, std::less<>> types_; ///< names of the types that the netlist defines
 };
 
 /// Returns whether the word begins or structures statements, so that it cannot be a name.
@@ -128,7 +128,7 @@ bool is_reserved(std::string_view word);
 bool can_be_a_name(std::string_view text);
 /// Returns the known word that differs from `word` in a letter or two, or only in capital letters; "" if there is none.
 std::string word_meant(const std::string& word, const std::vector<std::string>& words);
-/// Searches the words that begin a statement.
+/// Does the same with the words that begin a statement.
 std::string word_meant(const std::string& word);
 
 } // namespace placedpar

@@ -135,12 +135,12 @@ struct EdgeChannelDeclaration {
     Direction direction;
     std::vector<Declarator> names;
 };
-/// `name (n = 4);`: parameters of a process, attributes of a connection or of a process type.
+/// `name (n = 4);` sets parameters of a process, or attributes of a connection or of a process type.
 struct ParameterSetting {
     Reference process;
     std::vector<Attribute> values;
 };
-/// `n = 4`, `p[1].n = 4`: an option sets a val, or an attribute or a parameter of a declared element.
+/// `n = 4` or `p[1].n = 4` in an option sets a val, or an attribute or a parameter of a declared element.
 struct SetStatement {
     Reference target;
     ExpressionPointer value; ///< null if the text is not an expression, such as a string without quotes
@@ -149,8 +149,8 @@ struct SetStatement {
     std::vector<Diagnostic> problems; ///< why the text is not an expression
     std::size_t place = 0;            ///< position among the options
 
-    /// Returns how precise the target is: 0 if it names every element with this member; higher for an array; highest
-    /// for one element.
+    /// Returns how precise the target is: 0 for a member of every element, 1 for a member of a named element or array,
+    /// and one more for each subscript.
     std::size_t precision() const { return target.field.empty() ? 0 : 1 + target.subscripts.size(); }
 };
 struct ConnectStatement {

@@ -18,10 +18,9 @@ enum class TokenKind {
     end
 };
 
-/// An integer constant as it is written, `20M`. The language's suffixes count in 1024s; for a clock or the speed of a
-/// link the same suffixes count in 1000s. An integer therefore carries both readings: 20M is 20971520 as a size and
-/// 20000000 as a frequency. Only the attributes `clock` and `linkspeed` take the second reading. Constants keep both
-/// readings through `val`s and arithmetic.
+/// An integer constant in both readings of its suffix: `20M` is 20971520 as a size and 20000000 as a frequency. Only
+/// the attributes `clock` and `linkspeed` take the second reading. Constants keep both readings through `val`s and
+/// arithmetic.
 struct Integer {
     std::int64_t value = 0;
     std::int64_t decimal = 0;

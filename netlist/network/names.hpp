@@ -10,7 +10,8 @@
 
 namespace placedpar {
 
-/// Functions for the names of arrays and their elements. The last subscript varies fastest.
+/// These functions handle the names of arrays and their elements. In the order of elements, the last subscript varies
+/// fastest.
 
 /// Returns "out" for "out[2]"; returns a name without a subscript unchanged.
 std::string_view base_name(std::string_view name);
@@ -31,7 +32,7 @@ std::vector<std::string> names_in(const Things& things) {
     return names;
 }
 
-/// Returns the thing of that name; null if there is none.
+/// Returns the thing with this name; null if there is none.
 template <class Things>
 auto find_named(Things& things, std::string_view name) -> decltype(&*things.begin()) {
     auto found = std::ranges::find_if(things, [&](const auto& thing) { return thing.name == name; });

@@ -66,7 +66,7 @@ struct BusAttachment {
     int level = 3;           ///< level of a master's requests, BR0 to BR3
     bool on_request = false; ///< true: a master releases the bus when another master requests it; false: after each
                              ///< block of words
-    std::string name;        ///< name of the `connection` by which it was attached; "" if none
+    std::string name;        ///< name of the `connection` that attaches the device; "" if none
     Location connected;
 };
 
@@ -76,24 +76,23 @@ struct BusWay {
     std::size_t wire = nowhere; ///< connection at the link adapter; nowhere: the way ends in a bus master's memory
 };
 
-/// A wire from link to link, with the switches on its way. At most one of its ends is at an edge.
+/// A wire between two links, with the switches that it passes, or a way over a bus. At most one end is at an edge.
 struct LinkConnection {
     LinkEnd a, b;
     std::int64_t bits_per_second = 20'000'000;
     double metres = 0;                     ///< length of the wire, all pieces together
     std::vector<SwitchCrossing> crossings; ///< in order from a to b
-    std::string name;                      ///< name of the `connection` by which it was wired; "" if none
+    std::string name;                      ///< name of the `connection` that wires the links; "" if none
     Location connected;
     std::optional<BusWay> over_bus =
         {}; ///< if set, the connection is not a wire: a is a master, b the device that the master reaches over the bus
     bool at_run_time =
-        false; ///< a switch on its way connects it during the run; other connections may have the same links
+        false; ///< a switch makes the connection during the run; other connections may have the same links
 
     int switches() const { return static_cast<int>(crossings.size()); }
 };
 
-/// Describes a piece of wire between two sockets, at a switch that is set during the run. Several connections may share
-/// it.
+/// Describes one wire of a connection that switches make during the run. Several connections may share the wire.
 struct WirePiece {
     LinkEnd a, b;                                ///< at least one end is at a switch
     std::string name;                            ///< name of its `connection`; "" if none
@@ -114,7 +113,7 @@ struct DeclaredEntry {
 
 /// A connected port of a process. Optional ports that are not connected are not listed.
 struct PortBinding {
-    std::string port; ///< such as "to_slaves" or "out[2]"; in the kind the port has the base name, "out"
+    std::string port; ///< such as "to_slaves" or "out[2]"; the kind's port is "to_slaves" or "out"
     Direction direction;
     std::size_t channel = nowhere;
 };
@@ -158,7 +157,7 @@ struct RouteHop {
 struct ChannelPlacement {
     enum class Kind { soft, link, edge };
     Kind kind = Kind::soft;
-    std::vector<RouteHop> route = {}; ///< empty for a soft channel; several hops lead over the processors in between
+    std::vector<RouteHop> route = {}; ///< empty for a soft channel; several hops pass through the processors in between
     bool in_packets =
         false; ///< the route has several hops, or one of its links carries another channel in the same direction
     /// Index of the bus on which the channel is broadcast: one write reaches the adapters of all channels of the
@@ -175,8 +174,8 @@ struct NetworkChannel {
     Location connected;
 };
 
-/// Returns whether one message goes to the adapters of both channels: the channels belong to one port array and one
-/// bus. REQUIRES: both are broadcast.
+/// Returns whether the channels belong to one port array and one bus: one message then goes to the adapters of both.
+/// REQUIRES: both are broadcast.
 bool are_one_broadcast(const NetworkChannel&, const NetworkChannel&);
 
 /// A fault of a link or a device in a run.
@@ -188,7 +187,7 @@ struct Fault {
     std::map<std::string, Value, std::less<>> attributes; ///< all attributes of the kind
     Location stated;
 
-    /// These two functions require that the kind has an attribute of this name and type.
+    /// REQUIRES, for both functions: the fault's kind has an attribute of this name and type.
     std::int64_t integer(std::string_view attribute) const {
         return std::get<std::int64_t>(attributes.find(attribute)->second);
     }

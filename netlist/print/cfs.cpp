@@ -199,7 +199,8 @@ private:
         line("connect {} to {}{};", end(piece.a), end(piece.b), piece.name.empty() ? "" : " by " + piece.name);
     }
 
-    /// Prints each crosspoint of a switch that a program sets once, though several connections may cross it.
+    /// Prints the crosspoints of the switches that programs set. Each is printed once, although several connections may
+    /// cross it.
     void print_crosspoints_to_choose() {
         std::set<std::pair<std::string, std::string>> known;
         for (const auto& connection : n_.connections)
@@ -276,8 +277,8 @@ private:
     }
 
     /// Returns the names of the parameters that the netlist gives, in the netlist's order. Parameters with default
-    /// values are left out, since a kind may ask whether a parameter was given. With ParameterOrder::by_name, returns
-    /// all parameters.
+    /// values are left out, since a kind may distinguish between a default and an equal value that is given. With
+    /// ParameterOrder::by_name, returns all parameters.
     std::vector<std::string> parameters_in_order(const ProcessInstance& process) const {
         std::vector<std::string> names;
         std::set<std::string_view> known; // names listed so far
@@ -300,7 +301,7 @@ private:
         return fmt::format("{} = {}", name, print_array(parameters, name));
     }
 
-    /// Prints the settings that all elements of an array share once, then the other settings of each element.
+    /// Prints once the settings that all elements of an array share, then the other settings of each element.
     void print_settings(const ElementRange& range, const std::map<std::string, Value>& declared, bool all_high) {
         auto of = [&](std::size_t i) { return settings(n_.processes[range.first + i], declared, all_high); };
         Entries common = of(0);

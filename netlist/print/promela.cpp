@@ -15,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t most_processes = 254; ///< Spin's limit of 255 processes, minus one for init
+constexpr std::size_t most_processes = 254; ///< Spin's limit of 255 processes, minus one for `init`
 
 std::vector<std::string> kinds_in_promela(const Catalogue& catalogue) {
     std::vector<std::string> names;
@@ -35,8 +35,8 @@ const ProcessKind& kind_with_statements(const ProcessInstance& process, const Ca
     return *kind;
 }
 
-/// Returns a Promela identifier for the process: "fork[1]" becomes p3_fork_1_. The process's number makes it unique and
-/// keeps it apart from Promela's words.
+/// Returns a Promela identifier for the process: "fork[1]" becomes p3_fork_1_. The process's number makes the
+/// identifier unique and different from Promela's keywords.
 std::string identifier(const Network& network, std::size_t process) {
     std::string name = fmt::format("p{}_{}", process, network.processes[process].name);
     std::ranges::replace_if(
@@ -75,7 +75,7 @@ std::string legend(const Network& network) {
     return out + fmt::format("/* c[{}]: nothing passes, where a guard is closed */\n", network.channels.size());
 }
 
-/// Refuses broadcasts, since a network that deadlocks on the machine must not be shown as free of deadlock.
+/// Refuses broadcasts. A model without their waits might have no deadlock although the machine deadlocks.
 void refuse_broadcasts(const Network& network) {
     for (const NetworkChannel& channel : network.channels)
         if (std::size_t bus = channel.placement.broadcast_on; bus != nowhere)

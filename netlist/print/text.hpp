@@ -19,7 +19,7 @@ struct ElementRange {
     std::size_t first = 0, count = 0;
 };
 
-/// Groups names that are in the order of their elements into arrays.
+/// Groups names into arrays. REQUIRES: the names of an array are in the order of its elements.
 std::vector<ElementRange> element_ranges(std::size_t count, const std::function<std::string_view(std::size_t)>& name);
 
 /// Returns the declarators, in order of first appearance, that declare all these names: "c[3]" for c[0] and c[2].
