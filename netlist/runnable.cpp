@@ -35,7 +35,7 @@ MissingByName unknown_programs(const Network& network, const Catalogue& catalogu
     return programs;
 }
 
-/// Returns the edges without a process by name, each with the channels that lead there.
+/// Returns the channels that lead to edges without a process, by the name of the edge.
 MissingByName deserted_edges(const Network& network) {
     MissingByName edges;
     for (const NetworkChannel& channel : network.channels)

@@ -31,14 +31,14 @@ struct JudgedCells {
     std::size_t thesis = 0;
     std::size_t set_from_thesis = 0; ///< cells of `thesis` from which constants were set; such cells test nothing
     std::size_t published = 0, own = 0;
-    std::size_t not_judged = 0; ///< cells without a tolerance or bound, and cells of tables that do not decide
+    std::size_t not_judged = 0; ///< cells without a tolerance or bound, and cells of tables that the verdict ignores
 };
 
 /// Prints a table for people. Each cell has a simulated figure, a known figure and an error. The error is in percent;
 /// it is in the cell's unit if the tolerance is in this unit or the unit is percent. A cell with a one-sided bound
 /// shows the bound instead of an error; a cell beside a claim, which is a bound in words, shows no error. The
-/// tolerances of a row's cells follow the row. A part that is empty in all cells of a column is left out. Rows and
-/// columns keep the order of the cells. A row with a column that the rows above do not have begins a new table.
+/// tolerances of a row's cells follow the cells. A part that is empty in all cells of a column is left out. Rows and
+/// columns keep the order of the cells. A row begins a new table if it has a column that the rows above do not have.
 std::string print_comparison(const Comparison&);
 
 /// Returns whether the first table, and every other judged table, is within its tolerances.
@@ -49,8 +49,8 @@ bool is_any_judged(const std::vector<Comparison>&);
 JudgedCells count_judged(const std::vector<Comparison>&);
 /// Prints for people, on one line, the number of cells that are judged against the thesis, and against other figures.
 std::string print_judged(const JudgedCells&);
-/// Prints for people whether all judged cells are within their tolerances. If there are several tables, `called` is the
-/// word for a table: the first reading, or the first table.
+/// Prints for people whether all judged cells are within their tolerances. If only the first table is judged, the text
+/// calls it "the first reading", or by another word in `called`.
 std::string print_verdict(const std::vector<Comparison>&, const std::string& called = "reading");
 /// Prints for people how far the outcomes are from the known figures; only cells in the unit of the first cell count.
 std::string print_fit(const std::vector<Cell>&);

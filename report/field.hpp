@@ -29,7 +29,7 @@ struct Field {
     static Field right(std::size_t width, std::string heading, std::string text) {
         return {std::move(heading), std::move(text), width, Column::right};
     }
-    /// Returns a number that has the same name in a table and in a document.
+    /// Returns a number whose heading in a table is also its key in a document.
     static Field count(std::size_t width, const std::string& name, std::integral auto number) {
         return right(width, name, std::to_string(number)).as(name, number);
     }
@@ -40,7 +40,7 @@ struct Field {
         return time ? member(key + "_ps", time->count()) : Field();
     }
 
-    /// Adds the fact to documents, with this value, or with its text.
+    /// These two functions add the fact to documents, with this value, or with the text as value.
     Field as(std::string its_key, const auto& its_value) && {
         key = std::move(its_key);
         value = boost::json::value(its_value);

@@ -8,7 +8,7 @@
 
 namespace placedpar {
 
-// Functions for names that a user may give in place of the name of a kind.
+// These functions interpret the names that a user may give for kinds and groups of kinds.
 
 inline constexpr std::string_view processes_group = "processes", devices_group = "devices";
 
@@ -16,7 +16,7 @@ inline constexpr std::string_view processes_group = "processes", devices_group =
 /// kinds.
 std::vector<const ProcessKind*> group_of(const Catalogue&, std::string_view group);
 
-/// Returns every known name of kinds and groups, in order.
+/// Returns the names of all kinds and groups, in order.
 std::vector<std::string> known_names(const Catalogue&);
 
 /// Returns the known name that equals this name in upper or lower case, as in DOS and the toolset; the name itself if

@@ -21,9 +21,9 @@ std::string print_parameter(const ParameterDescription&, const std::optional<Val
 /// Returns all that print_parameter() prints.
 boost::json::object parameter_json(const ParameterDescription&);
 
-/// Returns {"processes": [...], "devices": [...]}: all that print_kind() prints about the kinds with this name or in
-/// this group; about all kinds if the name is "". A missing default, and a missing end of a range, are null. Throws as
-/// print_kind() does.
+/// Returns {"processes": [...], "devices": [...]}: all that print_kind() prints about the kind with this name, or about
+/// each kind in this group; about all kinds if the name is "". A missing default, and a missing end of a range, are
+/// null. Throws as print_kind() does.
 boost::json::object kinds_json(const Catalogue&, const std::string& name = "");
 
 } // namespace placedpar

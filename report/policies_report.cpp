@@ -26,9 +26,9 @@ struct PolicyParameter {
     std::vector<std::string> kinds;
 };
 
-/// The result of a query by name: a noun, with all or some of its policies and forms.
+/// The result of a query by name: an aspect, with all or some of its policies and forms.
 struct PolicyQuery {
-    Noun noun;                        ///< with only the policies and forms of that name
+    Noun noun;                        ///< with all its policies and forms, or only those of the name
     std::vector<std::string> written; ///< each policy as a netlist writes it, with the numbers in the name
     std::vector<PolicyParameter> parameters;
 };
@@ -72,7 +72,7 @@ bool is_whole_noun(const PolicyQuery& asked, const std::string& name) {
            std::ranges::any_of(asked.parameters, has_name);
 }
 
-/// Returns a query for the whole noun.
+/// Returns a query for the whole aspect.
 PolicyQuery ask_all(const Catalogue& catalogue, Noun noun) {
     PolicyQuery asked{.noun = std::move(noun), .written = {}, .parameters = {}};
     asked.parameters = parameters_deciding(catalogue, asked.noun.name);
@@ -94,7 +94,7 @@ std::optional<PolicyQuery> ask_one(PolicyQuery asked, const std::string& base) {
     return asked;
 }
 
-/// Returns the meanings of the name: whole nouns or, if no noun matches, the policies and forms of that name.
+/// Returns the meanings of the name: whole aspects or, if no aspect matches, the policies and forms of that name.
 std::vector<PolicyQuery> find_asked(const Catalogue& catalogue, const std::string& name) {
     std::vector<PolicyQuery> whole, parts;
     for (Noun& noun : policy_nouns()) {
@@ -108,8 +108,8 @@ std::vector<PolicyQuery> find_asked(const Catalogue& catalogue, const std::strin
     return whole.empty() ? parts : whole;
 }
 
-/// Applies the numbers in the name, and returns the queries whose policy accepts them. Throws UserError if no policy
-/// does.
+/// Applies the numbers in the name to the policies, and returns the queries whose policy accepts these numbers. Throws
+/// UserError if no policy does.
 std::vector<PolicyQuery> with_numbers(std::vector<PolicyQuery> all, const std::string& name) {
     std::erase_if(all, [](const PolicyQuery& asked) { return asked.noun.policies.empty(); });
     if (all.empty())
@@ -122,7 +122,7 @@ std::vector<PolicyQuery> with_numbers(std::vector<PolicyQuery> all, const std::s
             asked.written = {asked.noun.printed(lower_case(name))};
             taking.push_back(std::move(asked));
         } catch (const UserError&) {
-            if (!refusal) // keep the refusal of the first noun
+            if (!refusal) // keep the refusal of the first aspect
                 refusal = std::current_exception();
         }
     if (taking.empty())
@@ -147,7 +147,8 @@ std::string print_deciding(const PolicyParameter& deciding) {
            fmt::format("  {:<28} of {}\n", "", fmt::join(deciding.kinds, ", "));
 }
 
-/// Returns how a netlist selects the policy: `reproduction = "roulette"`; "" if no parameter accepts it.
+/// Returns the text that selects the policy in a netlist: `reproduction = "roulette"`; "" if no parameter accepts the
+/// policy.
 std::string assignment(const PolicyQuery& asked, const std::string& written) {
     auto takes_policies = [](const PolicyParameter& each) { return each.parameter->check != nullptr; };
     auto found = std::ranges::find_if(asked.parameters, takes_policies);
@@ -229,7 +230,7 @@ struct Entry {
     std::string name, about;
 };
 
-/// Returns the noun's policies, as a netlist writes them, and its forms.
+/// Returns the aspect's policies, as a netlist writes them, and its forms.
 std::vector<Entry> entries_of(const Noun& noun) {
     std::vector<Entry> entries;
     for (const PolicyDescription& policy : noun.policies)

@@ -15,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns what must be equal for two searches to be comparable: problem and coding.
+/// Returns the problem and the coding, which two searches must have in common to be compared.
 std::pair<Value, Value> searched_for(const ProcessInstance& process) {
     auto value = [&](const char* parameter) {
         auto found = process.parameters.find(parameter);

@@ -15,8 +15,8 @@ bool searches(const ProcessInstance&);
 /// Throws UserError if no process searches.
 void require_searches(const Network&);
 
-/// Makes an empty log of the processes that search, in the order of the netlist. Its searches are comparable if they
-/// have the same problem and coding.
+/// Makes an empty log of the processes that search, in the order of the netlist. The log compares the searches if all
+/// have the same problem and coding, and none searches a RecodedProblem.
 GenerationLog log_of(const Network&);
 
 /// Holds the log of the searches of a run with this seed.

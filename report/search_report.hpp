@@ -12,8 +12,8 @@ namespace placedpar {
 // These functions print the part of a report about the generations of each search, and of all searches together. A
 // search without generations is left out.
 
-/// Prints the searches of one run for people: first and last generation, diversity at the end, and the fate of
-/// immigrants.
+/// Prints the searches of one run for people: first and last generation, diversity at the end, and how many immigrants
+/// were accepted and turned away.
 std::string print_searches(const GenerationLog&);
 /// Prints the searches of runs with several seeds: medians, and quartiles in brackets. REQUIRES: at least one log; all
 /// logs are of one network.

@@ -65,8 +65,8 @@ private:
     /// a hub.
     bool search_between(const Ends&);
     void search_among(const std::vector<std::size_t>& nodes, const Ends&);
-    /// Lowers the distance of each neighbour whose route is cheaper if it leads over `node`. Then calls `reach(cost,
-    /// neighbour)`.
+    /// For each neighbour of `node`: if a route over `node` costs less than the neighbour's distance, lowers the
+    /// distance and calls `reach(cost, neighbour)`.
     template <class MayPass, class Reach>
     void reach_before(std::size_t node, const Ends&, MayPass may_pass, Reach reach);
     void forget_distances();

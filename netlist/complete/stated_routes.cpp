@@ -83,7 +83,7 @@ std::size_t StatedRoutes::connection_at(const StatedPlacement& place) const {
     return wires_[found].at_run_time ? connection_to_partner(place) : found;
 }
 
-/// Refuses the route unless it begins at the processor that holds the process.
+/// Refuses the placement unless it is at the processor that holds the process.
 void StatedRoutes::require_own_link(const StatedPlacement& place) const {
     const DraftProcess& process = process_of(place);
     if (end_of_way(place.where()).node != process.node)
@@ -133,8 +133,8 @@ std::size_t StatedRoutes::connection_to_partner(const StatedPlacement& place) co
     return *found;
 }
 
-/// Returns the way that leaves a master's place on a bus. The way leads to the next stated place or, from the last
-/// place, to the receiver.
+/// Returns the way over a bus at a master's place. The way of an output leads to the next stated place or, from the
+/// last place, to the receiver. The way of an input comes from the sender.
 std::size_t StatedRoutes::way_from_bus(const StatedPlacement& place) const {
     bool last = place.number + 1 == place.all.size();
     auto other = place.inputs() ? place.channel.from.node

@@ -78,7 +78,7 @@ struct DeviceModel {
 
 /// The parts of a network that a Medium can use while the network is checked.
 struct Attached {
-    const Network& network; ///< with its nodes, its wires and its attachments so far
+    const Network& network; ///< has its nodes, its wires, and the attachments so far
     const std::map<std::pair<std::size_t, int>, std::size_t>& connection_at; ///< the wires by node and link
     Reporter& reporter;
 
@@ -142,7 +142,7 @@ struct DeviceKind {
     const AttributeDescription* attribute(std::string_view name) const;
     /// Returns whether the device requests a bus as a master.
     bool is_master() const { return bus == BusRole::workstation || bus == BusRole::bus_master; }
-    /// Returns whether a program can set the device: it does so if a wire leads to the link `config`.
+    /// Returns whether a program can set the device, over a wire to the link `config`.
     bool is_set_by_link() const { return !logic.empty(); }
     /// Returns whether the device always executes in virtual time, either processes or a switch's logic.
     bool has_executive() const { return executes == Execution::in_time || is_set_by_link(); }

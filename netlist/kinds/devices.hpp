@@ -4,7 +4,7 @@
 
 namespace placedpar {
 
-/// These functions describe the devices of every catalogue. The file of its name defines each function.
+/// These functions describe the devices that every catalogue has. Each function is defined in the file of its name.
 
 /// Describes transputers by name in upper and lower case, TRAM modules by B-number, and `processor`, which needs the
 /// attribute `type`.

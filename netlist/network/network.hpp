@@ -70,7 +70,8 @@ struct BusAttachment {
     Location connected;
 };
 
-/// Describes a way over a bus: from a master to its slave, and on over a wire if the slave is a link adapter.
+/// Describes a way over a bus: from a master to its slave, and on over a wire if the slave is a link adapter. `master`
+/// and `slave` are indices in Network::attachments.
 struct BusWay {
     std::size_t master = nowhere, slave = nowhere; ///< attachments
     std::size_t wire = nowhere; ///< connection at the link adapter; nowhere: the way ends in a bus master's memory

@@ -54,8 +54,8 @@ enum class ParameterOrder { as_given, by_name };
 /// Routes are most of the text of a network that is too large, so their size can be counted without making the text.
 enum class Routes { written, counted };
 
-/// Writes one network as a netlist. Every device and connection is declared explicitly, so that the text depends only
-/// on the language's own defaults.
+/// Writes one network as a netlist, without replication, without types that a `define` made, and without changed
+/// defaults.
 class CfsPrinter {
 public:
     CfsPrinter(const Network& network, ParameterOrder order) : n_(network), order_(order) {}
@@ -451,7 +451,8 @@ private:
     Routes routes_ = Routes::written;
     std::string text_;
     std::size_t counted_ = 0;               ///< bytes of routes that are only counted
-    std::vector<std::string> stated_names_; ///< names of each connection's end b, then its end a; empty until used
+    std::vector<std::string> stated_names_; ///< for each connection: the name that states the hop from b to a, then the
+                                            ///< hop from a to b; "" until used
 };
 
 } // namespace

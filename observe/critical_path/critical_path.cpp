@@ -94,7 +94,7 @@ std::vector<CriticalPath::Number*> CriticalPath::numbers_in_use() {
     return numbers;
 }
 
-/// Removes points that are no longer needed. Turns on executives that ended in the past cannot cause further events.
+/// Removes points that are no longer needed. A turn on an executive that ended before now cannot cause further events.
 void CriticalPath::forget(Time now) {
     if (!points_.should_forget())
         return;
@@ -113,7 +113,7 @@ void CriticalPath::turns(const Process& process, Activity activity, Time now) {
     tell(process, activity, now);
 }
 
-/// Adds a process. A component of a PAR is caused by its parent's last event.
+/// Adds a process. A component of a PAR begins at its parent's last event.
 void CriticalPath::begin(const Process& process, Time now) {
     Lane* parent = lane_of(process.parent());
     Lane lane{add(parent ? parent->last : 0, now, Activity::starting, process), &process};
@@ -156,7 +156,7 @@ void CriticalPath::wait(Lane& lane, Activity activity, Time now) {
             came_[{channel, activity == Activity::outputting}] = lane.last;
 }
 
-/// Notes when the later of the two processes came to the channel.
+/// Notes the arrival of the later of the two processes at the channel.
 void CriticalPath::communicated(const AnyChannel& channel, Time) {
     Lane *from = lane_of(channel.outputter()), *to = lane_of(channel.inputter());
     if (!from || !to)
@@ -200,7 +200,8 @@ CriticalPath::Number CriticalPath::cause_of(const Lane& lane, Time now) {
     return add(lane.last, now, Activity::delayed, process);
 }
 
-/// Accounts for a wait that has ended: the partner, and the time since both processes were at the channel.
+/// Adds a wait that has ended to the process's account, with the partner and the time since both processes were at the
+/// channel.
 void CriticalPath::explain_wait(const Lane& lane, Time now) {
     const Process& process = *lane.process;
     if (process.serves_machine())

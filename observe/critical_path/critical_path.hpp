@@ -78,11 +78,12 @@ private:
 
     PathPoints points_;
     std::vector<std::string> subjects_;
-    std::unordered_map<std::string, std::uint32_t> numbers_;        ///< numbers of subjects and places
-    std::map<std::uint32_t, Lane> lanes_;                           ///< key: ordinal of a process that exists
-    std::unordered_map<const Executive*, Number> held_;             ///< last event on each executive
-    std::unordered_map<std::string, Number> bus_held_;              ///< last use of each bus
-    std::map<std::pair<const AnyChannel*, bool>, Number> came_;     ///< last arrival at a channel end; true: output
+    std::unordered_map<std::string, std::uint32_t> numbers_; ///< numbers of subjects and places
+    std::map<std::uint32_t, Lane> lanes_;                    ///< key: ordinal of a process that exists
+    std::unordered_map<const Executive*, Number> held_;      ///< last event on each executive
+    std::unordered_map<std::string, Number> bus_held_;       ///< last use of each bus
+    std::map<std::pair<const AnyChannel*, bool>, Number>
+        came_; ///< last arrival at each channel end; true for the outputting end
     std::unordered_map<const AnyChannel*, std::string> carried_by_; ///< direction of the link that carries the channel
     std::map<std::string, Time> waits_at_links_;
     Accounts accounts_;

@@ -10,7 +10,7 @@
 
 namespace placedpar {
 
-/// Limits the points of a path. At the limit, the points and the path computed from them take about 2 Gbyte of memory.
+/// Limits the number of points. At the limit, the points and the path computed from them take about 2 Gbyte of memory.
 inline constexpr std::size_t most_path_points = 2'000'000;
 
 /// Stores events, each with the event that caused it. The events form a tree; its root, point 0, is the beginning of

@@ -14,7 +14,7 @@ struct Period {
     Time begin, end;
 };
 
-/// Keeps the first and the last of many stretches, or all stretches while there is room.
+/// Keeps all stretches while they fit, then the first and the last stretches.
 class BothEnds {
 public:
     explicit BothEnds(std::size_t bytes_of_each_end) : most_(bytes_of_each_end) {}
@@ -24,7 +24,7 @@ public:
     /// Compresses the stretches that are held.
     void deflate();
 
-    std::size_t left_out() const { return left_out_; }   ///< number of slices and messages
+    std::size_t left_out() const { return left_out_; }   ///< number of slices and messages that were left out
     std::optional<Period> lost() const { return lost_; } ///< interval of the stretches that were left out, if any
     /// Returns the stretches in the order in which they were added.
     std::vector<const PackedStretch*> all() const;

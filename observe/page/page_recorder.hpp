@@ -12,9 +12,8 @@
 
 namespace placedpar::page {
 
-/// Keeps the parts of a trace for which a page of bounded size has room: the load of every track in bins, and all
-/// slices and messages, packed. If there are too many slices and messages, only slices and messages at the beginning
-/// and the end of the run are kept.
+/// Keeps a trace for a page of bounded size: the load of every track in bins, and the slices and messages, packed. If
+/// there are too many slices and messages, only those at the beginning and the end of the run are kept.
 class PageRecorder final : public TraceWriter {
 public:
     /// REQUIRES: the tracks outlive this object.

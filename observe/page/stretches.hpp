@@ -5,10 +5,10 @@
 
 namespace placedpar::page {
 
-/// Limits of what a page holds.
+/// Limits the slices and messages of a page.
 struct Room {
     std::size_t entries_of_stretch = 40'000;    ///< a browser unpacks such a stretch in some hundredths of a second
-    std::size_t entries_at_once = 250'000;      ///< a run with at most this number of entries is not compressed
+    std::size_t entries_at_once = 250'000;      ///< the page of a run with at most this many entries is not compressed
     std::size_t bytes_of_each_end = 16'000'000; ///< keeps a page below 64 megabytes
 };
 
@@ -28,7 +28,7 @@ public:
 
     // All functions below require that finish() was called.
     bool are_deflated() const { return deflated_; }
-    std::size_t left_out() const; ///< number of slices and messages
+    std::size_t left_out() const; ///< number of slices and messages that were left out
     std::optional<Period> lost() const;
     std::vector<const PackedStretch*> all() const;
 

@@ -102,8 +102,8 @@ std::size_t Timeline::processor_of(const Lane& lane) const {
     return executive ? tracks_.of_place(executive->name()) : Tracks::none;
 }
 
-/// Notes a message. A receiver that waits continues later; its message arrives then. A process that does not wait gets
-/// a new slice after the message.
+/// Notes a message. If the receiver waits, the message arrives when the receiver continues. For a sender or receiver
+/// that does not wait, a new slice begins.
 void Timeline::communicated(const AnyChannel& channel, Time now) {
     if (!taking(now) || now < window_.from)
         return;
@@ -186,8 +186,8 @@ Slice Timeline::slice_of(const Lane& lane, Time end, bool open) const {
     return slice;
 }
 
-/// Returns the process that came to the other end of the channel. If no process has come, returns the last user of this
-/// end, or the outermost process to which the user belonged; "" if unknown.
+/// Returns the process that came to the other end of the channel. If no process has come, returns the last user of that
+/// end, or the outermost process of a user that has ended; "" if unknown.
 std::string Timeline::partner(const Lane& lane, const AnyChannel& channel, bool open) const {
     if (lane.partner != Tracks::none)
         return tracks_.all()[lane.partner].name;
