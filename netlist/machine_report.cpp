@@ -43,8 +43,7 @@ std::string file_and_line(const Location& location) {
     return fmt::format("{}:{}", std::filesystem::path(location.file->path()).filename().string(), location.line);
 }
 
-/// Returns the network's process that has this path, or that contains the component with this path; null if there is
-/// none.
+/// Returns the network's process with which the path begins, before any components; null if there is none.
 const ProcessInstance* outermost(const Network& network, std::string_view path) {
     return find_named(network.processes, path.substr(0, path.find('/')));
 }

@@ -96,7 +96,7 @@ private:
         distances_;                    ///< for each node: least cost found from here to the end of the route
     std::vector<std::size_t> reached_; ///< nodes that have a distance
     std::map<std::size_t, Least> hubs_;
-    std::vector<std::size_t> spent_; ///< for each node: number of nodes visited by its searches before it became a hub
+    std::vector<std::size_t> spent_;    ///< for each node: number of nodes visited by searches from or to this node
     std::vector<std::uint64_t> within_; ///< for each node: number of the last restricted search that included the node
     std::uint64_t searches_ = 0;        ///< number of searches that were restricted to some nodes
 };

@@ -14,7 +14,7 @@ inline constexpr int deepest_array = 8;
 struct Constant;
 using ConstantArray = std::shared_ptr<const std::vector<Constant>>;
 
-/// Holds the value of an expression. Characters and TRUE, FALSE, HIGH, LOW are integers.
+/// Holds the value of an expression. Characters are integers, and so are `TRUE`, `FALSE`, `HIGH` and `LOW`.
 struct Constant {
     std::variant<Integer, double, std::string, ConstantArray> value;
     int depth = 0; ///< levels of nested arrays: 1 for `{1, 2}`; 0 if the value is not an array
@@ -46,7 +46,7 @@ struct NoResult {
 /// `&&` and `||`.
 Constant apply_unary(const std::string& symbol, const Constant& operand);
 Constant apply_binary(const std::string& symbol, const Constant& left, const Constant& right);
-/// Casts to a type. Values out of the range of char, short or int are refused; a real is truncated towards zero.
+/// Casts to a type. Values out of the range of `char`, `short` or `int` are refused; a real is truncated towards zero.
 Constant apply_cast(const std::string& type, const Constant& operand);
 Constant apply_subscript(const Constant& array, const Constant& subscript);
 /// Returns the number of elements of an array, or of characters of a string.

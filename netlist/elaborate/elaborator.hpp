@@ -178,7 +178,7 @@ private:
     std::vector<CrosspointAgain> crosspoints_again_;
     std::map<std::pair<std::size_t, std::string>, Location> used_ports_;
     std::set<std::string> claimed_;     ///< names that are used in the network, without subscripts
-    std::map<std::string, int> copies_; ///< number of further claims of each name
+    std::map<std::string, int> copies_; ///< for each name: the last number that was added to make it unique
     const Statements& overrides_;
     std::map<std::string, Location> overridden_vals_; ///< for each val: location of the option that overrides it
     std::map<std::pair<std::string, std::string>, const SetStatement*> set_; ///< key: element and member

@@ -35,8 +35,8 @@ struct Settable {
     const char* noun_of_member() const;
     /// Returns the member of that name; null if there is none, or if only the INMOS tool uses the member.
     const SettableMember* member(const std::string& name) const { return find_named(*members, name); }
-    /// Returns whether an option can set the member, which may be a member that only the INMOS tool uses. When an
-    /// option sets every element, a connection without a `linkspeed` is skipped: its speed follows from its ends.
+    /// Returns whether an option can set the member. Members that only the INMOS tool uses count, too. When an option
+    /// sets every element, a connection without a `linkspeed` is skipped: its speed follows from its ends.
     bool has(const std::string& member, bool as_every_element = false) const;
     /// REQUIRES: has(setting.name). Throws StatementRefused after reporting an error. Values of parameters are checked
     /// later, together with the values in the netlist.

@@ -44,7 +44,7 @@ private:
 
 // Each process passes a stated number of packets and then ends. In textbooks these processes run for ever; here they
 // end, so that runs can be compared. A process that ends sooner than its neighbour leaves the neighbour waiting, and
-// the report of the run lists the neighbour. A ring in which no process outputs first deadlocks at once
+// the report of the run lists the neighbour. A ring deadlocks at once if none of its processes outputs first
 // (examples/csp/deadlock).
 
 /// Inputs a packet, computes and hands the packet on, `count` times.

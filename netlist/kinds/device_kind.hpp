@@ -78,7 +78,7 @@ struct DeviceModel {
 
 /// The parts of a network that a Medium can use while the network is checked.
 struct Attached {
-    const Network& network; ///< has its nodes, its wires, and the attachments so far
+    const Network& network; ///< has all nodes and wires, and the attachments so far
     const std::map<std::pair<std::size_t, int>, std::size_t>& connection_at; ///< the wires by node and link
     Reporter& reporter;
 
@@ -118,11 +118,11 @@ struct DeviceKind {
     std::vector<AttributeDescription> attributes = {};
     std::vector<std::string> kept = {};   ///< attributes of the INMOS tool: read and printed, not used by a simulation
     Execution executes = Execution::none; ///< a node that executes processes must be connected to another node
-    /// For a switch that is set during the run, the kind of the process that executes the commands from its link
-    /// `config`. Only one process, of this kind, can be placed on the switch.
+    /// For a switch that is set during the run, the kind of the process that executes the commands from the switch's
+    /// link `config`. Only one process, of this kind, can be placed on the switch.
     std::string logic = "";
-    bool passes_channels_on =
-        false; ///< channels between other nodes may lead through it; the kind then has the attribute "routecost"
+    bool passes_channels_on = false; ///< channels between other nodes may lead through the device; the kind then has
+                                     ///< the attributes "routecost" and "linkquota"
     /// Returns why a node with these attributes is impossible although each attribute by itself is valid; "" if it is
     /// possible. An empty function accepts every node.
     std::function<std::string(const Node&)> why_not = {};

@@ -84,7 +84,7 @@ protected:
     std::size_t index() const { return node_; }
     const MachineParts& parts() const { return parts_; }
     Simulation& simulation() const { return parts_.simulation; }
-    /// Returns the router; null if no channel in packets leads to the node.
+    /// Returns the router; null if the node handles no packets.
     const hardware::Router* router_if_any() const { return router_; }
     /// Returns the priority of the router's processes, and the processor time for each packet.
     virtual hardware::RouterCosts router_costs() const;

@@ -22,7 +22,7 @@ struct Network;           // netlist/network/network.hpp: a whole netlist, elabo
 struct PortDescription {
     std::string name;
     Direction direction;
-    bool optional;        ///< may stay unconnected; a port that is not optional must be connected
+    bool optional;        ///< false if every netlist must connect the port
     std::string protocol; ///< the protocol's name, for people
     std::type_index type; ///< the C++ type that the channel carries; both ends must agree
     std::function<std::unique_ptr<AnyChannel>(std::string name)> make_channel;
@@ -55,15 +55,16 @@ struct ProcessKind {
     std::function<void(ProcessEnvironment&)> body = {};
     /// Lists groups of ports; a netlist must connect all ports of a group, or none.
     std::vector<std::vector<std::string>> together = {};
-    /// Checks one process of the kind, in a network that has passed all other checks. May be empty.
+    /// Checks one process of the kind, in a network that has passed all other checks. An empty function accepts every
+    /// process.
     std::function<std::vector<Complaint>(const Network&, std::size_t process)> check = {};
     /// Returns whether the actions and outputs of a process of the kind depend only on its inputs, its parameters, its
     /// random streams, the choices of its ALTs and the readings of its clock. Variables that are shared by the
     /// components of its PARs, for example, are not allowed. Runs of such processes with other seeds need not be
     /// simulated on the machine (repeated_run.hpp). An empty function means no.
     std::function<bool(const Network&, std::size_t process)> is_determinate = {};
-    /// Returns the communication of a process of the kind, for Spin. If empty, networks with such processes have no
-    /// model.
+    /// Returns the Promela statements of a process of the kind. If empty, networks with such processes cannot be
+    /// printed for Spin.
     PromelaStatements promela = {};
     /// says that a program built on PlacedPar adds this kind: an exception from the kind or its processes is then an
     /// error of that program, not a defect of PlacedPar

@@ -14,8 +14,8 @@ struct Occam {
 };
 
 /// Finds the first sign that a text is occam: a program (PROC, SEQ, #USE), or a configuration of the development system
-/// (PLACED PAR, PROCESSOR 0 T8) or of the occam toolset (NODE, NETWORK). A text of only folds and comments that begin
-/// with -- also counts as occam. The answer is reliable only if the text cannot be read as a netlist.
+/// (PLACED PAR, PROCESSOR 0 T8) or of the occam toolset (NODE, NETWORK). A text that has only folds and `--` comments
+/// also counts as occam. The answer is reliable only if the text cannot be read as a netlist.
 std::optional<Occam> occam_in(const std::shared_ptr<const SourceFile>& file);
 
 } // namespace placedpar

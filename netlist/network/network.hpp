@@ -85,8 +85,8 @@ struct LinkConnection {
     std::vector<SwitchCrossing> crossings; ///< in order from a to b
     std::string name;                      ///< name of the `connection` that wires the links; "" if none
     Location connected;
-    std::optional<BusWay> over_bus =
-        {}; ///< if set, the connection is not a wire: a is a master, b the device that the master reaches over the bus
+    std::optional<BusWay> over_bus = {}; ///< if set, the connection is not a wire: `a` is a master, `b` the device that
+                                         ///< the master reaches over the bus
     bool at_run_time =
         false; ///< a switch makes the connection during the run; other connections may have the same links
 

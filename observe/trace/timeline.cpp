@@ -13,8 +13,8 @@ namespace placedpar {
 
 namespace {
 
-/// Returns whether the process's activity at the end of the work never ended: the run was stopped, or the process is in
-/// the deadlock.
+/// Returns whether the last activity of the process never ended: the run was stopped, or the process is in the
+/// deadlock.
 bool never_ends(const std::string& process, const RunResult& result) {
     return result.ending != Ending::completed &&
            (!result.deadlock || std::ranges::find(result.deadlock->processes, process, &StuckProcess::path) !=

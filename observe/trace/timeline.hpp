@@ -65,7 +65,7 @@ private:
                                             ///< computes
         std::optional<Time> last_end = {};  ///< end of its last slice
         std::size_t partner = Tracks::none; ///< track of the partner of the present wait
-        std::vector<MessageEnd> here = {};  ///< message ends that belong to the next slice with a duration
+        std::vector<MessageEnd> here = {};  ///< ends of messages that belong to the next slice with a duration
         std::vector<std::uint64_t> arriving = {}; ///< messages that end the present wait
         std::optional<Slice> last = {};           ///< slice at the end of the trace, once the trace has ended
         std::string path = {};                    ///< path of the process, once the trace has ended

@@ -41,7 +41,7 @@ std::unique_ptr<TraceWriter> make_writer(TraceFormat format, OutputFile& file, c
     return std::make_unique<PerfettoTrace>(file, tracks);
 }
 
-/// Returns the window with no more entries than a file of this format can show.
+/// Returns the window with `most_entries` limited to what a file of this format can show.
 TraceWindow window_for(const std::filesystem::path& path, TraceWindow window) {
     if (trace_format(path) == TraceFormat::svg)
         window.most_entries = std::min(window.most_entries, SvgTrace::most_entries);

@@ -12,9 +12,9 @@
 namespace placedpar {
 
 /// Writes a trace as a value change dump (IEEE 1364) for GTKWave and other viewers of waveforms. A processor has a wire
-/// that is 1 while it is busy. A process has a wire for each activity, which is 1 while the process or a component of
-/// its PARs has this activity. A direction of a link has a wire that is 1 while it carries bytes. Each node is a scope
-/// that contains a scope for each of its processes. Times are in picoseconds.
+/// that is 1 while the processor is busy. A process has a wire for each activity, which is 1 while the process or a
+/// component of its PARs has this activity. Each direction of a link has a wire that is 1 while the direction carries
+/// bytes. Each node is a scope that contains a scope for each of its processes. Times are in picoseconds.
 ///
 /// Changes are kept until the end of the run, since slices are written only when they have ended, and thus not in order
 /// of their beginnings.
