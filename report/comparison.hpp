@@ -43,7 +43,7 @@ std::string print_comparison(const Comparison&);
 
 /// Returns whether the first table, and every other judged table, is within its tolerances.
 bool are_within_tolerance(const std::vector<Comparison>&);
-/// Returns whether any of the tables has a cell with a tolerance or bound.
+/// Returns whether the first table, or another judged table, has a cell with a tolerance or bound.
 bool is_any_judged(const std::vector<Comparison>&);
 /// Counts the cells of all tables.
 JudgedCells count_judged(const std::vector<Comparison>&);

@@ -31,8 +31,8 @@ std::string version_text();
 
 /// Returns an object with the keys "version", "commit", "command", "netlist", "netlist_hash", "overrides", "set",
 /// "programs", "include_folders" and "seed". "overrides" has the options as given; "set" lists the elements that each
-/// option set; the list is empty for a val. "until_ps" is present if a stopping time was given, "shuffle" if the run
-/// was shuffled.
+/// option set; the list is empty for a val. "faults" is present if options stated faults, "until_ps" if a stopping time
+/// was given, "shuffle" if the run was shuffled.
 boost::json::object manifest_json(const Manifest&, const Network&);
 
 /// Prints the value with indentation and a final newline. Numbers that are not finite become null.

@@ -13,8 +13,8 @@ namespace {
 
 bool is_one_of(std::string_view set, char c) { return set.find(c) != set.npos; }
 
-/// Returns true for names of files of the INMOS toolset, such as linked units: farm.lku, FARM.C8H, farm.lah, farm.tco,
-/// farm.c0, farm.
+/// Returns true for names of program files of the INMOS toolset: "farm.lku", "FARM.C8H", "farm.lah", "farm.tco",
+/// "farm.c0", and "farm" without an ending.
 bool is_program_file(std::string_view name) {
     auto dot = name.rfind('.');
     if (dot == std::string_view::npos)

@@ -16,7 +16,7 @@
 namespace placedpar {
 
 /// Describes a declared thing or array. Its elements have the indices `first`, `first + 1`, ... in the draft; the last
-/// subscript varies fastest.
+/// subscript varies fastest. For the predefined edge, `first` is nowhere.
 struct DeclaredThings {
     enum class Category { node, connection, edge_channel, process };
     Category category;

@@ -83,7 +83,7 @@ void TokenStream::include(const Token& directive) {
 }
 
 /// Returns the folders to search for an included file: the folder of the including file, by its displayed and by its
-/// canonical path, then the include path.
+/// canonical path, then the include folders.
 std::vector<std::filesystem::path> TokenStream::folders_for(const Token& name) const {
     std::vector<std::filesystem::path> folders{std::filesystem::path(name.at.file->path()).parent_path(),
                                                open_.back().path.parent_path()};

@@ -41,7 +41,8 @@ json::object to_json(const Node& node) {
     return object;
 }
 
-/// Writes a network as JSON. References are names, not positions, so that a reader need not count elements.
+/// Writes a network as JSON. Nodes, processes and channels are referred to by name, and connections by position, since
+/// they may lack names.
 class JsonPrinter {
 public:
     explicit JsonPrinter(const Network& network) : n_(network) {}

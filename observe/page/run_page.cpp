@@ -22,7 +22,7 @@ namespace {
 
 /// Limits the size of networks that are drawn; a browser would be too slow with larger networks.
 constexpr std::size_t most_drawn = 20'000;
-/// Limits the rows of tables; longer tables are left to --json.
+/// Limits the rows of tables; longer tables are left to `--json`.
 constexpr std::size_t most_rows = 3000;
 constexpr std::size_t most_generations = 500;
 

@@ -28,7 +28,7 @@ std::uint32_t wire_of(std::size_t track, Activity activity) {
     return static_cast<std::uint32_t>(track) * wires_of_a_track + static_cast<std::uint32_t>(activity);
 }
 
-/// Returns the wire's code: its number in the printable characters from ! to ~.
+/// Returns the wire's code: its number, with the characters from `!` to `~` as digits.
 std::string code_of(std::uint32_t wire) {
     constexpr std::uint32_t characters = '~' - '!' + 1;
     std::string code;
