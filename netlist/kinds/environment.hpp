@@ -29,7 +29,8 @@ struct Measurement {
 /// streams. A process does not need to know its placement, nor whether its channels lead over links.
 ///
 /// Throws std::logic_error if the kind does not have the port or parameter, or has it with another protocol or type.
-/// Such an error is a defect of the kind.
+/// Such an error is a defect of the kind. input() and output() throw UserError if the netlist connects the port as an
+/// array.
 class ProcessEnvironment {
 public:
     struct Port {

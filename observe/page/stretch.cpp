@@ -71,7 +71,8 @@ void Stretch::append_slices(std::string& bytes) {
     append_column(bytes, slices_, [](const KeptSlice& each) { return each.note; });
 }
 
-/// Appends the numbers of slices by track. REQUIRES: slices_ is sorted by track.
+/// Appends the number of tracks and, for each track, its number and its number of slices. REQUIRES: slices_ is sorted
+/// by track.
 void Stretch::append_tracks(std::string& bytes) const {
     std::uint64_t tracks = 0;
     std::string each_track;

@@ -12,7 +12,7 @@
 namespace placedpar {
 
 /// Writes a trace as a value change dump (IEEE 1364) for GTKWave and other viewers of waveforms. A processor has a wire
-/// that is 1 while the processor is busy. A process has a wire for each activity, which is 1 while the process or a
+/// that is 1 while the processor is busy. A process has a wire for each activity; the wire is 1 while the process or a
 /// component of its PARs has this activity. Each direction of a link has a wire that is 1 while the direction carries
 /// bytes. Each node is a scope that contains a scope for each of its processes. Times are in picoseconds.
 ///
