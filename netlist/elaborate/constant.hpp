@@ -52,8 +52,8 @@ Constant apply_subscript(const Constant& array, const Constant& subscript);
 /// Returns the number of elements of an array, or of characters of a string.
 Constant apply_size(const Constant& array);
 
-/// Returns whether both constants have the same type and, for arrays, the same dimensions. REQUIRES: no array is
-/// ragged.
+/// Returns whether both constants have the same type and, for arrays, the same dimensions. Integers and reals count as
+/// one type. REQUIRES: no array is ragged.
 bool have_same_shape(const Constant& left, const Constant& right);
 
 } // namespace placedpar
