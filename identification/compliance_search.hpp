@@ -11,7 +11,7 @@
 
 namespace placedpar::identification {
 
-/// States which compliances of a record to identify, and how to interpret its readings.
+/// States which compliances to identify from a record, and how to interpret the record's readings.
 struct Question {
     hydraulics::Configuration configuration = hydraulics::Configuration::a;
     hydraulics::LinkSet links = {hydraulics::Link::boom};
@@ -31,8 +31,9 @@ struct ComplianceSearch {
 /// Returns the resolution of the spool's sensor.
 double spool_sensor_step_in(const hydraulics::Parameters& machine);
 
-/// Throws UserError if the links do not belong to one coupled group of the configuration, or if the question is about
-/// an outlet side other than the boom's. Throws UnfitRecord if the record lacks a channel.
+/// Throws UserError if the links do not belong to one coupled group of the configuration. For the outlet side, also
+/// throws UserError if a link other than the boom is asked for, or if areas_from is AreasFrom::areas. Throws
+/// UnfitRecord if the record lacks a needed channel.
 ComplianceSearch prepare(const hydraulics::Record& record, const hydraulics::Parameters& machine,
                          const Question& question, const IdentificationWay& way);
 

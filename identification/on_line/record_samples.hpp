@@ -18,8 +18,8 @@ struct LinkReader {
 /// voltage.
 hydraulics::LinkSet links_to_diagnose(const hydraulics::ChannelSet& there);
 
-/// Returns the readings of these links at one instant of a record. Spools and areas below 0 become 0, since they are
-/// sensor noise. REQUIRES: the record has these readings.
+/// Returns the readings of these links at one instant of a record. Spools and areas below 0 become 0, since negative
+/// readings are sensor noise. REQUIRES: the record has these readings.
 ExcavatorSample sample_of(const hydraulics::Record& record, std::size_t index, hydraulics::LinkSet links,
                           const hydraulics::PerLink<LinkReader>& readers);
 
