@@ -5,7 +5,7 @@ namespace placedpar::hydraulics {
 class Parameters; // hydraulics/data/parameters.hpp
 
 /// The constants that all orifices of the excavator share. The flow through an orifice is k a sqrt(pressure drop); each
-/// pump has a constant flow. Units throughout this room are inch, psi (gauge), lbf and s; each name includes its unit.
+/// pump has a constant flow. The units in hydraulics/ are inch, psi (gauge), lbf and s; each name includes its unit.
 ///
 /// k, Q and P_e belong together (excavator.csv): use a complete set, not values from several sets.
 struct FlowConstants {
@@ -24,11 +24,11 @@ FlowConstants flow_constants(const Parameters& parameters);
 /// Returns the constants of Parameters::excavator().
 FlowConstants flow_constants();
 
-/// Returns the excavator's own constants, the best fit of Table 2.6. The rms residual is 0.61e-4 in of spool position,
-/// which is about the rounding error of the table.
+/// Returns the constants of the best fit to Table 2.6. The rms residual is 0.61e-4 in of spool position, which is about
+/// the rounding error of the table.
 const FlowConstants& fitted_flow_constants();
-/// Returns round numbers that fit nearly as well: the rms residual is 0.67e-4 in. The relief pressure is the same as in
-/// fitted_flow_constants().
+/// Returns round numbers that fit Table 2.6 nearly as well: the rms residual is 0.67e-4 in. The relief pressure is the
+/// same as in fitted_flow_constants().
 const FlowConstants& rounded_flow_constants();
 
 } // namespace placedpar::hydraulics

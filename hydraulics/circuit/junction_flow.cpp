@@ -115,8 +115,8 @@ private:
         flows_[junction] = {psi, in, by, relieving ? rest : 0};
     }
 
-    /// Solves for u, where pressure = lowest + u^2, because flows are smooth in u where they begin. At the greatest u,
-    /// either the lowest outlet alone takes the whole inflow, or the relief pressure is reached.
+    /// Solves for u, where pressure = `lowest` + u^2, because the outflows are smooth functions of u at u = 0. At the
+    /// greatest u, either the lowest outlet alone takes the whole inflow, or the relief pressure is reached.
     double balanced_psi(std::size_t junction, const Outlets& outlets, double most) const {
         double lowest = outlets.lowest_psi(), highest = constants_.relief_psi;
         if (lowest >= highest)
@@ -134,8 +134,8 @@ private:
         return psi_at(below + (above - below) / 2);
     }
 
-    /// Adds the flow left over by rounding to the outlet whose pressure drop, flow^2 / conductance^2, it changes least:
-    /// the outlet with the greater conductance^2 / flow. An outlet without flow gets nothing. If neither outlet has
+    /// Adds the flow left over by rounding to one outlet: the one with the greater conductance^2 / flow, since its
+    /// pressure drop, flow^2 / conductance^2, changes less. An outlet without flow gets nothing. If neither outlet has
     /// flow, the rest is too small to affect the pressure and goes to the outlet with the lowest pressure.
     static void give_rest(const Outlets& outlets, double rest, double& in, double& by) {
         double a = outlets.inlet.conductance, b = outlets.bypass.conductance;

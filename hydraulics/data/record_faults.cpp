@@ -14,7 +14,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// The usual range of a channel's greatest value on an excavator, in this room's unit.
+/// The usual range of a channel's greatest value on an excavator, in the unit of units.hpp.
 struct Ordinary {
     double least, most;
 };

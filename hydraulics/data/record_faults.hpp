@@ -42,7 +42,7 @@ void check_times(Record& record, const TextTable& table, const TimeColumn& time,
                  std::vector<Diagnostic>& faults);
 
 /// Warns of a channel that never changes, and of a channel whose greatest value would be usual in another unit. Values
-/// are in this room's unit; `unit` is the unit in the text. REQUIRES: least <= greatest.
+/// are in the unit of units.hpp; `unit` is the unit in the text. REQUIRES: least <= greatest.
 void check_channel(std::string_view name, Sensor sensor, const Unit& unit, double least, double greatest,
                    HeaderPlace place, std::vector<Diagnostic>& faults);
 

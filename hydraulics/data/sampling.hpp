@@ -9,8 +9,8 @@ namespace placedpar::hydraulics {
 /// The thesis samples every 20 ms. Slopes over five samples, windows and movements are designed for about this period.
 inline constexpr double method_period_s = 0.020;
 
-/// States how readings become the samples for identification. Each sample is the mean of `readings` successive
-/// readings. The period of the samples is a multiple of the readings' period, near method_period_s.
+/// States how readings are averaged to samples for identification. Each sample is the mean of `readings` successive
+/// readings, so that the period of the samples is near method_period_s.
 struct Sampling {
     double reading_s = method_period_s; ///< time between two readings
     std::size_t readings = 1;           ///< number of readings per sample

@@ -23,13 +23,12 @@ concept ModalSystem = requires(S system, const std::vector<double>& state, std::
 /// A step is clean if all its stages and its end have the mode of its beginning.
 /// 1. Try the step to the end.
 /// 2. If it is unclean, bisect to the longest clean step, take that step, and continue from its end.
-/// 3. If even a step of length resolution_s is unclean, the event is nearer than resolution_s: take this step, a hop,
-/// across
-///    it. The length of hops doubles until a step is clean again, so that time advances even with endless events.
+/// 3. If even a step of length resolution_s is unclean, take this step: it hops across the event. The length of hops
+///    doubles until a step is clean again, so that time advances even with endless events.
 /// 4. When the limit of pieces is reached, for example because a valve chatters, step to the end regardless of events.
 ///
-/// Events that cancel each other between the stages of one step are not seen, so choose a step shorter than such
-/// events.
+/// Two events that cancel each other between the stages of one step are not seen. Choose steps shorter than the time
+/// between such events.
 template <ModalSystem System>
 class EventStepper {
 public:

@@ -26,7 +26,7 @@ struct RecordScenario {
     std::string_view name;  ///< "excavator"
     std::string_view about; ///< a short description
 
-    /// Returns the machine's constants, with the scenario's own constants in place of the machine's.
+    /// Returns the machine's constants, except those that the scenario replaces.
     Parameters (*parameters)(const Parameters& machine);
     /// Returns whether the record depends on this parameter.
     bool (*uses)(std::string_view parameter);
