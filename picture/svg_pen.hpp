@@ -55,7 +55,7 @@ public:
                          const std::string& title = "") const;
 
 private:
-    /// Returns the tooltip of an element, which may have several lines.
+    /// Returns the element for a tooltip. The text may have several lines.
     static std::string title_of(std::string_view text);
     SvgPen& element(const char* tag, const SvgAttributes&, const SvgAttributes& more, const std::string& contents = "");
 

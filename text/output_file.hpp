@@ -23,7 +23,8 @@ public:
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
-    /// Keeps an error for finish() to report, so that write() can be called where nothing may throw.
+    /// Appends the text. An error is kept for finish() to report, so that write() can be called where nothing may
+    /// throw.
     void write(std::string_view) noexcept;
     /// Throws UserError if the file could not be written completely. It is not an error if the reader of standard
     /// output stops reading.
@@ -53,11 +54,11 @@ void require_writable(const std::filesystem::path&);
 /// Standard input and standard output, both "-", are different.
 void require_apart(std::span<const std::filesystem::path> outputs, const std::filesystem::path& input);
 
-/// Writes to standard output immediately; if a file takes standard output, writes as print_error() does. Throws
-/// UserError if the text could not be written completely. All output of commands uses this function, so that a report
-/// lost to a full disk does not look like success. If the reader has gone, as with `head`, the command continues and
-/// writes its files. Control characters in names and messages are made visible and cannot control the terminal:
-/// escaped_but_paint(). REQUIRES: SIGPIPE is ignored.
+/// Writes to standard output immediately; if standard output receives a file, writes to standard error as print_error()
+/// does. Throws UserError if the text could not be written completely. All output of commands uses this function, so
+/// that a report lost to a full disk does not look like success. If the reader has gone, as with `head`, the command
+/// continues and writes its files. Control characters in names and messages are made visible and cannot control the
+/// terminal: escaped_but_paint(). REQUIRES: SIGPIPE is ignored.
 void print_out(std::string_view text);
 
 /// Writes the terminal control sequence `control` and then the text, escaped as in print_out(), to standard error. If
