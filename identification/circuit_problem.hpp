@@ -27,7 +27,8 @@ public:
     using CompliancesOf = boost::container::static_vector<T, hydraulics::all_links.size()>;
     using Compliances = CompliancesOf<double>;
 
-    /// Throws std::invalid_argument if the circuit has no junction or more than 4, and what ParameterCoding throws.
+    /// Throws std::invalid_argument if the circuit has no junction or more than 4. Also throws what ParameterCoding
+    /// throws.
     CircuitProblem(hydraulics::Circuit circuit, hydraulics::FlowConstants flow, std::size_t bits = usual_bits)
         : CircuitProblem(circuit, flow, bits, hydraulics::printed_inlet_flow(circuit.size())) {}
     CircuitProblem(hydraulics::Circuit circuit, hydraulics::FlowConstants flow, std::size_t bits,

@@ -23,8 +23,8 @@ void add_flags(Identified& identified, const CircuitProblem& problem, const hydr
                std::span<const hydraulics::CircuitSample> samples, std::span<const hydraulics::CircuitSample> window,
                std::span<const hydraulics::CircuitSample> halved, const IdentificationWay& way);
 
-/// Flags the first reading of each sensor that stands out from the neighbouring readings (spike.hpp). Checks only
-/// readings that the samples depend on.
+/// For each sensor, flags the first reading that stands out from its neighbours (spike.hpp). Checks only the readings
+/// from which the samples are computed.
 void flag_spikes(Identified& identified, const hydraulics::Record& record,
                  std::span<const hydraulics::CircuitSample> samples);
 

@@ -18,7 +18,8 @@ namespace placedpar::picture {
 
 namespace {
 
-/// Distances of wires in a lane between two rows or columns, in pixels.
+/// In a lane between two rows or columns: the least distance of a wire from the boxes, and the distance between wires,
+/// in pixels.
 constexpr double lane_start = 10, lane_gap = 6;
 constexpr double most_sagitta = 0.05; ///< greatest distance between a chord and the arc that it replaces, in cells
 constexpr double apart = 3;           ///< distance between blocks, in cells

@@ -35,8 +35,8 @@ public:
     void warning(const Location& location, std::string message, std::string hint = "");
     /// Adds the note "included here", with the place `at`, to each later diagnostic in `file`.
     void add_included(const std::shared_ptr<const SourceFile>& file, const Location& at) { included_[file] = at; }
-    /// Records that an option gave the name another value. Each later diagnostic in a line that uses the name refers to
-    /// the option, since the value may be the cause.
+    /// Records that an option at `at` gave `name` another value. Each later diagnostic in a line that uses the name
+    /// refers to the option, since the value may be the cause.
     void add_option(const std::string& name, const Location& at) { options_[name] = at; }
     /// Forgets all earlier reports and keeps only this error.
     void replace_all(const Location& location, std::string message, std::string hint);

@@ -11,7 +11,7 @@ class Parameters; // hydraulics/data/parameters.hpp
 struct FlowConstants {
     double orifice_in3_per_s_in2_sqrt_psi; ///< k = Cd sqrt(2 / density)
     double pump_in3_per_s;                 ///< Q, the flow of one pump
-    double tank_psi;                       ///< P_e; any value from 0 to 40 is possible
+    double tank_psi;                       ///< P_e; Table 2.6 allows any value from 0 to 40
     double relief_psi;                     ///< pressure at which a pump's relief valve opens
 
     /// Returns k a of an orifice, in in^3/s per root psi.

@@ -23,7 +23,7 @@ struct LinksInMotion {
 
 /// A motion of a simulated machine that can be recorded.
 struct RecordScenario {
-    std::string_view name;  ///< "excavator"
+    std::string_view name;  ///< such as "excavator"
     std::string_view about; ///< a short description
 
     /// Returns the machine's constants, except those that the scenario replaces.

@@ -84,7 +84,7 @@ public:
               std::uint64_t seed);
     Diagnosis(State state, const DiagnosisSettings& settings, std::uint64_t seed);
 
-    /// Returns a copy that includes the states of the sets.
+    /// Returns a copy of the state, with the states of the population sets.
     State state() const;
 
     const std::string& name() const { return state_.name; }
@@ -125,7 +125,7 @@ public:
     SampleOutcome take(const ExcavatorSample& sample);
     /// Ends and judges all movements. Call this function when no sample will follow for a while.
     SampleOutcome end_movements();
-    /// Returns the movement that the set is in, or null.
+    /// Returns the set's movement in progress; null if there is none.
     const Movement::State* movement(hydraulics::LinkSet set) const;
 
 private:
@@ -154,7 +154,7 @@ private:
     DiagnosisSettings settings_;
     std::uint64_t seed_;
     hydraulics::Sampling sampling_;
-    State state_;                        ///< without the states of the sets
+    State state_;                        ///< without the states of the population sets
     std::vector<JudgedMovement> judged_; ///< movements judged since the last outcome
     hydraulics::CentredLineFit fit_;
     std::map<hydraulics::LinkSet, PopulationSet> sets_;

@@ -13,7 +13,7 @@ namespace placedpar::identification {
 /// Returns the fifteen population sets of Figure 3.13: one for each non-empty set of links, in the figure's order.
 const std::array<hydraulics::LinkSet, 15>& all_population_sets();
 
-/// Returns "P1a" ... "P4". REQUIRES: the set is not empty.
+/// Returns the name in Figure 3.13, "P1a" to "P4". REQUIRES: the set is not empty.
 std::string_view name_of_set(hydraulics::LinkSet);
 std::optional<hydraulics::LinkSet> set_named(std::string_view);
 

@@ -22,7 +22,7 @@ struct WholeMovement {
 /// The result of a movement for one link: the settled estimate, or the last estimate if none has settled.
 struct LinkFinding {
     hydraulics::Link link;
-    std::optional<double> compliance_in3_per_psi; ///< nullopt: the pressure never moved enough
+    std::optional<double> compliance_in3_per_psi; ///< nullopt: the pressure never changed enough
     double standard_error_in3_per_psi = 0;        ///< standard error of least squares on the window of the estimate
     /// The least and the greatest compliance of the last generations' best individuals.
     std::pair<double, double> spread_in3_per_psi;

@@ -8,7 +8,7 @@
 
 namespace placedpar::identification {
 
-/// States how to read a link in a record, as a control system would report it.
+/// States how a link's channels in a record become the Reading that a control system would report.
 struct LinkReader {
     hydraulics::AreasFrom from = hydraulics::AreasFrom::spool;
     double spool_offset_in = 0; ///< amount by which the spool reads too high

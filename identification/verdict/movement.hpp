@@ -57,7 +57,7 @@ public:
     bool take(const hydraulics::Circuit& circuit, const hydraulics::FlowConstants& flow, JunctionSamples sample);
     /// Returns whether a movement is in progress.
     bool under_way() const { return !state_.samples.moving.empty(); }
-    /// Returns the samples of the movement; the next movement starts empty.
+    /// Ends the movement and returns its samples.
     MovementSamples finish();
 
 private:

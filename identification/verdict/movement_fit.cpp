@@ -32,8 +32,8 @@ constexpr double compliance_at_rest_within = 0.25;
 /// behind the piston, which is not read, reduces the leak.
 constexpr double leak_after_within = 0.25;
 /// If only the flow during the movement distinguishes a leak from an offset, the leak has an error of about this many
-/// units, since the equations are not exact. Sound machines without noise or at 5 kHz appear to have a leak of -.4 to
-/// -2.8 units (ours).
+/// units (ours), since the equations are not exact. Sound machines without noise or at 5 kHz appear to have a leak of
+/// -.4 to -2.8 units.
 constexpr double leak_by_flow_within = 1.25;
 /// The assumed standard deviation of each deviation before a movement is evaluated, in units.
 constexpr double prior_units = 10;
@@ -240,7 +240,7 @@ NoisyRows rows_at_rest(const Balance& balance, const std::vector<JunctionSamples
 
 /// The normal equations of a movement.
 struct Equations {
-    MatrixXd information; ///< includes the noise
+    MatrixXd information; ///< includes the part that is noise
     VectorXd pull;
     VectorXd noise;     ///< the part of each unknown's information that is noise
     VectorXd in_health; ///< for each unknown, the healthy value in units; the noise acts on the sum of healthy value

@@ -72,7 +72,7 @@ public:
     std::optional<Deviation> mean() const;
 
 private:
-    /// Adds the movement to one suspicion and returns the value of its sum.
+    /// Adds the movement to the sum of one suspicion. Returns s / (1 + I b) for this sum.
     double add(std::size_t suspicion, const PerHypothesis& seen, const PerPairOfHypotheses& information,
                const PerPairOfHypotheses& from_covariance, const PerHypothesis& scale);
 
