@@ -75,8 +75,8 @@ std::vector<SteadySample> steadiest_motion(const Record& record, const LinkCalib
     return motion;
 }
 
-/// Returns the standard error of the mean of the samples' own offsets. A sample's own offset is a Newton step from
-/// `offset_in`.
+/// Returns the standard error of the offset. Each sample alone gives an offset, by one Newton step from `offset_in`.
+/// The result is the standard error of the mean of these offsets.
 double standard_error(std::span<const SteadySample> samples, double offset_in, const FlowConstants& flow) {
     constexpr double step_in = 1e-4;
     double sum = 0, squares = 0;

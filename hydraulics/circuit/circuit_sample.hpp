@@ -41,7 +41,7 @@ double excitation_psi_per_s(std::span<const CircuitSample> samples, std::size_t 
 /// States which samples identification may use (ours; the thesis says "during the transient period").
 struct UsableSamples {
     double open_by_psi = 25;            ///< margin of all_open() at the first sample
-    double first_slope_psi_per_s = 150; ///< least rise of every pressure at the first sample
+    double first_slope_psi_per_s = 150; ///< least slope of every pressure at the first sample
     std::size_t skipped = 0;            ///< number of usable samples to leave out at the beginning
     std::size_t count = 20;             ///< greatest number of samples; 20 samples last 0.4 s (thesis 4.4)
     bool rising = false;                ///< whether to stop at the first falling pressure (thesis 3.1.3)

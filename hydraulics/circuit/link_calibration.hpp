@@ -43,8 +43,8 @@ using LinkCalibrations = PerLink<LinkCalibration>;
 
 /// Returns the calibrations with link_constants() and without an offset.
 LinkCalibrations link_calibrations(const Parameters& parameters);
-/// Returns the calibrations of the outlet sides. Only the boom's outlet side is described (boom.outlet_area); the other
-/// links keep the constants of their inlet sides.
+/// Returns the calibrations of the outlet sides. The parameters describe only the boom's outlet side
+/// (boom.outlet_area); the other links keep the constants of their inlet sides.
 LinkCalibrations drain_calibrations(const Parameters& parameters);
 
 /// Returns `asked`; if it is nullopt, returns the first of `areas`, `spool` and `servo` whose channels are in `there`.

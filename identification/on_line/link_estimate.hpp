@@ -48,7 +48,7 @@ public:
     /// Sets the rms slope of the pressure over the window. If the gate is then shut, the transient ends.
     void excite(double rms_psi_per_s, const DiagnosisSettings& settings);
     void end_transient();
-    /// Adds the best individual of a generation; `step` is the resolution of the search.
+    /// Adds the compliance of a generation's best individual. `step_in3_per_psi` is the resolution of the search.
     void add(double compliance_in3_per_psi, double time_s, double step_in3_per_psi, const DiagnosisSettings& settings);
     /// Sets the standard error, from least squares on the window. Call this function after the window's generations.
     void add_error(double standard_error_in3_per_psi);
@@ -56,9 +56,9 @@ public:
     void nothing_fits() { state_.fits = false; }
 
     bool excited() const { return state_.excited; }
-    /// Returns the median of the recent best individuals; nullopt before the first generation.
+    /// Returns the median compliance of the recent best individuals; nullopt before the first generation.
     std::optional<double> compliance_in3_per_psi() const;
-    /// Returns the least and the greatest of the recent best individuals. REQUIRES: there is a compliance.
+    /// Returns the least and the greatest compliance of the recent best individuals. REQUIRES: there is a compliance.
     std::pair<double, double> spread_in3_per_psi() const;
     /// Returns the reasons why the newest estimate may be wrong; none before there is an estimate.
     std::vector<Flag> flags(const DiagnosisSettings& settings) const;

@@ -44,8 +44,9 @@ public:
     hydraulics::LinkSet links() const { return links_; }
     const State& state() const { return state_; }
 
-    /// Adds the newest sample to the window. If the window is long enough and the gate is open, makes the generations
-    /// of this sample. Returns the number of generations made. REQUIRES: the problem has the links of this set.
+    /// Adds the newest sample to the window. If the window is long enough and the gate is open for at least one link,
+    /// makes `search.window.trials` generations. Returns the number of generations made. REQUIRES: the problem has the
+    /// links of this set.
     std::size_t take(const SetProblem& problem, const SetSample& sample, double time_s);
 
     /// Empties the window after a change of configuration or a gap in the samples, because earlier samples do not

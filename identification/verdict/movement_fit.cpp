@@ -287,8 +287,8 @@ void limit_leak(Equations& equations, Eigen::Index leak) {
     equations.pull[leak] -= too_much * by[leak];
 }
 
-/// Adds the information of a rest about the leak, given the compliance. A rest gives no information about the
-/// compliance itself, because the slopes at rest are mostly noise.
+/// Adds the information about the leak that a rest gives if the compliance is known. A rest gives no information about
+/// the compliance itself, because the slopes at rest are mostly noise.
 void add_rest(Equations& equations, const NoisyRows& rest, Eigen::Index leak) {
     const Weights weights(rest);
     const double known = weights.information()(leak, leak);
