@@ -29,9 +29,9 @@ void flag_spikes(Identified& identified, const hydraulics::Record& record,
                  std::span<const hydraulics::CircuitSample> samples);
 
 /// Flags the boom's compliance if the calibrated offset exceeds the sensor's resolution plus three standard errors. An
-/// offset calibrated from the record itself may really be a leak: both change the same balance of flows, so the
-/// calibration would hide the leak (examples/hydraulics/faults). Negative offsets are not flagged, because a leak looks
-/// like a positive offset.
+/// offset calibrated from the record itself may really be a leak: a leak and an offset change the same balance of
+/// flows, so the calibration would hide the leak (examples/hydraulics/faults). Negative offsets are not flagged,
+/// because a leak looks like a positive offset.
 void flag_calibration(Identified& identified, const SpoolOffset& found, double resolution_in);
 
 } // namespace placedpar::identification

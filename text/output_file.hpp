@@ -45,9 +45,9 @@ private:
 /// Writes a whole file. Throws UserError, which names the file and the reason.
 void write_whole(const std::filesystem::path&, std::string_view content);
 
-/// Throws UserError if an OutputFile of this path would certainly fail, so that a long run is not lost: a folder is
-/// missing, the file must not be written, or standard output goes to the same file. If the path is "-", reserves
-/// standard output for the file.
+/// Throws UserError if an OutputFile of this path would certainly fail: a folder is missing, the file must not be
+/// written, or standard output goes to the same file. Call it before a long run, so that the run is not lost. If the
+/// path is "-", reserves standard output for the file.
 void require_writable(const std::filesystem::path&);
 
 /// Throws UserError if one of the outputs is also the input or another output. An empty path stands for no file.

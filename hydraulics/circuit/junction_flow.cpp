@@ -60,7 +60,7 @@ private:
 
     double pumped(std::size_t junction) const { return circuit_[junction].pumps * constants_.pump_in3_per_s; }
 
-    /// Solves the upstream junctions for the pressure `psi` at this junction, and returns the flow into it.
+    /// Solves the upstream junctions for the pressure `psi` at this junction, and returns the flow into this junction.
     double inflow(std::size_t junction, double psi) const {
         double sum = pumped(junction);
         for (std::size_t i = 0; i < junction; ++i)
@@ -78,7 +78,7 @@ private:
                 {constants_.conductance(bypass_in2), next_psi}};
     }
 
-    /// Solves the junction and all junctions upstream of it, with `next_psi` beyond its bypass.
+    /// Solves the junction and all junctions upstream of it, with the pressure `next_psi` beyond the junction's bypass.
     void solve(std::size_t junction, double next_psi) const {
         Outlets outlets = outlets_of(junction, next_psi);
         if (fed_by_pumps_alone(junction)) {

@@ -8,7 +8,7 @@
 namespace placedpar::hydraulics {
 
 /// The values of one link at one instant from which identification computes the error. On the outlet side
-/// (drain_circuit()), the pressure is P_o, the piston's flow is -A_o times its velocity, and bypass_in2 is a_o. There
+/// (drain_circuit()), the pressure is P_o, the piston's flow is -A_o times the velocity, and bypass_in2 is a_o. There
 /// inlet_in2 is infinite, since the pressure is read at the junction. The imbalance of flow is then the error of
 /// equation 3.4.
 struct LinkSample {

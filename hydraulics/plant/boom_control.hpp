@@ -8,8 +8,9 @@
 namespace placedpar::hydraulics {
 
 /// The control of the boom's angle by feedforward and P-D feedback (2.3.2). The reference stays at rest, and then rises
-/// at constant speed. Every sampling period the control computes the flow for a desired speed, the spool position for
-/// this flow at the pressure read (boom_spool_for_flow()), and the voltage for this position by the inverse of A.1.
+/// at constant speed. Every sampling period the control computes in turn the flow for a desired speed, the spool
+/// position for this flow at the pressure read (boom_spool_for_flow()), and the voltage for this position by the
+/// inverse of A.1.
 struct BoomControl {
     double speed_deg_per_s;    ///< speed at which the reference rises
     double step_time_s;        ///< time at which the reference begins to rise

@@ -17,8 +17,8 @@ concept ModalSystem = requires(S system, const std::vector<double>& state, std::
     requires std::equality_comparable<typename S::Mode>;
 };
 
-/// Integrates by the classical Runge-Kutta method of order 4 (Boost.Odeint). It steps up to each event and restarts
-/// after it, so that the order of convergence holds across events.
+/// Integrates by the classical Runge-Kutta method of order 4 (Boost.Odeint). Steps end at each event, and the method
+/// restarts after the event, so that the order of convergence holds across events.
 ///
 /// A step is clean if all its stages and its end have the mode of its beginning.
 /// 1. Try the step to the end.
@@ -81,7 +81,7 @@ private:
         Mode mode;
     };
 
-    /// Tries a step from the present state and leaves its end in `next_`.
+    /// Tries a step from the present state, and stores the state at the end of the step in `next_`.
     bool clean(double step_s) {
         tried_s_ = step_s;
         bool same = true;

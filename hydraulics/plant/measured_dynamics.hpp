@@ -67,7 +67,7 @@ private:
 };
 
 /// Returns the flow of the drain side through an orifice (3.4), in either direction. The flow is laminar near a drop of
-/// 0, so that its slope is finite there: Q = k a drop / (drop^2 + laminar^2)^(1/4).
+/// 0, so that the slope of the flow is finite there: Q = k a drop / (drop^2 + laminar^2)^(1/4).
 double drain_in3_per_s(double outlet_in2, double drop_psi, double laminar_psi, const FlowConstants& flow);
 
 } // namespace placedpar::hydraulics

@@ -119,9 +119,9 @@ public:
     /// Sets compliances of healthy links and forgets the judgements of these links. Returns the alarms raised or
     /// cleared.
     SampleOutcome set_baseline(const Baseline& baseline);
-    /// Processes the readings of one instant. Throws RefusedSample if there is no configuration yet, a reading of an
-    /// active link is missing, or the sample is not later than the last sample and connected() has not been called
-    /// since.
+    /// Processes the readings of one instant. Throws RefusedSample if there is no configuration yet, or if a reading of
+    /// an active link is missing. Also throws it if the sample is not later than the last sample, unless connected()
+    /// has been called since.
     SampleOutcome take(const ExcavatorSample& sample);
     /// Ends and judges all movements. Call this function when no sample will follow for a while.
     SampleOutcome end_movements();

@@ -90,8 +90,8 @@ public:
     const State& state() const { return state_; }
     friend bool operator==(const LinkJudge&, const LinkJudge&) = default;
 
-    /// Returns whether a movement determines a link's deviations, assuming a steady leak. A movement does not if a
-    /// deviation is uncertain by more than most_uncertain units (half of the compliance, a leak of 12 % of the steady
+    /// Returns whether a movement determines a link's deviations, assuming a steady leak. It does not if a deviation
+    /// has a standard error of more than `most_uncertain` units (half of the compliance, a leak of 12 % of the steady
     /// flow, or 1/80 in of spool). In such a movement the pressure hardly changes, and the samples are mostly noise of
     /// unknown size.
     static bool is_evidence(const Deviation& movement, hydraulics::AreasFrom valve);
@@ -99,8 +99,8 @@ public:
     void take(const Deviation& movement, hydraulics::AreasFrom valve);
     /// Records an impossible reading: the verdict is `sensor` until a movement has no impossible reading.
     void note_impossible() { state_.impossible_now = state_.impossible = true; }
-    /// Returns `sound` only if its probability is at least `least_sure_sound`, and a fault only if the fault's size
-    /// exceeds its standard error.
+    /// Returns `sound` only if the probability of `sound` is at least `least_sure_sound`, and a fault only if the
+    /// fault's size exceeds its standard error.
     Verdict verdict() const;
     /// Returns the reference of the link: the mean of its first movements, relative to its kind. Returns nullopt until
     /// there are enough movements.
