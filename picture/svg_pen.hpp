@@ -49,8 +49,8 @@ public:
     SvgPen& group(const SvgAttributes&, const SvgPen& contents, std::string_view tooltip = "");
     SvgPen& add(const SvgPen& other);
 
-    /// Returns everything that was drawn as a document on white paper. `arrow_heads` are the markers at the ends of
-    /// paths.
+    /// Returns an SVG document with everything that was drawn, on white paper. `arrow_heads` are the markers at the
+    /// ends of paths.
     std::string document(const Box& paper, const std::string& style, const std::string& arrow_heads = "",
                          const std::string& title = "") const;
 

@@ -40,7 +40,8 @@ struct RecordScenario {
 /// measured machine).
 std::span<const RecordScenario> record_scenarios();
 
-/// Returns the scenario in which an excavator does a job. It is not among record_scenarios(), since it needs a job.
+/// Returns the scenario in which an excavator performs a DigJob. This scenario is not among record_scenarios(), since
+/// it needs a job.
 const RecordScenario& digging_scenario();
 
 /// Returns null if there is no such scenario.

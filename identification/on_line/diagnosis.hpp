@@ -63,7 +63,7 @@ struct DiagnosisState {
 /// The effects of one reading.
 struct SampleOutcome {
     std::size_t generations = 0;
-    bool window_restarted = false;      ///< whether the windows restarted, because the time had a gap or restarted
+    bool window_restarted = false;      ///< whether the windows restarted, after a gap in time or a restart of time
     std::vector<JudgedMovement> judged; ///< movements that ended with this reading
     std::vector<Alarm> raised, cleared;
 };
@@ -105,7 +105,7 @@ public:
     const std::vector<Alarm>& alarms() const { return state_.alarms; }
     std::vector<hydraulics::LinkSet> sets_in_use() const;
     LinkCheck check(hydraulics::Link link) const;
-    /// Returns the link's most informative verdict among those of all sets. A fault is preferred to no fault, then the
+    /// Returns the link's most informative verdict among those of all sets. Prefers a verdict with a fault, then the
     /// verdict from more movements.
     LinkVerdict verdict(hydraulics::Link link) const;
     /// Returns the compliance with which the link is compared: the value from the link's first movements, or else
