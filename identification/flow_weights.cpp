@@ -46,7 +46,6 @@ void factorise(Square& matrix, std::size_t size) {
         }
 }
 
-/// Returns the inverse of a lower triangular matrix.
 Square inverse(const Square& lower, std::size_t size) {
     Square inverse{};
     for (std::size_t j = 0; j < size; ++j) {

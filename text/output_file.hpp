@@ -42,7 +42,7 @@ private:
     int error_ = 0;
 };
 
-/// Writes a whole file. Throws UserError, which names the file and the reason.
+/// Throws UserError, which names the file and the reason.
 void write_whole(const std::filesystem::path&, std::string_view content);
 
 /// Throws UserError if an OutputFile of this path would certainly fail: a folder is missing, the file must not be

@@ -141,7 +141,6 @@ private:
     void watch(hydraulics::LinkSet set, const SetSample& centre, const ExcavatorSample& newest);
     void end_movement(hydraulics::LinkSet set);
     void watch_readings(const ExcavatorSample& sample);
-    /// Records an impossible reading of the link.
     void note_impossible(hydraulics::LinkSet set, hydraulics::Link link);
     std::vector<double> health_in3_per_psi(hydraulics::LinkSet set) const;
     void note(hydraulics::LinkSet set, SetWatch::Judged judged);

@@ -64,7 +64,6 @@ public:
     std::vector<Flag> flags(const DiagnosisSettings& settings) const;
     /// Returns the reasons why the newest settled value may be wrong. REQUIRES: there is a settled value.
     std::vector<Flag> settled_flags(const DiagnosisSettings& settings) const;
-    /// Returns the newest settled value.
     std::optional<double> settled_in3_per_psi() const;
     /// Returns the median of the settled values of the last transients.
     std::optional<double> lasting_in3_per_psi() const;
