@@ -84,7 +84,8 @@ void flag_pressure(LinkIdentified& link, std::span<const CircuitSample> samples,
                                            samples[frozen->first].time_s, frozen->jump)});
 }
 
-/// Flags a piston that retracts on average over the samples, although oil flows in, which would extend it.
+/// Flags a link whose piston retracts on average over the samples, although the oil that flows in should extend the
+/// piston.
 void flag_falling(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction, Side side) {
     double flow = 0;
     for (const CircuitSample& sample : samples)

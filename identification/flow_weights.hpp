@@ -11,12 +11,13 @@
 
 namespace placedpar::identification {
 
-/// Scales the missing flows of a circuit by their own scatter. Two junctions share the flow through a bypass, so an
-/// error in the bypass area appears in two missing flows with opposite signs. The sum of absolute values in equation
-/// 3.11 counts this error twice; the weights remove this effect. The weights are ours: the thesis weighs all flows
-/// alike.
+/// Scales the missing flows of a circuit so that they become uncorrelated. Two junctions share the flow through a
+/// bypass, so an error in the bypass area appears in two missing flows with opposite signs. The sum of absolute values
+/// in equation 3.11 counts this error twice; the weights remove this effect. The weights are ours: the thesis weighs
+/// all flows alike.
 struct FlowWeights {
-    /// The inverse of the Cholesky factor of the scatter. Row j has entries for the junctions up to j.
+    /// The inverse of the Cholesky factor of the scatter (mean products of the missing flows), times a constant. Row j
+    /// has entries for the junctions up to j.
     hydraulics::PerJunction<hydraulics::PerJunction<double>> rows{};
 
     /// Returns the scaled flows of the first `junctions` junctions. T is double or Lanes.
@@ -32,9 +33,8 @@ struct FlowWeights {
     }
 };
 
-/// Returns weights computed from the scatter of the missing flows at these compliances. The scaled flows are
-/// uncorrelated, and the sum of their mean squares is `mean_square`. REQUIRES: samples of this circuit, at least one; a
-/// compliance for each junction.
+/// Returns the weights for the scatter of the missing flows at these compliances. The mean squares of the scaled flows
+/// add up to `mean_square`. REQUIRES: samples of this circuit, at least one; a compliance for each junction.
 FlowWeights weights_at(const hydraulics::Circuit& circuit, std::span<const hydraulics::CircuitSample> samples,
                        const hydraulics::FlowConstants& flow, std::span<const double> compliance_in3_per_psi,
                        double mean_square);

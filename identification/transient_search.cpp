@@ -17,7 +17,7 @@ using namespace hydraulics;
 
 namespace {
 
-/// Returns whether a link's pressure moves too slowly, given the latest compliance.
+/// Returns whether the gate stays shut for at least one link, given the latest compliances.
 bool is_unexcited(std::span<const CircuitSample> window, std::span<const double> compliance_in3_per_psi,
                   const ExcitationGate& gate) {
     for (std::size_t j = 0; j < compliance_in3_per_psi.size(); ++j)

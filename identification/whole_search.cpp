@@ -26,7 +26,7 @@ namespace {
 /// selects equally well at each level of noise.
 constexpr double share_of_bias = 0.25;
 
-/// The length of the thesis's window. The excitation is judged on this number of samples.
+/// The length of the thesis's window. The excitation is judged on this number of samples at the beginning.
 constexpr std::size_t transient_samples = 10;
 
 std::vector<Sample> values_of(std::span<const CircuitSample> samples) {
@@ -69,7 +69,7 @@ SearchRun search_whole(const ComplianceSearch& prepared, std::span<const Circuit
     return run;
 }
 
-/// Stores the results of weighed least squares beside each answer.
+/// Stores the results of weighed least squares with each answer.
 void compare_with_weighed_fit(Identified& result, std::span<const CircuitSample> samples, const FlowConstants& flow) {
     std::vector<double> found;
     for (const LinkIdentified& link : result.links)

@@ -357,7 +357,7 @@ private:
     const Network& n_;
     View view_;
     Picture picture_;
-    /// For each wire, whether channels lead from its a to its b, and from b to a.
+    /// For each wire, whether channels lead from its end `a` to its end `b`, and from `b` to `a`.
     std::vector<std::pair<bool, bool>> directions_;
     std::vector<std::string> carried_; ///< for each wire: names of its channels; "" if there are none
     std::vector<FaultMark> marks_;

@@ -14,7 +14,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// The usual range of a channel's greatest value on an excavator, in this room's unit.
+/// The usual range of a channel's greatest value on an excavator, in the unit of units.hpp.
 struct Ordinary {
     double least, most;
 };
@@ -36,7 +36,7 @@ Ordinary ordinary(Sensor sensor) {
 
 bool within(double value, const Ordinary& usual) { return value >= usual.least && value <= usual.most; }
 
-/// Returns the units in which the number in the text would be usual.
+/// Returns the units in which the number read from the text would be usual.
 std::string likely_units(Quantity quantity, double number, const Ordinary& usual) {
     std::string likely;
     for (const Unit& unit : units_of(quantity))

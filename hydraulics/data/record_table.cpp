@@ -133,7 +133,7 @@ void RecordReader::skip_missing(std::vector<Diagnostic>& faults) {
                                 fmt::format("{} left out, this the first of them", counted(skipped, "row"))));
 }
 
-/// Returns the value in this room's unit.
+/// Returns the value in the unit of units.hpp.
 double RecordReader::value_in(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults) const {
     const TextCell& cell = row.cells[column.index];
     if (is_missing(cell)) {

@@ -24,7 +24,7 @@ struct ReadRecord {
 /// States which channels a record must have.
 struct RecordNeeds {
     /// Given the channels that a header names, returns the channels that must have a value in every row. If this
-    /// function is empty, every channel must have one.
+    /// function is empty, every channel must have a value in every row.
     std::function<ChannelSet(const ChannelSet&)> of = {};
     /// true: rows that lack a required value are left out; false: the record is refused.
     bool skip_missing = false;
@@ -96,7 +96,7 @@ private:
 /// The line fit of slopes needs 5 samples.
 inline constexpr std::size_t fewest_samples = 5;
 
-/// Returns a text that read_record reads, with every measured channel in this room's units.
+/// Returns a text that read_record reads, with every measured channel in the unit of units.hpp.
 std::string print_record(const Record& record);
 
 } // namespace placedpar::hydraulics

@@ -13,7 +13,7 @@ namespace {
 
 /// The limits are ours: five samples at a longer period would outlast a transient, and shorter periods are untested.
 constexpr double slowest_s = 0.1, quickest_s = 0.0001;
-/// The factor by which a stated period may exceed these limits.
+/// A period may be beyond these limits by this factor, because of rounding.
 constexpr double rounding = 1 + 1e-6;
 
 double mean_of(std::span<const double> values) {

@@ -26,8 +26,8 @@ struct DigJob {
     double duration_s() const;
 };
 
-/// The reference trajectory of the tip. The error of its velocity falls like exp(-t / lag); its pose is the exact
-/// integral of the velocity.
+/// The reference trajectory of the tip. The velocity approaches the velocity that the joysticks demand; the difference
+/// falls like exp(-t / `lag_s`). The pose is the exact integral of the velocity.
 class TipReference {
 public:
     /// REQUIRES: the job has moves and outlives this object; lag_s > 0.
