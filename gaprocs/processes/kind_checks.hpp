@@ -12,7 +12,7 @@ namespace placedpar {
 // These checks are made on a netlist before it runs, after the checks of ranges and of ports. They refuse settings with
 // which a process could not work, and connections on which a process would wait for ever.
 
-/// Checks that the problem exists, and that its record has enough samples for the host to send.
+/// Checks that the problem exists, and that its record has enough samples for the host, or the sensors.
 std::vector<Complaint> check_host(const Network&, std::size_t process, const ProblemRegistry&);
 /// Checks that the problem exists, that the slave has one predecessor, and that it is not part of a circle.
 std::vector<Complaint> check_slave(const Network&, std::size_t process, const ProblemRegistry&);

@@ -94,6 +94,10 @@ public:
     const hydraulics::Sampling& sampling() const { return sampling_; }
     /// Returns the middle of the last complete sample since the windows began.
     std::optional<double> sample_s() const { return state_.sample_s; }
+    /// Returns the state of the link two samples before sample_s(); nullopt if the windows have begun since.
+    std::optional<hydraulics::LinkSample> centre(hydraulics::Link link) const {
+        return state_.tracks[index_of(link)].centre(fit_, state_.parameters.links[index_of(link)]);
+    }
     const std::map<hydraulics::LinkSet, PopulationSet>& sets() const { return sets_; }
     /// Returns the compliance of the link in health: the value set by the control system, or else that of the machine's
     /// kind.

@@ -3,6 +3,7 @@
 #include "monitor/memory/diagnoses.hpp"
 #include "monitor/memory/entries.hpp"
 #include "monitor/protocol/answers.hpp"
+#include "monitor/service/netlist_searches.hpp"
 
 #include <string>
 #include <vector>
@@ -13,9 +14,10 @@ namespace placedpar::monitor {
 struct ServiceSnapshot {
     const Diagnoses* diagnoses;
     Load load;
-    std::vector<KeptAlarm> alarms; ///< active alarms
-    bool kept;                     ///< whether a restart would restore everything
-    std::string trouble;           ///< if `kept` is false, the reason
+    std::vector<KeptAlarm> alarms;   ///< active alarms
+    bool kept;                       ///< whether a restart would restore everything
+    std::string trouble;             ///< if `kept` is false, the reason
+    const NetlistSearches* searches; ///< may be null
 };
 
 /// Returns the snapshot in Prometheus' text format, version 0.0.4.

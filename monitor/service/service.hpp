@@ -3,6 +3,7 @@
 #include "identification/on_line/settings.hpp"
 #include "monitor/service/limits.hpp"
 #include "monitor/service/log.hpp"
+#include "monitor/service/netlist_searches.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -23,10 +24,11 @@ struct ServiceSettings {
     std::uint64_t seed = 1;
     ServiceLimits limits;
     identification::DiagnosisSettings diagnosis;
+    NetlistSearch netlist; ///< searches each movement; may be empty
 };
 
-/// The on-line diagnosis as a service over TCP and Unix-domain sockets. One thread does all work; a second thread
-/// writes the state file.
+/// The on-line diagnosis as a service over TCP and Unix-domain sockets. One thread does all work. A second thread
+/// writes the state file, and a third one searches movements by a netlist.
 class Service {
 public:
     /// Restores the state and listens. The log receives messages for the operator. REQUIRES: the log outlives this
