@@ -5,6 +5,7 @@
 #include "monitor/protocol/link_words.hpp"
 #include "monitor/service/alarms_json.hpp"
 #include "monitor/service/clock.hpp"
+#include "monitor/service/netlist_searches.hpp"
 
 #include <fmt/format.h>
 

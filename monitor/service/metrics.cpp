@@ -4,6 +4,7 @@
 #include "monitor/protocol/json_text.hpp"
 #include "monitor/service/alarms_json.hpp"
 #include "monitor/service/clock.hpp"
+#include "monitor/service/netlist_searches.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>

@@ -3,12 +3,13 @@
 #include "monitor/memory/diagnoses.hpp"
 #include "monitor/memory/entries.hpp"
 #include "monitor/protocol/answers.hpp"
-#include "monitor/service/netlist_searches.hpp"
 
 #include <string>
 #include <vector>
 
 namespace placedpar::monitor {
+
+class NetlistSearches; // monitor/service/netlist_searches.hpp
 
 /// The state of the service for web clients.
 struct ServiceSnapshot {

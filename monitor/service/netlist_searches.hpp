@@ -2,6 +2,7 @@
 
 #include "identification/compliance_search.hpp"
 #include "monitor/protocol/answers.hpp"
+#include "monitor/service/netlist_search.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/thread_pool.hpp>
@@ -16,10 +17,6 @@
 #include <vector>
 
 namespace placedpar::monitor {
-
-/// Searches all samples of a movement, which are `period_s` apart, by the processes of a netlist. Throws
-/// std::exception, which says why there is no answer.
-using NetlistSearch = std::function<identification::AnswerInTime(identification::ComplianceSearch, double period_s)>;
 
 /// Records the movements of all machines. A thread of its own searches each movement that has ended.
 class NetlistSearches {

@@ -3,7 +3,7 @@
 #include "identification/on_line/settings.hpp"
 #include "monitor/service/limits.hpp"
 #include "monitor/service/log.hpp"
-#include "monitor/service/netlist_searches.hpp"
+#include "monitor/service/netlist_search.hpp"
 
 #include <cstdint>
 #include <memory>
