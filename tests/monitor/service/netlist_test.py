@@ -5,8 +5,8 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
-import time
 import unittest
 import urllib.request
 
@@ -15,6 +15,7 @@ from service import CONFIGURATION, PROGRAM, SECONDS, ServiceTest, boom
 EXAMPLES = pathlib.Path(os.environ["PLACEDPAR_DOCUMENT"]).parents[2] / "examples"
 FIGURE_E2 = EXAMPLES / "thesis/figure-e2/figure-e2.cfs"
 FIGURE_D1 = EXAMPLES / "machine/figure-d1/figure-e2-on-d1.cfs"
+BROWSER = shutil.which("chromium") or shutil.which("chromium-browser")
 SENSORS = EXAMPLES / "machine/figure-d1/sensor-to-alarm.cfs"
 SLOW = f"""#include "{FIGURE_E2}"
 T800 a, b; /* 200,000 messages between them take some tenths of a second to simulate */
@@ -202,6 +203,14 @@ class OnNetlist(ServiceTest):
         self.assertEqual(silent.ask(type="ping")["type"], "configured")
         self.assertRegex(service.stop()[1], r"digger: the netlist on BO from 0\.00 to 0\.7\d s: BO 0\.008\d\d in\^3/psi, "
                                             r"0\.\d{3} s after the sample at 0\.\d\d s; keeps pace: no\n")
+
+    @unittest.skipUnless(BROWSER, "no Chromium")
+    def test_the_page_shows_the_answer(self):
+        said, service = self.answer_to("--on", FIGURE_E2, "--http", 0)
+        page = subprocess.run([BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--virtual-time-budget=5000",
+                               f"--user-data-dir={self.folder / 'browser'}", "--dump-dom", service.page],
+                              capture_output=True, text=True, timeout=SECONDS, check=True).stdout
+        self.assertIn(f"netlist: {said['text']} (P1b)</td>", page)
 
     def test_a_movement_that_the_netlist_cannot_search_is_answered_with_the_reason(self):
         service = self.service("--on", SENSORS, "--set", 'problem="boom"')
