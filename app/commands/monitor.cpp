@@ -148,7 +148,7 @@ void add_options(Options& command, MonitorOptions& options) {
 
 /// Returns a search that does what identify --way thesis --on does. Tries it on a made-up record. Throws UserError if
 /// the netlist cannot search.
-NetlistSearch search_on(const NetlistAsked& netlist, const ServiceSettings& settings) {
+auto search_on(const NetlistAsked& netlist, const ServiceSettings& settings) {
     IdentificationWay way = thesis_way();
     way.search.population = settings.diagnosis.search.population;
     way.search.window = settings.diagnosis.search.window;

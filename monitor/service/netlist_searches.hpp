@@ -2,7 +2,6 @@
 
 #include "identification/compliance_search.hpp"
 #include "monitor/protocol/answers.hpp"
-#include "monitor/service/netlist_search.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/thread_pool.hpp>
@@ -21,10 +20,13 @@ namespace placedpar::monitor {
 /// Records the movements of all machines. A thread of its own searches each movement that has ended.
 class NetlistSearches {
 public:
+    /// Searches all samples, which are `period_s` apart. Throws std::exception, which says why there is no answer.
+    using Search = std::function<identification::AnswerInTime(identification::ComplianceSearch, double period_s)>;
+
     static constexpr std::size_t most_waiting = 16; ///< further movements are skipped; ours
 
     /// `tell` receives each answer. REQUIRES: the thread of `io` calls all functions.
-    NetlistSearches(NetlistSearch search, std::size_t bits, boost::asio::io_context& io,
+    NetlistSearches(Search search, std::size_t bits, boost::asio::io_context& io,
                     std::function<void(const NetlistAnswer&)> tell)
         : search_(std::move(search)), bits_(bits), io_(io), tell_(std::move(tell)) {}
 
@@ -48,7 +50,7 @@ private:
     void search(const identification::Diagnosis& diagnosis, hydraulics::LinkSet set,
                 const std::shared_ptr<Recording>& recording);
 
-    NetlistSearch search_;
+    Search search_;
     std::size_t bits_;
     boost::asio::io_context& io_;
     std::function<void(const NetlistAnswer&)> tell_;

@@ -3,13 +3,18 @@
 #include "identification/on_line/settings.hpp"
 #include "monitor/service/limits.hpp"
 #include "monitor/service/log.hpp"
-#include "monitor/service/netlist_search.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace placedpar::identification {
+struct AnswerInTime;     // identification/transient_search.hpp
+struct ComplianceSearch; // identification/compliance_search.hpp
+} // namespace placedpar::identification
 
 namespace placedpar::monitor {
 
@@ -24,7 +29,8 @@ struct ServiceSettings {
     std::uint64_t seed = 1;
     ServiceLimits limits;
     identification::DiagnosisSettings diagnosis;
-    NetlistSearch netlist; ///< searches each movement; may be empty
+    /// Searches each movement by the processes of a netlist (NetlistSearches::Search); may be empty.
+    std::function<identification::AnswerInTime(identification::ComplianceSearch, double period_s)> netlist;
 };
 
 /// The on-line diagnosis as a service over TCP and Unix-domain sockets. One thread does all work. A second thread
