@@ -6,7 +6,7 @@
 #include "identification/identification.hpp"
 #include "report/run_report.hpp"
 #include "text/counted.hpp"
-#include "text/standard_streams.hpp"
+#include "text/output_file.hpp"
 #include "text/user_error.hpp"
 
 #include <boost/json.hpp>
