@@ -1,7 +1,13 @@
 #include "app/command.hpp"
+#include "app/identify/on_machine.hpp"
 #include "app/options/common_options.hpp"
+#include "app/options/netlist_options.hpp"
+#include "app/standard_error.hpp"
+#include "explore/process_search.hpp"
 #include "gaprocs/fitness.hpp"
+#include "hydraulics/plant/measurement.hpp"
 #include "identification/on_line/link_estimate.hpp"
+#include "identification/transient_search.hpp"
 #include "monitor/service/service.hpp"
 #include "text/number.hpp"
 #include "text/output_file.hpp"
@@ -17,6 +23,8 @@
 #include <string>
 #include <system_error>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace placedpar::monitor {
 
@@ -102,6 +110,9 @@ void add_diagnosis(Options& command, DiagnosisSettings& diagnosis) {
 struct MonitorOptions {
     ServiceSettings settings;
     std::uint16_t port = 0, http = 0;
+    std::string netlist;
+    std::vector<std::string> set;
+    ReadOptionsTyped read;
 };
 
 void add_options(Options& command, MonitorOptions& options) {
@@ -123,8 +134,42 @@ void add_options(Options& command, MonitorOptions& options) {
                 "host name that browsers use for this server, such as a proxy's; may be repeated");
     add_file(command, "--state", settings.state, "file (SQLite) that keeps the state of all machines over a restart");
     add_seed(command, settings.seed);
+    Option netlist = add_file(command, "--on", options.netlist,
+                              "also searches each movement by the processes of this netlist, as identify --way thesis "
+                              "--on does, and says when the simulated machine would have answered",
+                              "NETLIST");
+    command.add_list("--set", options.set, "NAME=VALUE", "sets a val, an attribute or a parameter of the netlist")
+        .needs(netlist);
+    for (Option option : add_read_options(command, options.read))
+        option.needs(netlist);
     add_limits(command, settings.limits);
     add_diagnosis(command, settings.diagnosis);
+}
+
+/// Returns a search that does what identify --way thesis --on does. Tries it on a made-up record. Throws UserError if
+/// the netlist cannot search.
+auto search_on(const NetlistAsked& netlist, const ServiceSettings& settings) {
+    IdentificationWay way = thesis_way();
+    way.search.population = settings.diagnosis.search.population;
+    way.search.window = settings.diagnosis.search.window;
+    way.bits = settings.diagnosis.bits;
+    auto search = [netlist, way, seed = settings.seed](ComplianceSearch prepared, double period_s) {
+        std::string warnings;
+        auto processes =
+            search_by_processes(netlist, prepared, way, [&](const std::string& text) { warnings += text; });
+        AnswerInTime found = answer_in_time(processes, prepared, period_s, seed);
+        found.warnings = std::move(warnings);
+        return found;
+    };
+    const hydraulics::FlowConstants flow = flow_constants(hydraulics::Parameters::excavator());
+    ComplianceSearch made_up{CircuitProblem(hydraulics::boom_circuit(), flow, way.bits), flow, {}, {}};
+    made_up.samples.resize(way.usable.count, {0, 0, {{}}});
+    print_warnings(search(made_up, hydraulics::sampling_period_s).warnings);
+    return [search, way](ComplianceSearch prepared, double period_s) {
+        prepared.samples = usable_samples(prepared.samples, prepared.problem.circuit(), prepared.flow, way.usable);
+        require_samples(prepared.samples, way);
+        return search(std::move(prepared), period_s);
+    };
 }
 
 /// Returns the address as a URL needs it: IPv6 in brackets.
@@ -159,6 +204,10 @@ Action declare(Options& command, const std::string&) {
             settings.port.reset();
         if (command.is_given("--http"))
             settings.http_port = options->http;
+        if (!options->netlist.empty())
+            settings.netlist = search_on({options->netlist, overrides_of(options->set),
+                                          ParsedNetlist(options->netlist, read_options_of(options->read)), ""},
+                                         settings);
         return serve(settings);
     };
 }

@@ -6,14 +6,17 @@
 #include "identification/identification.hpp"
 #include "report/run_report.hpp"
 #include "text/counted.hpp"
-#include "text/standard_streams.hpp"
+#include "text/output_file.hpp"
+#include "text/user_error.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace placedpar {
@@ -114,7 +117,43 @@ boost::json::object answers_json(const SearchAnswers& answers, std::span<const S
             {"answers", std::move(all)}};
 }
 
+/// Returns whether sensors read the samples in time. Throws UserError if they read with another period.
+bool has_sensors(const Network& network, double period_s) {
+    auto sensors = std::ranges::find(network.processes, "ga.sensors", &ProcessInstance::kind);
+    if (sensors == network.processes.end())
+        return false;
+    const double period_ms = std::get<double>(sensors->parameters.at("period"));
+    if (std::abs(period_ms / (1000 * period_s) - 1) > sampling_tolerance)
+        throw UserError(fmt::format("period = {} in the netlist for \"{}\", but the samples are {:.4g} ms apart",
+                                    period_ms, sensors->name, 1000 * period_s));
+    return true;
+}
+
 } // namespace
+
+AnswerInTime answer_in_time(const ProcessSearch& search, const ComplianceSearch& prepared, double period_s,
+                            std::uint64_t seed) {
+    const bool timed = has_sensors(search.network, period_s);
+    SearchAnswers answers = search.answers();
+    const RunReport report = run_netlist(search.network, search.problems, {.seed = seed, .observer = &answers});
+    const std::vector<SampleAnswers> rows = by_sample(search, answers, prepared.samples);
+    if (report.result.ending != Ending::completed || rows.empty())
+        throw UserError(fmt::format("{}: the processes answer nothing: {} at {:.3f} s", search.network.source_path,
+                                    name_of(report.result.ending), seconds(report.result.time)));
+    const std::size_t last = rows.back().generation, best = answers.fittest(last);
+    AnswerInTime found{answers.of(best, last).values, answers.searches()[best]};
+    const double first_s = prepared.samples.front().time_s;
+    double before_s = 0, done_s = first_s;
+    for (const auto& [taken_s, generation] : rows) {
+        const double ready_s = seconds(answers.ready(generation));
+        done_s = timed ? first_s + ready_s - period_s : std::max(done_s, taken_s) + ready_s - before_s;
+        before_s = ready_s;
+        found.sample_s = taken_s;
+        found.after_s = done_s - taken_s;
+        found.keeps_pace = found.keeps_pace && found.after_s <= period_s;
+    }
+    return found;
+}
 
 ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, const ComplianceSearch& prepared,
                         std::uint64_t seed, boost::json::object& json) {

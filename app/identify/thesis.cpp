@@ -175,9 +175,9 @@ ExitCode identify_by_thesis(const IdentifyOptions& options, boost::json::object&
         flag_calibration(identified, *asked.calibration, spool_sensor_step_in(asked.machine));
     std::optional<ProcessSearch> processes;
     if (!options.netlist.empty())
-        processes = search_by_processes(
-            {options.netlist, overrides_of(options.set), read_options_of(options.read), options.json}, prepared,
-            asked.way, print_warnings);
+        processes = search_by_processes({options.netlist, overrides_of(options.set),
+                                         ParsedNetlist(options.netlist, read_options_of(options.read)), options.json},
+                                        prepared, asked.way, print_warnings);
     if (asked.sampling.readings > 1)
         print_out(print_sampling(asked.sampling) + "\n");
     if (asked.calibrates)

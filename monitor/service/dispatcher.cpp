@@ -5,6 +5,7 @@
 #include "monitor/protocol/link_words.hpp"
 #include "monitor/service/alarms_json.hpp"
 #include "monitor/service/clock.hpp"
+#include "monitor/service/netlist_searches.hpp"
 
 #include <fmt/format.h>
 
@@ -26,9 +27,9 @@ bool is_http(std::string_view line) { return line.ends_with(" HTTP/1.1") || line
 } // namespace
 
 Dispatcher::Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, Token token,
-                       std::function<void(const std::string&)> say)
+                       std::function<void(const std::string&)> say, NetlistSearches* searches)
     : diagnoses_(diagnoses), limits_(limits), token_(std::move(token)), say_(say), peers_(limits), places_(limits),
-      persistence_(store, outbox_, std::move(say)) {
+      persistence_(store, outbox_, std::move(say)), searches_(searches) {
     if (store)
         alarms_.restore(store->noted_alarms());
     std::multimap<std::uint64_t, std::string, std::greater<>> by_samples;
@@ -193,6 +194,8 @@ void Dispatcher::forget(const std::string& machine) {
     alarms_.forget(machine);
     places_.forgotten(machine);
     persistence_.forget(machine);
+    if (searches_)
+        searches_->forget(machine);
 }
 
 void Dispatcher::forget_newcomers() {
@@ -231,6 +234,8 @@ void Dispatcher::answer(Client& client, const Hello& hello, std::string_view) {
     SampleOutcome forgotten;
     if (known && hello.anew)
         forgotten.cleared = diagnoses_.named(hello.machine).alarms();
+    if (hello.anew && searches_)
+        searches_->forget(hello.machine);
     Diagnosis& diagnosis = diagnoses_.greet(hello);
     if (!known)
         places_.introduced(hello.machine, client.caller.peer, MachinePlaces::Clock::now());
@@ -272,6 +277,8 @@ void Dispatcher::answer(Client& client, const ConfigurationChange& change, std::
     std::ranges::move(settled.ended(diagnosis, now_at()), std::back_inserter(history));
     persistence_.record(client, diagnosis.name(), line, 0, std::move(history));
     tell_watchers(diagnosis.name(), configured_line(diagnosis), [](const Hello&) { return true; });
+    if (searches_)
+        searches_->follow(diagnosis);
 }
 
 void Dispatcher::answer(Client& client, const ExcavatorSample& sample, std::string_view line) {
@@ -290,6 +297,8 @@ void Dispatcher::answer(Client& client, const ExcavatorSample& sample, std::stri
         return hello.answers == Answers::all || (hello.answers == Answers::moved && outcome.generations > 0);
     });
     tell_alarms(diagnosis, outcome);
+    if (searches_)
+        searches_->follow(diagnosis);
 }
 
 void Dispatcher::answer(Client& client, const Baseline& baseline, std::string_view line) {
@@ -368,6 +377,14 @@ void Dispatcher::change_alarm(Client& client, const AlarmName& name, std::option
     outbox_.send(client, alarms_line(alarms_.all()));
 }
 
+void Dispatcher::tell(const NetlistAnswer& answer) {
+    const std::string text = print_netlist_answer(answer);
+    say_(fmt::format("{}: the netlist on {} from {:.2f} to {:.2f} s: {}", answer.machine, words_of(answer.set),
+                     answer.from_s, answer.to_s, text.substr(0, text.find('\n'))));
+    tell_watchers(answer.machine, netlist_line(answer),
+                  [](const Hello& hello) { return hello.answers != Answers::none; });
+}
+
 void Dispatcher::tell_watchers(const std::string& machine, const std::string& line,
                                const std::function<bool(const Hello&)>& to) {
     for (Client* client : clients_.of(machine))
@@ -407,7 +424,7 @@ void Dispatcher::note(const WriteProgress& progress) {
 }
 
 ServiceSnapshot Dispatcher::snapshot() const {
-    return {&diagnoses_, load(), alarms_.all(), persistence_.well(), persistence_.trouble()};
+    return {&diagnoses_, load(), alarms_.all(), persistence_.well(), persistence_.trouble(), searches_};
 }
 
 Load Dispatcher::load() const {

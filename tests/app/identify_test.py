@@ -200,11 +200,11 @@ class Identification(unittest.TestCase):
         text = CLUSTER.read_text(encoding="utf-8").replace('"../', f'"{EXAMPLES}/thesis/')
         fixed = self.file("fixed.cfs", text.replace("elite = elite,", "elite = elite, trials = 4,"))
         said = self.refused(STEP, "--on", fixed).splitlines()
-        self.assertRegex(said[0], r'fixed\.cfs:\d+:\d+: error: trials = 4 in the netlist for "master", but identify searches with 5$')
+        self.assertRegex(said[0], r'fixed\.cfs:\d+:\d+: error: trials = 4 in the netlist for "master", but the identification has 5$')
         self.assertEqual(said[2].strip(), "^")
         self.assertTrue(said[1][len(said[2]) - 1:].startswith("trials = 4"), said)
         self.assertIn("equal\n", self.identify(STEP, "--on", fixed, "--trials", 4))
-        self.assertIn('population = 60 in the netlist for "master", but identify searches with 120',
+        self.assertIn('population = 60 in the netlist for "master", but the identification has 120',
                       self.refused(STEP, "--on", CLUSTER, "--set", "population=60"))
         self.assertIn("samples = 15", self.refused(STEP, "--on", CLUSTER, "--set", "samples=15"))
 
@@ -233,7 +233,7 @@ class Identification(unittest.TestCase):
         self.assertRegex(printed, r"(?m)^C_BOi: 0\.00\d+ in\^3/psi by the direct search, 0\.00\d+ by master\[\d\], "
                                   r"the fittest of 2 searches, which differ by up to 0\.0\d+$")
         said = self.refused(STEP, "--on", FIGURE_E2, "--set", "population=20")
-        self.assertIn("its searches have 80 individuals together, but identify has 120: give identify --population 80",
+        self.assertIn("its searches have 80 individuals together, but the identification has 120: give --population 80",
                       said)
         self.identify(STEP, "--on", FIGURE_E2, "--set", "population=20", "--population", 80)
 

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -54,7 +55,8 @@ struct MachineSearch {
 
 MachineSearch search_on(const ReplayContext& context, const Overrides& set, const ComplianceSearch& prepared,
                         std::uint64_t seed) {
-    NetlistAsked netlist{context.examples / "thesis/figure-e2/figure-e2.cfs", set, {}, {}};
+    const std::filesystem::path path = context.examples / "thesis/figure-e2/figure-e2.cfs";
+    NetlistAsked netlist{path, set, ParsedNetlist(path), {}};
     ProcessSearch search = search_by_processes(netlist, prepared, rising_way(), context.warn);
     SearchAnswers answers = search.answers();
     run_netlist(search.network, search.problems, {.seed = seed, .observer = &answers});
