@@ -4,7 +4,7 @@
 usage: thesis.py TREE [PROGRAMS] [--write]
 
 thesis.toml has a row for each figure, table and numbered equation of the thesis, or for some that belong together, and
-for statements that it makes only in words ("Claim of 5.1: exchange", with the section): what it shows, our page and command, and a verdict. The numbers of cells are not typed: they are those of the line "cells judged
+for statements that it makes only in words ("Claim of section 5.1: exchange"): what it shows, our page and command, and a verdict. The numbers of cells are not typed: they are those of the line "cells judged
 against the thesis" that the page shows below the command, which the tests of documents run. This program refuses
 
 - a row missing, or two rows, for an item of the thesis, whose items [thesis] lists;
@@ -43,7 +43,7 @@ def expanded(listed):
 
 
 def is_claim(item):
-    return re.match(r"Claim of [0-9A-E](\.\d+)*: ", item) is not None
+    return re.match(r"Claim of (section \d(\.\d)+|appendix [A-E]): ", item) is not None
 
 
 def items_of(row):
@@ -89,7 +89,7 @@ def coverage_faults(rows, thesis):
 def verdict_faults(row, verdicts, tree):
     name, verdict = row["of"], row["verdict"]
     if not items_of(row):
-        yield f"{name}: begins with none of {', '.join(KINDS)}, and is no \"Claim of 5.1: ...\""
+        yield f"{name}: begins with none of {', '.join(KINDS)}, and is no \"Claim of section 5.1: ...\""
     if verdict not in verdicts:
         yield f"{name}: \"{verdict}\" is none of the verdicts"
     if verdict in NEEDS_REASON and not row.get("why"):
