@@ -40,9 +40,10 @@ struct PoleZeroPlantOf {
 private:
     using Numerator = std::array<T, 3>;
 
-    void behind_the_delay(const Numerator& numerator, Weights& weights) const requires std::same_as<T, double> {
-        std::copy(numerator.begin(), numerator.end(), weights.begin() + 1 + static_cast<int>(d));
+    void behind_the_delay(const Numerator& numerator, Weights& weights) const requires requires(T number) {
+        static_cast<int>(number);
     }
+    { std::copy(numerator.begin(), numerator.end(), weights.begin() + 1 + static_cast<int>(d)); }
     /// Sets the weights of several plants, each with its own delay: adds the numerator for each possible delay,
     /// multiplied by 1 if it is the plant's and by 0 otherwise.
     void behind_the_delay(const Numerator& numerator, Weights& weights) const {
