@@ -38,8 +38,10 @@ template <typename T>
 struct RecursiveEstimate {
     std::vector<T> weights;
     std::vector<T> covariance; ///< symmetric, row by row
+    std::vector<T> scaled;     ///< covariance * inputs
 
-    explicit RecursiveEstimate(std::size_t unknowns) : weights(unknowns), covariance(unknowns * unknowns) {
+    explicit RecursiveEstimate(std::size_t unknowns)
+        : weights(unknowns), covariance(unknowns * unknowns), scaled(unknowns) {
         for (std::size_t i = 0; i < unknowns; ++i)
             covariance[i * unknowns + i] = 1e6; // large, because nothing is known about the weights
     }
@@ -48,7 +50,6 @@ struct RecursiveEstimate {
     /// one half of the covariance is computed: if both are, rounding makes a forgetting of .9 diverge.
     T take(std::span<const T> inputs, T output, T forgetting) {
         const std::size_t size = weights.size();
-        std::vector<T> scaled(size); // covariance * inputs
         T scale = forgetting, error = output;
         for (std::size_t i = 0; i < size; ++i) {
             scaled[i] = covariance[i * size] * inputs[0];
