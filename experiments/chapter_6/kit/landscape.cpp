@@ -144,20 +144,14 @@ std::vector<double> fitness_by_low_bits(double noise, std::uint64_t seed) {
     std::vector<Sample> samples = plant_record({.noise = noise}, RandomStream(seed, "plant"));
     const WindowSettings window = plant_settings(2).window;
     WindowMoments moments(std::span<const Sample>(samples).first(window.length));
-    Recoding near = plant_reading(low_bits);
-    near.around = string_of_plant(PlantProblem().coding());
-    Errors errors = errors_of_all(near, moments);
-    auto number = static_cast<std::size_t>(std::ranges::min_element(errors) - errors.begin());
-    Genome string = near.to_problem(string_numbered(number, near.length()));
-    auto fitness = [&] { return window.bias * static_cast<double>(window.length) - moments.squared_error(string); };
-    const double best = fitness();
-    std::vector<double> shares(std::size_t{1} << (5 * low_bits));
-    for (std::size_t i = 0; i < shares.size(); ++i) {
+    Genome string = string_of_plant(PlantProblem().coding());
+    std::vector<double> fitness(std::size_t{1} << (5 * low_bits));
+    for (std::size_t i = 0; i < fitness.size(); ++i) {
         for (std::size_t parameter = 0; parameter < 5; ++parameter)
             string.set_field(6 + 7 * parameter, low_bits, i >> (low_bits * parameter) & 7);
-        shares[i] = 100 * fitness() / best;
+        fitness[i] = window.bias * static_cast<double>(window.length) - moments.squared_error(string);
     }
-    return shares;
+    return fitness;
 }
 
 LandscapeFacts enumerate_landscape(const Recoding& reading, std::uint64_t seed) {

@@ -41,9 +41,8 @@ struct LandscapeFacts {
 /// The "don't care" bits of thesis 6.2: the lowest bits of each of the five parameters of 7 bits.
 inline constexpr std::size_t low_bits = 3;
 
-/// Returns the fitness of all 2^15 strings that agree with the best string in all but the "don't care" bits, over the
-/// window at generation 0 of the record of this seed with white noise, in percent of the best string's fitness. The
-/// best string is that of the strings within four steps of the plant in each parameter.
+/// Returns the fitness of all 2^15 strings that differ from the string nearest to the plant only in "don't care" bits,
+/// over the window at generation 0 of the record of this seed with white noise.
 std::vector<double> fitness_by_low_bits(double noise, std::uint64_t seed);
 
 /// Evaluates every string over the window at generation 0 of the record of this seed. REQUIRES: a reading of at most 24

@@ -4,8 +4,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-
 using namespace placedpar;
 
 TEST_CASE("the moments of the window give the same squared error as the samples") {
@@ -62,7 +60,7 @@ TEST_CASE("a search of the plant is reproducible, and with good settings it conv
 }
 
 TEST_CASE("the don't-care bits change the fitness as the problem itself computes it") {
-    const std::vector<double> shares = fitness_by_low_bits(0, 4);
+    const std::vector<double> found = fitness_by_low_bits(0, 4);
     const SearchProblem& problem = plant_search_problem();
     std::vector<Sample> window = plant_record({}, RandomStream(4, "plant"));
     window.resize(30);
@@ -79,8 +77,7 @@ TEST_CASE("the don't-care bits change the fitness as the problem itself computes
             sum += 10 - problem.error(string, sample) * problem.error(string, sample);
         return sum;
     };
-    REQUIRE(shares.size() == 32768);
-    CHECK(*std::ranges::max_element(shares) == doctest::Approx(100));
-    for (std::size_t i = 0; i < shares.size(); i += 97)
-        CHECK(shares[i] == doctest::Approx(100 * fitness(i) / fitness(0)));
+    REQUIRE(found.size() == 32768);
+    for (std::size_t i = 0; i < found.size(); i += 97)
+        CHECK(found[i] == doctest::Approx(fitness(i)));
 }
