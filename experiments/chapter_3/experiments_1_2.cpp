@@ -222,8 +222,8 @@ Comparison quotient_comparison(std::uint64_t seed) {
         const std::vector<double> quotients = voltage_over_spool(noise, left_in, seeds);
         const Interval interval = median_interval(quotients);
         auto cell = [&](const char* column, double value) { return plain_cell(row, column, "", value, 2); };
-        const Cell low = cell("95 % of records", quantile(quotients, 0.025)),
-                   high = cell("to ", quantile(quotients, 0.975));
+        const Cell low = cell("95 % of records from", quantile(quotients, 0.025)),
+                   high = cell("records to", quantile(quotients, 0.975));
         comparison.add(
             compared_cell(row, "median", "", by_voltage_in3_per_psi / by_spool_in3_per_psi, median(quotients), 2));
         comparison.add(cell("95 % from", interval.low));
