@@ -61,7 +61,7 @@ void compare(std::size_t window, std::size_t trials, long seeds, Fingerprint& al
         quotients.push_back(searches.back() / recursions.back());
     }
     fmt::print(
-        "window {}, {} generations a sample: {:7.1f} us, recursion {:5.2f} us, times {:5.1f} (95 % of seeds: {:.1f} "
+        "window {}, generations a sample {}: {:7.1f} us, recursion {:5.2f} us, times {:5.1f} (95 % of seeds: {:.1f} "
         "to {:.1f})\n",
         window, trials, 1e-3 * median(searches), 1e-3 * median(recursions), median(quotients),
         quantile(quotients, 0.025), quantile(quotients, 0.975));

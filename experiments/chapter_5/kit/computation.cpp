@@ -70,7 +70,7 @@ std::vector<Comparison> computation_comparisons(const ReplayContext& context) {
                        .judged = true};
     std::vector<Claim> claims;
     for (auto [window, per_sample] : {std::pair(10u, 1u), {30u, 1u}, {10u, 3u}, {30u, 3u}}) {
-        PlantIslands search{.name = fmt::format("window {}, {} generations a sample", window, per_sample),
+        PlantIslands search{.name = fmt::format("window {}, generations a sample: {}", window, per_sample),
                             .windows = {window}};
         search.plant.per_sample = per_sample;
         add_sample(samples, search, window * per_sample == 10);
