@@ -1,3 +1,4 @@
+#include "experiments/chapter_5/kit/computation.hpp"
 #include "experiments/chapter_5/kit/covariance_adaptation.hpp"
 #include "experiments/chapter_5/kit/differential_evolution.hpp"
 #include "experiments/chapter_5/kit/least_squares.hpp"
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -212,6 +214,7 @@ Replay replay_baselines(const ReplayContext& context) {
         comparisons.push_back(
             claims_comparison(std::string("claims, ") + scenario.name, claims_of(exact, searched), Judge::own));
     }
+    std::ranges::move(computation_comparisons(context), std::back_inserter(comparisons));
     return replay_of(std::move(comparisons), {{"baselines", plot}});
 }
 

@@ -1,6 +1,7 @@
 #include "experiments/chapter_6/kit/conditions.hpp"
 #include "experiments/chapter_6/kit/landscape.hpp"
 #include "experiments/chapter_6/kit/pair_picture.hpp"
+#include "experiments/kit/claims.hpp"
 
 #include <fmt/format.h>
 
@@ -123,6 +124,31 @@ Comparison landscape_table(const ReplayContext& context) {
     return comparison;
 }
 
+/// Counts the strings with at least `percent` of the best fitness by its 15 "don't care" bits, of which the thesis
+/// expects "more than two or three thousands" (6.2).
+Comparison near_optimum_claims(const ReplayContext& context) {
+    constexpr double percents[]{99, 95};
+    std::vector<Claim> claims;
+    for (double noise : {0.0, 0.3}) {
+        auto runs = run_seeds(context, fmt::format("don't-care bits, sigma = {}", noise), [=](std::uint64_t seed) {
+            auto fitness = fitness_by_low_bits(noise, seed);
+            const double best = std::ranges::max(fitness);
+            Figures counts;
+            for (double percent : percents)
+                counts.push_back(static_cast<double>(
+                    std::ranges::count_if(fitness, [=](double each) { return each >= percent / 100 * best; })));
+            return counts;
+        });
+        for (std::size_t i = 0; i < std::size(percents); ++i)
+            claims.push_back({fmt::format("at least {} % of the best fitness, sigma = {}", percents[i], noise),
+                              "strings",
+                              column(runs, i),
+                              3000,
+                              {}});
+    }
+    return claims_comparison("of the 32 768 strings that differ from the plant's in don't-care bits", claims);
+}
+
 Panel table_6_4_panel(const std::string& title, const std::vector<Tally>& tallies) {
     Panel panel{.title = title, .x = {"individuals", 20, 54}, .y = {"runs that converged [%]", 0, 105}};
     for (std::size_t first = 0; first < tallies.size(); first += coarse_populations.size()) {
@@ -189,8 +215,9 @@ Replay replay_coarse_fine(const ReplayContext& context) {
     Plot plot{"Table 6.4: coarse searches that converged before the plant changed, with 95 % intervals",
               {table_6_4_panel("an elite of one, universal sampling", with_elite.tallies),
                table_6_4_panel("to the letter: roulette, no elite", letter.tallies)}};
-    Replay replay = replay_of({with_elite.comparison, letter.comparison, pair, landscape_table(context)},
-                              {{"table-6-4", plot}, {"figure-6-7", figure_6_7()}});
+    Replay replay = replay_of(
+        {with_elite.comparison, letter.comparison, pair, landscape_table(context), near_optimum_claims(context)},
+        {{"table-6-4", plot}, {"figure-6-7", figure_6_7()}});
     replay.drawings = {{"figure-6-6", draw_pair(pair_settings(24, 4), plant_search_problem().parameter_names())}};
     return replay;
 }

@@ -52,15 +52,6 @@ double lag_that_finds(double compliance_in3_per_psi, const BoomData& data) {
                  [&](double lag) { return found_with(with_lag(lag), data); });
 }
 
-double offset_that_finds(double compliance_in3_per_psi, const BoomData& data) {
-    // Leaving an offset of -d in the readings equals subtracting d from correct readings.
-    return solve(compliance_in3_per_psi, -0.015, 0, 1e-6, [&](double offset) {
-        BoomModel model = model_of(data, AreasFrom::spool);
-        model.spool_offset_in = -offset;
-        return found_with(model, data);
-    });
-}
-
 Panel panel_of_lag(std::span<const BoomData> machines) {
     Panel panel{"Compliance that the voltage gives, over the a_0 believed in",
                 {"a_0 of A.2 [1/s]", 5, 16},
