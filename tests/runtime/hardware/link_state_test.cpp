@@ -422,6 +422,25 @@ void check_same(const LinkPackets& one, const LinkPackets& other) {
 
 } // namespace
 
+// At a distance of 250 ns, the acknowledge of direction 1 waits for the first byte of direction 0. Before the second
+// byte, the next packet of direction 1 is again 250 ns away, but it is a byte.
+TEST_CASE(
+    "link packets: packets repeat only if the same kinds of packets follow, at every distance of the directions") {
+    for (std::size_t first : {0u, 1u})
+        for (bool acknowledge : {false, true})
+            for (Time distance{}; distance <= 1300ns; distance += 5ns) {
+                CAPTURE(first);
+                CAPTURE(acknowledge);
+                CAPTURE(distance.count());
+                LinkPackets start;
+                start.streams[first] = {.bytes_left = 30, .due = 0ns};
+                start.streams[1 - first] = {.bytes_left = 40, .acknowledge = acknowledge, .due = distance};
+                LinkPackets found = start;
+                LinkPeriod().find(found, usual, {});
+                check_same(found, run_each(start, usual, {}));
+            }
+}
+
 TEST_CASE("link packets: skipped periods have the effect of single packets, from any initial state") {
     int simple = 0;
     for (std::uint64_t seed : test::seeds(test::sanitized ? 200 : 2000)) {
