@@ -218,12 +218,12 @@ void LinkDirection::deliver() {
 
 void LinkDirection::is_written_by(RegisterUser& user) {
     writer_ = &user;
-    LinkCourse::Touch(course_)->directions[number_].sender_is = LinkState::User::program;
+    LinkCourse::Touch(course_)->users[number_].sender = LinkState::User::program;
 }
 
 void LinkDirection::is_read_by(RegisterUser& user) {
     reader_ = &user;
-    LinkCourse::Touch(course_)->directions[number_].receiver_is = LinkState::User::program;
+    LinkCourse::Touch(course_)->users[number_].receiver = LinkState::User::program;
 }
 
 void LinkDirection::begin_part(AnyChannel& channel, std::uint32_t bytes, bool last_part) {

@@ -48,7 +48,6 @@ void LinkCourse::happen() noexcept {
     if (where_next_ == Ahead::after_others)
         std::swap(state_, ahead_);
     forget_run();
-    quiet_until_ = later(kernel_.now(), Time{1});
     Process* woken = perform(next_);
     look_ahead();
     if (woken)
@@ -107,8 +106,7 @@ void LinkCourse::look_ahead() {
     const LinkState::Next next = state_->next();
     quiet_until_ = next.at;
     if (next.at == never) {
-        where_next_ = Ahead::nowhere;
-        stand_still();
+        kernel_.future().cancel(*this);
     } else if (is_visible(*state_, next)) {
         where_next_ = Ahead::at_once;
         schedule(next);
@@ -122,18 +120,14 @@ void LinkCourse::look_ahead() {
 void LinkCourse::run_ahead(LinkState::Next next) {
     *ahead_ = *state_;
     where_next_ = Ahead::after_others;
-    LinkState::Next last;
     do {
-        if (period_.since == never && begins_packet(next.step) && may_run(next) && run_packets(*ahead_)) {
-            last.at = ahead_->packets.now;
-        } else {
-            last = next;
+        const bool has_run = period_.since == never && begins_packet(next.step) && may_run(next) && run_packets(*ahead_);
+        if (!has_run)
             ahead_->perform(next, times_);
-        }
         next = ahead_->next();
     } while (next.at != never && !is_visible(*ahead_, next));
     if (next.at == never)
-        next = {LinkStep::falls_silent, last.direction, last.order, last.at};
+        next.at = ahead_->packets.now;
     schedule(next);
 }
 
@@ -166,16 +160,6 @@ bool LinkCourse::run_packets(LinkState& state) {
     return true;
 }
 
-/// Removes the link's event from the kernel's queue, because no step is due. If a step would come after the end of
-/// virtual time, keeps the event there, so that the kernel reports the error.
-void LinkCourse::stand_still() {
-    next_ = {};
-    if (state_->lasts_too_long)
-        kernel_.future().reschedule(*this, Time::max(), EventQueue::arrival, first_rank_);
-    else
-        kernel_.future().cancel(*this);
-}
-
 void LinkCourse::schedule(const LinkState::Next& next) {
     EventQueue& future = kernel_.future();
     if (scheduled() && next.at == next_.at && next.order == next_.order) {
@@ -183,12 +167,13 @@ void LinkCourse::schedule(const LinkState::Next& next) {
         return;
     }
     next_ = next;
-    future.reschedule(*this, next.at, next.priority(), first_rank_ + next.rank());
+    const Time at = next.at == too_late ? Time::max() : next.at; // an event at Time::max() is an error of the run
+    future.reschedule(*this, at, next.priority(), first_rank_ + next.rank());
 }
 
 bool LinkCourse::is_visible(const LinkState& state, const LinkState::Next& next) const {
     using Phase = LinkState::Phase;
-    if (shows_every_step_)
+    if (next.at >= every_step_from_)
         return true;
     const LinkState::Direction& direction = state.directions[next.direction];
     switch (next.step) {
@@ -197,13 +182,13 @@ bool LinkCourse::is_visible(const LinkState& state, const LinkState::Next& next)
         return next.at >= steady_until_ ||
                (state.packets.streams[next.direction].bytes_left == 0 && direction.phase != Phase::delivered);
     case LinkStep::byte_is_noticed:
-        return direction.receiver_is == LinkState::User::program ||
+        return state.users[next.direction].receiver == LinkState::User::program ||
                (kernel_.trace() && state.packets.streams[next.direction].bytes_left > 0);
     case LinkStep::first_byte_arrives: return direction.receiver == LinkState::Receiver::absent;
     case LinkStep::last_byte_arrives: return direction.receiver == LinkState::Receiver::waits;
     case LinkStep::register_is_free:
-    case LinkStep::sending_ends: return true;
-    case LinkStep::falls_silent: return false;
+    case LinkStep::sending_ends:
+    case LinkStep::falls_silent: return true;
     }
     return true;
 }
@@ -212,7 +197,7 @@ bool LinkCourse::trace_sees_byte(const LinkState& state, std::size_t d) const {
     const LinkState::Direction& direction = state.directions[d];
     return kernel_.trace() &&
            (!trace_carries_[d] || state.packets.streams[d].bytes_left == 1 ||
-            direction.sender_is == LinkState::User::program || direction.ends != LinkState::Ends::agree);
+            state.users[d].sender == LinkState::User::program || direction.ends != LinkState::Ends::agree);
 }
 
 } // namespace placedpar::hardware
