@@ -121,8 +121,7 @@ void LinkCourse::run_ahead(LinkState::Next next) {
     *ahead_ = *state_;
     where_next_ = Ahead::after_others;
     do {
-        const bool has_run = period_.since == never && begins_packet(next.step) && may_run(next) && run_packets(*ahead_);
-        if (!has_run)
+        if (!begins_packet(next.step) || !run_packets(next.at))
             ahead_->perform(next, times_);
         next = ahead_->next();
     } while (next.at != never && !is_visible(*ahead_, next));
@@ -131,32 +130,34 @@ void LinkCourse::run_ahead(LinkState::Next next) {
     schedule(next);
 }
 
-/// Returns whether this packet and the following ones may be computed together.
-bool LinkCourse::may_run(const LinkState::Next& next) const {
-    if (next.at >= ahead_->runs_before(next.direction, times_))
-        return false;
-    if (!kernel_.trace())
-        return true;
-    auto is_told = [this](std::size_t direction) {
+/// Returns a time up to which several packets of the copy can be computed together, because only their times must be
+/// computed.
+Time LinkCourse::runs_before() const {
+    Time before = std::min({end_of_time, steady_until_, ahead_->arrivals[ahead_->first_arrival()]});
+    for (std::size_t direction : {0u, 1u}) {
         const LinkPackets::Stream& stream = ahead_->packets.streams[direction];
-        return trace_carries_[direction] || stream.bytes_left == 0 || !stream.flows();
-    };
-    return is_told(0) && is_told(1);
+        if (kernel_.trace() && !trace_carries_[direction] && stream.bytes_left > 0 && stream.flows())
+            return Time{};
+        before = std::min(before, ahead_->runs_before(direction, times_));
+    }
+    return before;
 }
 
-/// Computes several packets together, as long as only their times must be computed. Returns whether any packet
-/// has begun.
-bool LinkCourse::run_packets(LinkState& state) {
-    Time before = std::min({end_of_time, steady_until_, state.arrivals[state.first_arrival()]});
-    for (std::size_t direction : {0u, 1u})
-        before = std::min(before, state.runs_before(direction, times_));
-    const std::array<std::uint32_t, 2> bytes_left_before = state.bytes_left();
-    const Time from = state.packets.now;
-    if (!period_.find(state.packets, times_, {.before = before, .last_bytes_stop = kernel_.trace() != nullptr}))
+/// Computes several packets of the copy together; the first begins at `from`. Does nothing if only one packet can be
+/// computed, or if a period is known already, because then catch_up() needs it. Returns whether any packet has begun.
+bool LinkCourse::run_packets(Time from) {
+    if (period_.since != never)
         return false;
-    runs_from_ = from;
-    runs_until_ = state.packets.now;
-    state.note_last_bytes(bytes_left_before, times_);
+    const LinkLimit limit{.before = runs_before(), .last_bytes_stop = kernel_.trace() != nullptr};
+    if (from >= limit.before)
+        return false;
+    const std::array<std::uint32_t, 2> bytes_left_before = ahead_->bytes_left();
+    const Time now = ahead_->packets.now;
+    if (!period_.find(ahead_->packets, times_, limit))
+        return false;
+    runs_from_ = now;
+    runs_until_ = ahead_->packets.now;
+    ahead_->note_last_bytes(bytes_left_before, times_);
     return true;
 }
 

@@ -107,11 +107,11 @@ private:
     }
     void look_ahead();
     void run_ahead(LinkState::Next);
-    bool run_packets(LinkState&);
+    Time runs_before() const;
+    bool run_packets(Time from);
     void schedule(const LinkState::Next&);
     bool is_visible(const LinkState&, const LinkState::Next&) const;
     bool trace_sees_byte(const LinkState&, std::size_t direction) const;
-    bool may_run(const LinkState::Next&) const;
 
     // The members are in the order of use, which saves cache lines.
     Time quiet_until_{};                    ///< no step happens before this time, so `state_` is the state now
