@@ -8,25 +8,20 @@ namespace {
 
 constexpr std::size_t none = 2;
 
-/// Returns the direction whose packet begins next, or `none` if the limit excludes this packet. Of a simultaneous byte
-/// and acknowledge, the acknowledge goes first, because they need the same wire; so it is in the orders of
+/// Begins the next packet and returns its direction, or returns `none` if the limit excludes the packet. Of a simultaneous
+/// byte and acknowledge, the acknowledge goes first, because they need the same wire; so it is in the orders of
 /// link_state.cpp. The other simultaneous packets are on different wires, and do not affect each other.
-std::size_t next_within(const LinkPackets& packets, const LinkLimit& limit) {
-    Time begins[] = {packets.begin_of_next(0), packets.begin_of_next(1)};
-    bool first = begins[0] < begins[1] || (begins[0] == begins[1] && packets.streams[0].acknowledge);
-    std::size_t direction = first ? 0 : 1;
-    const LinkPackets::Stream& stream = packets.streams[direction];
-    bool stops = stream.ends_part() && (stream.acknowledge || limit.last_bytes_stop);
-    return begins[direction] >= limit.before || stops ? none : direction;
-}
-
-/// Begins the next packet and returns its direction, or returns `none` if the limit excludes the packet.
 std::size_t begin_next(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) {
-    std::size_t direction = next_within(packets, limit);
-    if (direction != none) {
-        packets.now = packets.begin_of_next(direction);
-        packets.begin(times, direction);
-    }
+    const Time forth = packets.begin_of_next(0), back = packets.begin_of_next(1);
+    const bool first = forth < back || (forth == back && packets.streams[0].acknowledge);
+    const std::size_t direction = first ? 0 : 1;
+    const Time begin = first ? forth : back;
+    const LinkPackets::Stream& stream = packets.streams[direction];
+    const bool stops = stream.ends_part() && (stream.acknowledge || limit.last_bytes_stop);
+    if (begin >= limit.before || stops)
+        return none;
+    packets.now = begin;
+    packets.begin(times, direction);
     return direction;
 }
 

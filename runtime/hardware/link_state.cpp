@@ -29,10 +29,8 @@ struct Arrival {
 constexpr std::array<Arrival, LinkState::most_arrivals> kinds_of_arrivals{{
     {LinkStep::first_byte_arrives, 0, order_of(EventQueue::arrival, 1)},
     {LinkStep::last_byte_arrives, 0, order_of(EventQueue::arrival, 2)},
-    {LinkStep::last_byte_arrives, 0, order_of(EventQueue::arrival, 2)},
     {LinkStep::sending_ends, 0, order_of(EventQueue::arrival, 3)},
     {LinkStep::first_byte_arrives, 1, order_of(EventQueue::arrival, 5)},
-    {LinkStep::last_byte_arrives, 1, order_of(EventQueue::arrival, 6)},
     {LinkStep::last_byte_arrives, 1, order_of(EventQueue::arrival, 6)},
     {LinkStep::sending_ends, 1, order_of(EventQueue::arrival, 7)},
 }};
@@ -152,7 +150,7 @@ LinkState::Outcome LinkState::begin_acknowledge(std::size_t d, const PacketTimes
 LinkState::Outcome LinkState::last_byte_arrives(std::size_t d) {
     Direction& direction = directions[d];
     const LinkPackets::Stream& stream = packets.streams[d];
-    arrivals[last(d)] = std::exchange(arrivals[last(d) + 1], never);
+    arrivals[last(d)] = std::exchange(last_bytes_after[d], never);
     if (direction.receiver == Receiver::absent)
         return {};
     direction.receiver = Receiver::absent;
@@ -202,13 +200,12 @@ void LinkState::stop(std::size_t d, Phase phase) {
 }
 
 void LinkState::expect_last_byte(std::size_t d, const PacketTimes& times) {
-    arrivals[last(d) + std::size_t{expects_last_byte(d)}] =
+    (expects_last_byte(d) ? last_bytes_after[d] : arrivals[last(d)]) =
         time_of_step(packets.streams[d].last_start, times.arrival());
 }
 
 void LinkState::drop_last_byte(std::size_t d) {
-    Time& younger = arrivals[last(d) + 1];
-    (younger != never ? younger : arrivals[last(d)]) = never;
+    (last_bytes_after[d] != never ? last_bytes_after[d] : arrivals[last(d)]) = never;
 }
 
 bool LinkState::is_unacknowledged(std::size_t d) const {

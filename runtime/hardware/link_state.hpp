@@ -65,11 +65,13 @@ struct alignas(64) LinkState {
 
     LinkPackets packets;
     std::array<Direction, 2> directions;
-    /// The times of arrivals; `never` if nothing will arrive. Each direction has four entries: first byte, last byte,
-    /// last byte of the next part, end of sending. If they are simultaneous, they happen in this order. The next part
-    /// can begin before the last byte of the current part has arrived.
-    static constexpr std::size_t arrivals_of_a_direction = 4, most_arrivals = 8;
-    std::array<Time, most_arrivals> arrivals = {never, never, never, never, never, never, never, never};
+    /// The times of arrivals; `never` if nothing will arrive. Each direction has three entries: first byte, last byte,
+    /// end of sending. If they are simultaneous, they happen in this order.
+    static constexpr std::size_t arrivals_of_a_direction = 3, most_arrivals = 6;
+    std::array<Time, most_arrivals> arrivals = {never, never, never, never, never, never};
+    /// The arrivals of the last bytes of the next part. This part can begin before the last byte of the current part has
+    /// arrived.
+    std::array<Time, 2> last_bytes_after = {never, never};
     Time busy_until{}; ///< the wires are busy until then, if no step comes later; set if a waiting packet is withdrawn
     std::array<Users, 2> users;
     bool may_lose_packets = false; ///< the link has faults, or leads through a device that may stop packets
@@ -124,7 +126,7 @@ struct alignas(64) LinkState {
     void expect_last_byte(std::size_t direction, const PacketTimes&);
     void drop_first_byte(std::size_t direction) { arrivals[first(direction)] = never; }
     bool expects_first_byte(std::size_t direction) const { return arrivals[first(direction)] != never; }
-    void drop_last_bytes(std::size_t direction) { arrivals[last(direction)] = arrivals[last(direction) + 1] = never; }
+    void drop_last_bytes(std::size_t direction) { arrivals[last(direction)] = last_bytes_after[direction] = never; }
     /// Drops the arrival of the last byte of the current part. Keeps the arrival for the previous part.
     void drop_last_byte(std::size_t direction);
     void drop_end_of_sending(std::size_t direction) { arrivals[end_of_sending(direction)] = never; }
@@ -147,7 +149,7 @@ struct alignas(64) LinkState {
 private:
     static constexpr std::size_t first(std::size_t direction) { return direction * arrivals_of_a_direction; }
     static constexpr std::size_t last(std::size_t direction) { return first(direction) + 1; }
-    static constexpr std::size_t end_of_sending(std::size_t direction) { return first(direction) + 3; }
+    static constexpr std::size_t end_of_sending(std::size_t direction) { return first(direction) + 2; }
     bool is_first_byte_foreseen(std::size_t direction, const PacketTimes& times) const {
         return is_sure_of_receiver(direction) && times.overlaps() && !may_lose_packets;
     }

@@ -189,6 +189,7 @@ TEST_CASE("link state: within an instant acknowledges are requested, then packet
 TEST_CASE("link state: simultaneous arrivals and packets are ordered") {
     LinkState state;
     state.arrivals.fill(1us);
+    state.last_bytes_after.fill(1us);
     state.ask_for_byte(1, 1us);
     CHECK(shown(state.next()) == Step{LinkStep::byte_begins, 1, 1us});
     state.packets.streams[1].due = never;
